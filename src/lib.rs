@@ -1,0 +1,5 @@
+//! Does the grasp hold?
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod lcp;
