@@ -1,1 +1,147 @@
-//! The linear complementarity problem `0 <= z  ⟂  w = M z + q >= 0`.
+//! The linear complementarity problem: find z with
+//!
+//! ```text
+//! 0 ≤ z  ⟂  w = M z + q ≥ 0,
+//! ```
+//!
+//! that is z ≥ 0, w ≥ 0 and z_i w_i = 0 for every i. This module knows nothing of contacts.
+//!
+//! | symbol | meaning | size |
+//! |---|---|---|
+//! | M | any real square matrix, dense | n × n |
+//! | q | any real vector | n |
+//! | z, w | unknowns and slacks, complementary in pairs | n |
+//! | d, z₀ | covering vector and covering variable of the augmented problem w = q + M z + d z₀ | n, 1 |
+//! | α | the i with z_i basic; M_αα is the principal block | |
+//!
+//! ```
+//! use grasp_lcp::lcp::{Lcp, Outcome};
+//! use nalgebra::{DMatrix, DVector};
+//!
+//! let problem = Lcp::new(
+//!     DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]),
+//!     DVector::from_vec(vec![-5.0, -6.0]),
+//! )?;
+//! let Outcome::Solved(solution) = problem.solve() else { panic!("M is positive definite") };
+//! assert!((solution.z - DVector::from_vec(vec![4.0 / 3.0, 7.0 / 3.0])).amax() < 1e-15);
+//! # Ok::<(), grasp_lcp::lcp::LcpError>(())
+//! ```
+//!
+//! # What Lemke's method guarantees
+//!
+//! [`Lcp::solve`] follows Lemke's path. In exact arithmetic it ends after finitely many pivots in a solution or in
+//! a secondary ray, and (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapters 3 and 4):
+//!
+//! | M | means | then |
+//! |---|---|---|
+//! | positive definite, or a P-matrix (all principal minors positive) | one solution for every q (3.3.7) | it is found |
+//! | strictly copositive (zᵀMz > 0 for 0 ≠ z ≥ 0) | a solution for every q (3.8.5) | one is found |
+//! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found, and a ray proves that there is none (4.4.12) |
+//! | any other | perhaps no solution, perhaps many | a ray proves nothing |
+//!
+//! [`Outcome`] says which of these happened; "solved" is only said after the residuals have been recomputed
+//! from the M and q given.
+
+// Formulas stand in the prose in plain Unicode, one-letter symbols with their indices included.
+#![allow(clippy::doc_markdown)]
+
+mod basis;
+mod dictionary;
+mod error;
+mod lemke;
+mod outcome;
+mod ratio;
+mod residuals;
+mod scaling;
+mod settings;
+
+pub use basis::Basis;
+pub use error::LcpError;
+pub use outcome::{BreakdownCause, Outcome, Ray, Solution};
+pub use residuals::Residuals;
+pub use settings::Settings;
+
+use nalgebra::{DMatrix, DVector};
+
+/// A linear complementarity problem (M, q) with finite entries.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lcp {
+    m: DMatrix<f64>,
+    q: DVector<f64>,
+}
+
+impl Lcp {
+    /// The problem with the n × n matrix M and the vector q of n entries; n may be 0.
+    ///
+    /// # Errors
+    ///
+    /// If M is not square, if q has another length, or if an entry is not finite; the error names row, column and value.
+    pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
+        let n = m.nrows();
+        if m.ncols() != n {
+            return Err(LcpError::NotSquare { rows: n, columns: m.ncols() });
+        }
+        if q.len() != n {
+            return Err(LcpError::Length { what: "q", given: q.len(), needed: n });
+        }
+        for column in 0..n {
+            for row in 0..n {
+                let value = m[(row, column)];
+                if !value.is_finite() {
+                    return Err(LcpError::MatrixEntry { what: "M", row, column, value });
+                }
+            }
+        }
+        if let Some(row) = q.iter().position(|q| !q.is_finite()) {
+            return Err(LcpError::VectorEntry { what: "q", row, value: q[row] });
+        }
+        Ok(Self { m, q })
+    }
+
+    /// M.
+    #[must_use]
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.m
+    }
+
+    /// q.
+    #[must_use]
+    pub fn vector(&self) -> &DVector<f64> {
+        &self.q
+    }
+
+    /// The number n of pairs (w_i, z_i).
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.q.len()
+    }
+
+    /// Whether n = 0.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.q.is_empty()
+    }
+
+    /// Solves the problem by Lemke's method with the default [`Settings`].
+    #[must_use]
+    pub fn solve(&self) -> Outcome {
+        self.solve_with(&Settings::default())
+    }
+
+    /// Solves the problem by Lemke's method.
+    #[must_use]
+    pub fn solve_with(&self, settings: &Settings) -> Outcome {
+        lemke::solve(&self.m, &self.q, settings)
+    }
+
+    /// How well z solves the problem. A z of another length, or with entries that are not finite, solves nothing: its
+    /// residuals are infinite.
+    #[must_use]
+    pub fn residuals(&self, z: &DVector<f64>) -> Residuals {
+        if z.len() == self.len() {
+            residuals::residuals(&self.m, &self.q, z.as_slice())
+        } else {
+            Residuals::UNUSABLE
+        }
+    }
+}

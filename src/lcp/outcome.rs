@@ -1,0 +1,95 @@
+//! How a solve can end.
+
+use super::basis::Basis;
+use super::residuals::Residuals;
+use nalgebra::DVector;
+
+/// What is known when Lemke's method ends.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// A solution was found and checked against the M and q given.
+    Solved(Solution),
+    /// The path ended in a secondary ray: along it z₀ never reaches zero.
+    ///
+    /// If M is copositive-plus (for instance positive semidefinite) or in P₀ ∩ Q₀ this proves that the problem has no
+    /// solution (Cottle, Pang & Stone, theorems 4.4.12 and 4.4.14). For other matrices it proves nothing.
+    Ray(Ray),
+    /// The pivot limit was reached first; nothing is known about the problem.
+    PivotLimit {
+        /// Pivots made.
+        pivots: usize,
+    },
+    /// The computation could not be carried through in double precision; nothing is known about the problem.
+    Breakdown {
+        /// Pivots made until then.
+        pivots: usize,
+        /// What went wrong.
+        cause: BreakdownCause,
+    },
+}
+
+impl Outcome {
+    /// The solution, if there is one.
+    #[must_use]
+    pub fn solution(&self) -> Option<&Solution> {
+        if let Self::Solved(solution) = self { Some(solution) } else { None }
+    }
+}
+
+/// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// z (n entries, none negative).
+    pub z: DVector<f64>,
+    /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
+    pub w: DVector<f64>,
+    /// Which z_i are basic.
+    pub basis: Basis,
+    /// The violations at z, recomputed from the M and q given with w = M z + q as it comes out, before zeros are set.
+    pub residuals: Residuals,
+    /// Pivots made.
+    pub pivots: usize,
+    /// Whether a basic variable is zero: then other bases stand for the same point, and the solution may be one of several.
+    pub degenerate: bool,
+}
+
+/// The secondary ray on which the path ended.
+///
+/// With ẑ, ŵ the direction and ẑ₀ the rate of the covering variable, ŵ = M ẑ + d ẑ₀, ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0, ẑᵀŵ = 0:
+/// the augmented problem has solutions for arbitrarily large steps along it. None of these is a solution of the problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ray {
+    /// ẑ (n entries).
+    pub direction: DVector<f64>,
+    /// ẑ₀.
+    pub covering_rate: f64,
+    /// Pivots made.
+    pub pivots: usize,
+}
+
+/// Why a solve broke down.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum BreakdownCause {
+    /// The covering vector of the settings has another length than the problem.
+    CoveringLength {
+        /// Its length.
+        given: usize,
+        /// The length of the problem.
+        needed: usize,
+    },
+    /// An entry of the covering vector is negative or not finite, or is zero in a row with q_i < 0.
+    CoveringEntry {
+        /// Row of the entry.
+        row: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// A number left the range of double precision.
+    Overflow,
+    /// The principal block of the final basis is singular.
+    SingularBasis,
+    /// The final basis was reached, but its point misses the tolerance for these residuals.
+    Residual(Residuals),
+}

@@ -1,0 +1,105 @@
+//! How well a point solves the problem, from the data as given.
+
+use nalgebra::{DMatrix, DVector};
+
+/// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, as pure numbers.
+///
+/// Row i is measured by the size of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j|, and z_j by the largest share it has
+/// in any row, s_j = max_i |M_ij| |z_j| / a_i. Both measures stay the same when rows, columns or
+/// the whole problem change their units. A row without terms (a_i = 0) is satisfied exactly.
+///
+/// A z_j ≠ 0 whose column of M is zero counts as s_j = 1: no change of the rows can make up for it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residuals {
+    /// max_j s_j over the j with z_j < 0.
+    pub negative_z: f64,
+    /// max_i −w_i / a_i over the i with w_i < 0.
+    pub negative_w: f64,
+    /// max_i min(max(w_i, 0) / a_i, s_i) over the i with z_i > 0.
+    pub complementarity: f64,
+}
+
+impl Residuals {
+    /// The largest of the three.
+    #[must_use]
+    pub fn max(&self) -> f64 {
+        let [a, b, c] = [self.negative_z, self.negative_w, self.complementarity];
+        if a.is_nan() || b.is_nan() || c.is_nan() { f64::NAN } else { a.max(b).max(c) }
+    }
+
+    /// Residuals that no test accepts.
+    pub(crate) const UNUSABLE: Self =
+        Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
+}
+
+/// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
+pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
+    w.copy_from_slice(q);
+    for (a, q) in terms.iter_mut().zip(q) {
+        *a = q.abs();
+    }
+    let n = q.len();
+    if n == 0 {
+        return;
+    }
+    for (column, &z) in m.as_slice().chunks_exact(n).zip(z) {
+        if z != 0.0 {
+            for ((w, a), m) in w.iter_mut().zip(terms.iter_mut()).zip(column) {
+                let product = m * z;
+                *w += product;
+                *a += product.abs();
+            }
+        }
+    }
+}
+
+/// The residuals at z, given w and the sizes a of its terms.
+pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
+    let n = z.len();
+    let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
+    if n == 0 {
+        return out;
+    }
+    if !(z.iter().chain(w).chain(terms).all(|x| x.is_finite())) {
+        return Residuals::UNUSABLE;
+    }
+    for (((column, &z), &w), &a) in m.as_slice().chunks_exact(n).zip(z).zip(w).zip(terms) {
+        if w < 0.0 {
+            out.negative_w = out.negative_w.max(-w / a);
+        }
+        if z == 0.0 {
+            continue;
+        }
+        let slack = if w > 0.0 { w / a } else { 0.0 };
+        if z > 0.0 && slack <= out.complementarity {
+            continue;
+        }
+        let share = share(column, z, terms);
+        if z < 0.0 {
+            out.negative_z = out.negative_z.max(share);
+        } else {
+            out.complementarity = out.complementarity.max(slack.min(share));
+        }
+    }
+    out
+}
+
+/// The residuals at z of the problem (M, q); z must have as many entries as q.
+pub(crate) fn residuals(m: &DMatrix<f64>, q: &DVector<f64>, z: &[f64]) -> Residuals {
+    let mut w = vec![0.0; z.len()];
+    let mut terms = vec![0.0; z.len()];
+    slack_and_terms(m, q.as_slice(), z, &mut w, &mut terms);
+    residuals_from(m, z, &w, &terms)
+}
+
+/// s_j, the largest share of z_j in a row.
+fn share(column: &[f64], z: f64, terms: &[f64]) -> f64 {
+    let mut share = None;
+    for (m, a) in column.iter().zip(terms) {
+        // An underflowed product leaves a_i = 0 although M_ij is not zero; such a row says nothing about z_j.
+        if *m != 0.0 && *a > 0.0 {
+            share = Some(share.unwrap_or(0.0_f64).max(m.abs() * z.abs() / a));
+        }
+    }
+    share.unwrap_or(1.0)
+}

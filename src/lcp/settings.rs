@@ -1,0 +1,69 @@
+//! How a solve is carried out.
+
+use nalgebra::DVector;
+
+/// Limits, tolerances and the covering vector of a solve. [`Settings::default`] is right for almost every problem.
+///
+/// Every tolerance is a pure number: the solver balances rows and columns of M first and compares each
+/// quantity with the largest terms it was computed from, so none of them has to follow the units of a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the caller's units.
+    ///
+    /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every
+    /// entry must be finite and not negative, and positive where q is negative; otherwise the solve ends in
+    /// [`Outcome::Breakdown`](super::Outcome::Breakdown). Another d is another path: it may end in another solution,
+    /// and on matrices without a guarantee in a ray where this one finds a solution.
+    /// `None` takes the vector of ones on the balanced problem, which makes the path independent of the units
+    /// of rows, columns and q.
+    pub covering: Option<DVector<f64>>,
+    /// The number of pivots after which the solve gives up with
+    /// [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
+    ///
+    /// It guards against the problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); cycling
+    /// is excluded by the tie rule. `None` allows 10000 + 100 n: ordinary problems need one to three times n, and
+    /// the exponential families are still solved up to n = 13. Smaller values cut solvable problems
+    /// off, larger ones only make the exponential families run longer.
+    pub max_pivots: Option<usize>,
+    /// A coefficient of the entering column blocks the entering variable only if it exceeds this fraction of the
+    /// largest entry of the column, before or after elimination (default 1e-11).
+    ///
+    /// It guards against pivots on rounding noise where the true coefficient is zero. Noise is some 1e-16 times the
+    /// growth of the elimination; a value below 1e-14 lets noise become a pivot and turns
+    /// rays into wrong bases, one above 1e-6 overlooks real blocking rows of badly conditioned problems.
+    pub pivot_tolerance: f64,
+    /// Two rows block at the same step if their values then differ by less than this fraction of the largest term
+    /// that has gone into them (default 1e-12).
+    ///
+    /// It guards the tie rule: rows which tie in exact arithmetic must be seen to tie, although rounding
+    /// separated them. Below 1e-15 exact ties are missed and z₀ may lose one, so a solved problem
+    /// is carried on into a ray; above 1e-8 rows that do not tie are treated as if they did, and values of
+    /// that size become negative.
+    pub tie_tolerance: f64,
+    /// A point is called a solution only if all its [`Residuals`](super::Residuals), recomputed from the M and q given,
+    /// are at most this (default 1e-10).
+    ///
+    /// It guards against wrong success. Solutions come out below 1e-14 unless the basis is nearly singular; a
+    /// value below 1e-15 would reject correctly rounded solutions, one above 1e-6 accept points that solve a
+    /// visibly different problem.
+    pub residual_tolerance: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            covering: None,
+            max_pivots: None,
+            pivot_tolerance: 1e-11,
+            tie_tolerance: 1e-12,
+            residual_tolerance: 1e-10,
+        }
+    }
+}
+
+impl Settings {
+    /// The pivot limit for a problem of n rows.
+    pub(crate) fn pivot_limit(&self, n: usize) -> usize {
+        self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
+    }
+}
