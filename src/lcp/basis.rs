@@ -27,6 +27,22 @@ impl Basis {
         Self { basic_z }
     }
 
+    /// The basis of all slacks again, for n rows.
+    pub(crate) fn clear(&mut self, n: usize) {
+        self.basic_z.clear();
+        self.basic_z.resize(n, false);
+    }
+
+    /// Makes z_i basic.
+    pub(crate) fn insert(&mut self, i: usize) {
+        self.basic_z[i] = true;
+    }
+
+    /// Exchanges w_i and z_i.
+    pub(crate) fn toggle(&mut self, i: usize) {
+        self.basic_z[i] = !self.basic_z[i];
+    }
+
     /// Whether z_i is basic.
     #[must_use]
     pub fn contains(&self, i: usize) -> bool {
@@ -54,5 +70,32 @@ impl Basis {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.basic_z.is_empty()
+    }
+}
+
+/// One of the 2n variables of a problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Variable {
+    /// The slack w_i.
+    W(usize),
+    /// The unknown z_i.
+    Z(usize),
+}
+
+impl Variable {
+    /// The i of the pair (w_i, z_i).
+    #[must_use]
+    pub fn index(self) -> usize {
+        let (Self::W(i) | Self::Z(i)) = self;
+        i
+    }
+
+    /// The other variable of the pair.
+    #[must_use]
+    pub fn complement(self) -> Self {
+        match self {
+            Self::W(i) => Self::Z(i),
+            Self::Z(i) => Self::W(i),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The condensed tableau and its pivot.
 //!
-//! With r the right-hand side, every basis of w = q + M z + d z₀ gives a *dictionary*
+//! Every basis of w = q + M z + d z₀ gives a *dictionary*
 //!
 //! ```text
 //! basic = x + Σ over the nonbasic variables v of D_v · v.
@@ -15,24 +15,26 @@
 //!
 //! and the column of z₀ is the same with d in the place of M_·e. If k slacks are nonbasic, a pivot
 //! costs 2nk flops for (1) and 2nk for the update: over a path on which k grows from 0 to n no more than the
-//! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that.
+//! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
+//! variable is known as soon as the leaving one is, so both are done in one pass over memory.
 
-use super::scaling::{Scaling, power_of_two};
+use super::kernel;
+use super::scaling::Scaling;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Variable {
-    Slack(usize),
-    Unknown(usize),
+pub(crate) enum Unknown {
+    W(usize),
+    Z(usize),
     Covering,
 }
 
-impl Variable {
+impl Unknown {
     /// The other variable of the pair; z₀ has none.
     pub(crate) fn complement(self) -> Self {
         match self {
-            Self::Slack(i) => Self::Unknown(i),
-            Self::Unknown(i) => Self::Slack(i),
+            Self::W(i) => Self::Z(i),
+            Self::Z(i) => Self::W(i),
             Self::Covering => Self::Covering,
         }
     }
@@ -45,7 +47,7 @@ const NONE: usize = usize::MAX;
 pub(crate) struct Dictionary {
     n: usize,
     /// The variable that is basic in each row.
-    pub(crate) basic: Vec<Variable>,
+    pub(crate) basic: Vec<Unknown>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
     /// Where w_i is kept, or NONE.
@@ -65,6 +67,10 @@ pub(crate) struct Dictionary {
     /// The covering vector d.
     pub(crate) d: Vec<f64>,
     entering: Vec<f64>,
+    next: Vec<f64>,
+    /// For each stored column, its multiple of u in the update and its multiple in the next entering column.
+    g: Vec<f64>,
+    c: Vec<f64>,
 }
 
 impl Dictionary {
@@ -73,7 +79,7 @@ impl Dictionary {
         let n = q.len();
         self.n = n;
         self.basic.clear();
-        self.basic.extend((0..n).map(Variable::Slack));
+        self.basic.extend((0..n).map(Unknown::W));
         self.kept.clear();
         self.slot.clear();
         self.slot.resize(n, NONE);
@@ -84,50 +90,145 @@ impl Dictionary {
         }
         self.level.clear();
         self.level.extend(q.iter().map(|q| q.abs()));
-        for scratch in [&mut self.u, &mut self.entering] {
+        for scratch in [&mut self.u, &mut self.entering, &mut self.next] {
             scratch.clear();
             scratch.resize(n, 0.0);
         }
     }
 
+    /// Whether w_i is nonbasic.
+    pub(crate) fn is_active(&self, i: usize) -> bool {
+        self.slot[i] != NONE
+    }
+
     /// Puts the column of a nonbasic variable into `u`.
-    pub(crate) fn enter(&mut self, variable: Variable, m: &[f64], scaling: &Scaling) {
-        let n = self.n;
-        match variable {
-            Variable::Slack(i) => {
-                let at = self.slot[i] * n;
-                self.u.copy_from_slice(&self.columns[at..at + n]);
-                self.unit = 1.0;
-                return;
-            }
-            Variable::Unknown(e) => {
-                let shift = scaling.column[e];
-                let column = &m[e * n..(e + 1) * n];
-                for ((to, m), row) in self.entering.iter_mut().zip(column).zip(&scaling.row) {
-                    *to = m * power_of_two(row + shift);
-                }
-            }
-            Variable::Covering => self.entering.copy_from_slice(&self.d),
+    pub(crate) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
+        if let Unknown::W(i) = variable {
+            let at = self.slot[i] * self.n;
+            self.u.copy_from_slice(&self.columns[at..at + self.n]);
+            self.unit = 1.0;
+        } else {
+            self.load(variable, m, scaling);
+            let mut u = std::mem::take(&mut self.u);
+            u.copy_from_slice(&self.next);
+            kernel::combine(&self.columns, self.n, &self.c, &mut u);
+            self.u = u;
         }
-        self.unit = self.entering.iter().fold(0.0, |unit: f64, m| unit.max(m.abs()));
-        for (u, basic) in self.u.iter_mut().zip(&self.basic) {
-            *u = if let Variable::Slack(i) = *basic { self.entering[i] } else { 0.0 };
+    }
+
+    /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
+    pub(crate) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
+        self.entering.copy_from_slice(r);
+        self.spread();
+        effect.copy_from_slice(&self.next);
+        kernel::combine(&self.columns, self.n, &self.c, effect);
+    }
+
+    /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
+    pub(crate) fn sum_terms(&mut self, q: &[f64]) {
+        for (level, basic) in self.level.iter_mut().zip(&self.basic) {
+            *level = if let Unknown::W(i) = *basic { q[i].abs() } else { 0.0 };
         }
-        for (column, i) in self.columns.chunks_exact(n).zip(&self.kept) {
-            let factor = self.entering[*i];
-            if factor != 0.0 {
-                for (u, d) in self.u.iter_mut().zip(column) {
-                    *u -= factor * d;
-                }
+        for (column, i) in self.columns.chunks_exact(self.n.max(1)).zip(&self.kept) {
+            let size = q[*i].abs();
+            for (level, c) in self.level.iter_mut().zip(column) {
+                *level += size * c.abs();
             }
         }
     }
 
-    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r. Returns the latter.
-    pub(crate) fn pivot(&mut self, entering: Variable, r: usize) -> Variable {
+    /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
+    fn load(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
+        if let Unknown::Z(e) = variable {
+            let column = &m[e * self.n..(e + 1) * self.n];
+            let factor = scaling.column[e];
+            for ((to, m), row) in self.entering.iter_mut().zip(column).zip(&scaling.row) {
+                *to = m * row * factor;
+            }
+        } else {
+            self.entering.copy_from_slice(&self.d);
+        }
+        self.unit = largest(&self.entering);
+        self.spread();
+    }
+
+    /// The first term of (1) into `next`, the factors of the second into `c`.
+    fn spread(&mut self) {
+        for (to, basic) in self.next.iter_mut().zip(&self.basic) {
+            *to = if let Unknown::W(i) = *basic { self.entering[i] } else { 0.0 };
+        }
+        self.c.clear();
+        self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
+    }
+
+    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned.
+    /// Then puts the column of the leaving variable's complement into `u`, unless z₀ left.
+    pub(crate) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
+        let leaving = self.rearrange(entering, r);
+        if let Unknown::W(l) = leaving {
+            self.load(Unknown::Z(l), m, scaling);
+            kernel::update_and_combine(&mut self.columns, self.n, &self.g, &self.u, &self.c, &mut self.next);
+            std::mem::swap(&mut self.u, &mut self.next);
+        } else {
+            kernel::update(&mut self.columns, self.n, &self.g, &self.u);
+            if leaving != Unknown::Covering {
+                self.enter(leaving.complement(), m, scaling);
+            }
+        }
+        leaving
+    }
+
+    /// The same exchange without a look ahead.
+    pub(crate) fn exchange(&mut self, entering: Unknown, r: usize) {
+        self.rearrange(entering, r);
+        kernel::update(&mut self.columns, self.n, &self.g, &self.u);
+    }
+
+    /// All of an exchange but the rank-one update of the stored columns, whose factors are left in `g` and `u`.
+    fn rearrange(&mut self, entering: Unknown, r: usize) -> Unknown {
         let n = self.n;
-        let pivot = self.u[r];
         let leaving = self.basic[r];
+        let pivot = self.u[r];
+        let inverse = 1.0 / pivot;
+        self.step(r, pivot);
+
+        // With row r of a column set to 0 and that of u to 1, the update of row r is the same as that of the others.
+        self.u[r] = 1.0;
+        let factor = -self.p[r] * inverse;
+        self.p[r] = 0.0;
+        kernel::add(&mut self.p, factor, &self.u);
+        self.g.clear();
+        for column in self.columns.chunks_exact_mut(n.max(1)) {
+            self.g.push(-column[r] * inverse);
+            column[r] = 0.0;
+        }
+        let own = if let Unknown::W(i) = entering { self.slot[i] } else { NONE };
+        if own != NONE {
+            // The entering slack's own column becomes that of the leaving variable, u / pivot.
+            self.g[own] = inverse;
+            self.columns[own * n..(own + 1) * n].fill(0.0);
+        }
+        self.basic[r] = entering;
+        match (leaving, own) {
+            (Unknown::W(l), NONE) => {
+                self.slot[l] = self.kept.len();
+                self.kept.push(l);
+                self.columns.resize(self.columns.len() + n, 0.0);
+                self.g.push(inverse);
+            }
+            (Unknown::W(l), own) => {
+                self.slot[self.kept[own]] = NONE;
+                self.slot[l] = own;
+                self.kept[own] = l;
+            }
+            (_, NONE) => {}
+            (_, own) => self.forget(own),
+        }
+        leaving
+    }
+
+    /// The values after the entering variable has grown until row r is zero.
+    fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
         for ((x, l), u) in self.x.iter_mut().zip(&mut self.level).zip(&self.u) {
@@ -136,53 +237,24 @@ impl Dictionary {
         }
         self.x[r] = step;
         self.level[r] = level;
-
-        // With row r of the column set to 0 and that of u to 1, the update of row r is the same as of all others.
-        self.u[r] = 1.0;
-        let eliminate = |column: &mut [f64], u: &[f64]| {
-            let factor = -column[r] / pivot;
-            if factor != 0.0 {
-                column[r] = 0.0;
-                for (c, u) in column.iter_mut().zip(u) {
-                    *c += factor * u;
-                }
-            }
-        };
-        eliminate(&mut self.p, &self.u);
-        let own = if let Variable::Slack(i) = entering { self.slot[i] } else { NONE };
-        for (slot, column) in self.columns.chunks_exact_mut(n).enumerate() {
-            if slot != own {
-                eliminate(column, &self.u);
-            }
-        }
-        // The leaving variable's column is u / pivot, with 1 / pivot in row r.
-        match (own, leaving) {
-            (NONE, Variable::Slack(l)) => {
-                self.slot[l] = self.kept.len();
-                self.kept.push(l);
-                self.columns.extend(self.u.iter().map(|u| u / pivot));
-            }
-            (own, Variable::Slack(l)) => {
-                self.slot[self.kept[own]] = NONE;
-                self.slot[l] = own;
-                self.kept[own] = l;
-                for (c, u) in self.columns[own * n..(own + 1) * n].iter_mut().zip(&self.u) {
-                    *c = u / pivot;
-                }
-            }
-            (NONE, _) => {}
-            (own, _) => {
-                self.slot[self.kept[own]] = NONE;
-                self.kept.swap_remove(own);
-                let last = self.kept.len();
-                if own != last {
-                    self.columns.copy_within(last * n..(last + 1) * n, own * n);
-                    self.slot[self.kept[own]] = own;
-                }
-                self.columns.truncate(last * n);
-            }
-        }
-        self.basic[r] = entering;
-        leaving
     }
+
+    /// Drops a stored column; the last one takes its place.
+    fn forget(&mut self, slot: usize) {
+        let n = self.n;
+        self.slot[self.kept[slot]] = NONE;
+        self.kept.swap_remove(slot);
+        self.g.swap_remove(slot);
+        let last = self.kept.len();
+        if slot != last {
+            self.columns.copy_within(last * n..(last + 1) * n, slot * n);
+            self.slot[self.kept[slot]] = slot;
+        }
+        self.columns.truncate(last * n);
+    }
+}
+
+/// max_i |v_i|.
+pub(crate) fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |largest: f64, v| largest.max(v.abs()))
 }

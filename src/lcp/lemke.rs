@@ -4,226 +4,332 @@
 //! z = 0 with large z₀ to z₀ = 0 (Cottle, Pang & Stone, algorithm 4.4.5): the variable driven next is always
 //! the complement of the one that left last.
 
-use super::basis::Basis;
-use super::dictionary::{Dictionary, Variable};
-use super::outcome::{BreakdownCause, Outcome, Ray, Solution};
-use super::ratio::{blocking_row, most_violated_row};
-use super::residuals::{Residuals, residuals_from, slack_and_terms};
-use super::scaling::{Scaling, power_of_two};
+use super::dictionary::{Dictionary, Unknown, largest};
+use super::outcome::BreakdownCause;
+use super::ratio::{Covering, blocking_row, most_violated_row};
+use super::scaling::Scaling;
 use super::settings::Settings;
-use nalgebra::{DMatrix, DVector};
 
-/// Values below this fraction of the largest term they were computed from are zero.
-const ZERO: f64 = 1e-13;
-
-/// Solves (M, q); the sizes match and all entries are finite.
-pub(crate) fn solve(m: &DMatrix<f64>, q: &DVector<f64>, settings: &Settings) -> Outcome {
-    let n = q.len();
-    if q.iter().all(|q| *q >= 0.0) {
-        return finish(m, q, &Basis::slack(n), &vec![false; n], 0, settings);
-    }
-    let mut scaling = Scaling::default();
-    scaling.balance(n, m.as_slice());
-    let scaled: Vec<f64> = q.iter().zip(&scaling.row).map(|(q, row)| q * power_of_two(*row)).collect();
-    let d = match covering(q, &scaling, settings) {
-        Ok(d) => d,
-        Err(cause) => return Outcome::Breakdown { pivots: 0, cause },
-    };
-    let p: Vec<f64> = scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)).collect();
-    let mut dictionary = Dictionary::default();
-    dictionary.reset(&scaled, &p, &d);
-
-    let mut entering = Variable::Covering;
-    let mut pivots = 0;
-    loop {
-        if pivots >= settings.pivot_limit(n) {
-            return Outcome::PivotLimit { pivots };
-        }
-        dictionary.enter(entering, m.as_slice(), &scaling);
-        if dictionary.x.iter().chain(&dictionary.u).any(|x| !x.is_finite()) {
-            return Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow };
-        }
-        let blocking = if entering == Variable::Covering {
-            match most_violated_row(&dictionary, settings) {
-                Ok(blocking) => blocking,
-                Err(row) => {
-                    let value = settings.covering.as_ref().and_then(|d| d.get(row)).copied().unwrap_or(0.0);
-                    return Outcome::Breakdown {
-                        pivots,
-                        cause: BreakdownCause::CoveringEntry { row, value },
-                    };
-                }
-            }
-        } else {
-            blocking_row(&dictionary, settings)
-        };
-        let Some(row) = blocking else {
-            return Outcome::Ray(ray(&dictionary, entering, &scaling, pivots));
-        };
-        let leaving = dictionary.pivot(entering, row);
-        pivots += 1;
-        if leaving == Variable::Covering {
-            break;
-        }
-        entering = leaving.complement();
-    }
-    let zero = |(x, level): (&f64, &f64)| *x <= ZERO * level;
-    let mut vanishing = vec![false; n];
-    let mut alpha = Vec::new();
-    for (row, basic) in dictionary.basic.iter().enumerate() {
-        let (Variable::Slack(i) | Variable::Unknown(i)) = *basic else { continue };
-        vanishing[i] = zero((&dictionary.x[row], &dictionary.level[row]));
-        if let Variable::Unknown(i) = *basic {
-            alpha.push(i);
-        }
-    }
-    finish(m, q, &Basis::from_indices(n, alpha), &vanishing, pivots, settings)
+/// How a path ends.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum End {
+    /// z₀ left: the basis is a complementary one.
+    Complementary,
+    /// This variable grows for ever; its column is in the dictionary.
+    Ray(Unknown),
+    PivotLimit,
+    Breakdown(BreakdownCause),
 }
 
-/// The covering vector in balanced rows.
-fn covering(q: &DVector<f64>, scaling: &Scaling, settings: &Settings) -> Result<Vec<f64>, BreakdownCause> {
-    let Some(d) = &settings.covering else {
-        return Ok(scaling.row_unit.clone());
-    };
-    if d.len() != q.len() {
-        return Err(BreakdownCause::CoveringLength { given: d.len(), needed: q.len() });
+/// A pivot smaller than this fraction of its column, or a drift larger than this, asks for a fresh dictionary.
+const DOUBTFUL: f64 = 1e-7;
+/// The values are compared with the data after so many pivots.
+const CHECK_EVERY: usize = 32;
+/// A dictionary whose values miss the data by more than this fraction of their terms is computed anew.
+const DRIFT: f64 = 1e-10;
+
+/// A path through the dictionaries of one balanced problem.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Path {
+    pub(crate) scaling: Scaling,
+    pub(crate) dictionary: Dictionary,
+    /// The balanced right-hand side, perturbation and covering vector.
+    pub(crate) q: Vec<f64>,
+    pub(crate) p: Vec<f64>,
+    pub(crate) d: Vec<f64>,
+    pub(crate) pivots: usize,
+    /// Pivots since the dictionary was last computed from the data.
+    age: usize,
+    /// Level and perturbation of each basic variable while the dictionary is computed anew.
+    saved: Vec<(f64, f64)>,
+    members: Vec<Unknown>,
+    active: Vec<bool>,
+    defect: Vec<f64>,
+    terms: Vec<f64>,
+}
+
+impl Path {
+    /// Balances M, and q and p with it. The dictionary still has to be started.
+    pub(crate) fn prepare(&mut self, m: &[f64], q: &[f64]) {
+        self.scaling.balance(q.len(), m);
+        self.p.clear();
+        self.p.extend(self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)));
+        self.set_right_hand_side(q);
+        self.pivots = 0;
     }
-    for (row, (d, q)) in d.iter().zip(q).enumerate() {
-        if !(d.is_finite() && *d >= 0.0) || (*q < 0.0 && *d == 0.0) {
-            return Err(BreakdownCause::CoveringEntry { row, value: *d });
+
+    pub(crate) fn set_right_hand_side(&mut self, q: &[f64]) {
+        self.q.clear();
+        self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
+    }
+
+    /// Starts from the slack basis with the present q, p and d.
+    pub(crate) fn start_from_slacks(&mut self) {
+        self.dictionary.reset(&self.q, &self.p, &self.d);
+        self.age = 0;
+    }
+
+    /// Lets z₀ enter an infeasible basis and follows the path until z₀ has left again. The column of z₀ is in the dictionary.
+    pub(crate) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
+        let row = match most_violated_row(&self.dictionary, settings) {
+            Ok(Some(row)) => row,
+            Ok(None) => return End::Complementary,
+            Err(row) => {
+                let value = settings.covering.as_ref().and_then(|d| d.get(row)).copied().unwrap_or(0.0);
+                return End::Breakdown(BreakdownCause::CoveringEntry { row, value });
+            }
+        };
+        if self.pivots >= limit {
+            return End::PivotLimit;
+        }
+        let leaving = self.pivot(Unknown::Covering, row, m);
+        self.run(leaving.complement(), m, settings, limit)
+    }
+
+    /// Follows the path from the entering variable on, whose column is in the dictionary.
+    fn run(&mut self, mut entering: Unknown, m: &[f64], settings: &Settings, limit: usize) -> End {
+        loop {
+            if self.pivots >= limit {
+                return End::PivotLimit;
+            }
+            let row = match self.blocking_row(entering, Covering::Artificial, m, settings) {
+                Ok(Some(row)) => row,
+                Ok(None) => return End::Ray(entering),
+                Err(cause) => return End::Breakdown(cause),
+            };
+            let leaving = self.pivot(entering, row, m);
+            if leaving == Unknown::Covering {
+                return End::Complementary;
+            }
+            entering = leaving.complement();
         }
     }
-    Ok(d.iter().zip(&scaling.row).map(|(d, row)| d * power_of_two(*row)).collect())
+
+    /// One exchange; afterwards the column of the leaving variable's complement is in the dictionary.
+    pub(crate) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
+        self.pivots += 1;
+        self.age += 1;
+        self.dictionary.pivot(entering, row, m, &self.scaling)
+    }
+
+    /// The blocking row for the entering variable, from a dictionary that can be trusted: one that has drifted from
+    /// the data, or that offers only a doubtful pivot or none, is computed anew first.
+    pub(crate) fn blocking_row(
+        &mut self,
+        entering: Unknown,
+        role: Covering,
+        m: &[f64],
+        settings: &Settings,
+    ) -> Result<Option<usize>, BreakdownCause> {
+        if self.age > 0 && self.pivots.is_multiple_of(CHECK_EVERY) && self.drift(m) > DRIFT {
+            self.refactor(entering, m)?;
+        }
+        loop {
+            if !self.dictionary.u.iter().all(|u| u.is_finite()) {
+                if self.age == 0 {
+                    return Err(BreakdownCause::Overflow);
+                }
+                self.refactor(entering, m)?;
+                continue;
+            }
+            let row = blocking_row(&self.dictionary, role, settings);
+            let doubtful = match row {
+                None => true,
+                Some(row) => {
+                    let size = largest(&self.dictionary.u).max(self.dictionary.unit);
+                    self.dictionary.u[row].abs() < DOUBTFUL * size
+                }
+            };
+            if doubtful && self.age > 0 {
+                self.refactor(entering, m)?;
+                continue;
+            }
+            return Ok(row);
+        }
+    }
+
+    /// How far the values of the basic variables are from solving w = q + M z + d z₀, as a fraction of the terms of a
+    /// row. A thousandth of the largest q_i is counted with the terms, or rows of nothing but noise would drift.
+    fn drift(&mut self, m: &[f64]) -> f64 {
+        self.compute_defect(m);
+        let floor = 1e-3 * largest(&self.q);
+        self.defect
+            .iter()
+            .zip(&self.terms)
+            .fold(0.0, |drift, (r, a)| r.abs().max(drift * (a + floor)) / (a + floor))
+    }
+
+    /// r = q + M z + d z₀ − w at the present values, and the size of its terms, row by row.
+    fn compute_defect(&mut self, m: &[f64]) {
+        let n = self.q.len();
+        self.defect.clear();
+        self.defect.extend_from_slice(&self.q);
+        self.terms.clear();
+        self.terms.extend(self.q.iter().map(|q| q.abs()));
+        for (basic, x) in self.dictionary.basic.iter().zip(&self.dictionary.x) {
+            match *basic {
+                Unknown::W(i) => {
+                    self.defect[i] -= x;
+                    self.terms[i] += x.abs();
+                }
+                Unknown::Covering => {
+                    add_with_terms(&mut self.defect, &mut self.terms, self.d.iter().map(|d| d * x));
+                }
+                Unknown::Z(j) => {
+                    let factor = self.scaling.column[j] * x;
+                    let column =
+                        m[j * n..(j + 1) * n].iter().zip(&self.scaling.row).map(|(m, row)| m * row * factor);
+                    add_with_terms(&mut self.defect, &mut self.terms, column);
+                }
+            }
+        }
+    }
+
+    /// Computes the dictionary of the present basis anew from the data, by elimination with row pivoting, and puts
+    /// the column of the entering variable back.
+    pub(crate) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
+        self.members.clear();
+        self.saved.clear();
+        self.saved.resize(2 * self.q.len() + 1, (0.0, 0.0));
+        for (row, basic) in self.dictionary.basic.iter().enumerate() {
+            self.saved[index(*basic, self.q.len())] = (self.dictionary.level[row], self.dictionary.p[row]);
+            if !matches!(basic, Unknown::W(_)) {
+                self.members.push(*basic);
+            }
+        }
+        self.active.clear();
+        self.active.extend((0..self.q.len()).map(|i| self.dictionary.is_active(i)));
+        self.install(m)?;
+        for row in 0..self.q.len() {
+            let saved = self.saved[index(self.dictionary.basic[row], self.q.len())];
+            (self.dictionary.level[row], self.dictionary.p[row]) = saved;
+        }
+        self.dictionary.enter(entering, m, &self.scaling);
+        Ok(())
+    }
+
+    /// The dictionary in which `members` are basic and the w_i with `active[i]` are not.
+    fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
+        self.start_from_slacks();
+        for member in 0..self.members.len() {
+            let member = self.members[member];
+            self.dictionary.enter(member, m, &self.scaling);
+            let mut best = (0, 0.0);
+            for (row, (basic, u)) in self.dictionary.basic.iter().zip(&self.dictionary.u).enumerate() {
+                if let Unknown::W(i) = *basic
+                    && self.active[i]
+                    && u.abs() > best.1
+                {
+                    best = (row, u.abs());
+                }
+            }
+            if best.1.is_nan() || best.1 <= SINGULAR * self.dictionary.unit {
+                return Err(BreakdownCause::SingularBasis);
+            }
+            self.dictionary.exchange(member, best.0);
+        }
+        self.compute_defect(m);
+        let mut effect = std::mem::take(&mut self.terms);
+        self.dictionary.effect(&self.defect, &mut effect);
+        for (x, e) in self.dictionary.x.iter_mut().zip(&effect) {
+            *x += e;
+        }
+        self.terms = effect;
+        Ok(())
+    }
+
+    /// The values for a new right-hand side in the present dictionary.
+    pub(crate) fn recompute_values(&mut self) {
+        let mut x = std::mem::take(&mut self.dictionary.x);
+        self.dictionary.effect(&self.q, &mut x);
+        self.dictionary.x = x;
+        self.dictionary.sum_terms(&self.q);
+    }
+
+    /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 in these
+    /// rows of the dictionary and 0 in the others, d is the vector for which c is the column of z₀. Returns whether
+    /// anything is infeasible.
+    pub(crate) fn cover_violations(&mut self, m: &[f64]) -> bool {
+        let n = self.q.len();
+        let dictionary = &mut self.dictionary;
+        self.d.clear();
+        self.d.resize(n, 0.0);
+        let mut violated = false;
+        dictionary.unit = 1.0;
+        for row in 0..n {
+            dictionary.p[row] = generic(row);
+            dictionary.u[row] = 0.0;
+            if dictionary.x[row] >= -NOISE * dictionary.level[row] {
+                dictionary.x[row] = dictionary.x[row].max(0.0);
+                continue;
+            }
+            violated = true;
+            dictionary.u[row] = 1.0;
+            match dictionary.basic[row] {
+                Unknown::W(i) => self.d[i] += 1.0,
+                Unknown::Z(j) => {
+                    let column = m[j * n..(j + 1) * n].iter().zip(&self.scaling.row);
+                    for (d, (m, row)) in self.d.iter_mut().zip(column) {
+                        *d -= m * row * self.scaling.column[j];
+                    }
+                }
+                Unknown::Covering => {}
+            }
+        }
+        dictionary.d.clear();
+        dictionary.d.extend_from_slice(&self.d);
+        violated
+    }
+
+    /// Lets z₀ be the parameter of q + z₀ d from here on, d given in the caller's rows, and puts its column into the
+    /// dictionary.
+    pub(crate) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
+        self.d.clear();
+        self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
+        self.dictionary.d.clear();
+        self.dictionary.d.extend_from_slice(&self.d);
+        self.dictionary.enter(Unknown::Covering, m, &self.scaling);
+    }
+
+    /// Installs the complementary basis in which z_i is basic where `active(i)`.
+    pub(crate) fn install_basis(
+        &mut self,
+        m: &[f64],
+        active: impl Fn(usize) -> bool,
+    ) -> Result<(), BreakdownCause> {
+        self.active.clear();
+        self.active.extend((0..self.q.len()).map(&active));
+        self.members.clear();
+        self.members.extend((0..self.q.len()).filter(|i| active(*i)).map(Unknown::Z));
+        self.install(m)
+    }
+}
+
+/// An elimination pivot below this fraction of its column before elimination makes the basis singular.
+const SINGULAR: f64 = 1e-14;
+/// Values above minus this fraction of their terms are not infeasible.
+const NOISE: f64 = 1e-13;
+
+fn index(variable: Unknown, n: usize) -> usize {
+    match variable {
+        Unknown::W(i) => i,
+        Unknown::Z(i) => n + i,
+        Unknown::Covering => 2 * n,
+    }
+}
+
+fn add_with_terms(sum: &mut [f64], terms: &mut [f64], column: impl Iterator<Item = f64>) {
+    for ((s, a), c) in sum.iter_mut().zip(terms).zip(column) {
+        *s += c;
+        *a += c.abs();
+    }
 }
 
 /// Entry i of a fixed vector without structure, between 1/2 and 3/2 (the mixing function of splitmix64).
-fn generic(i: usize) -> f64 {
+pub(crate) fn generic(i: usize) -> f64 {
     let mut x = (i as u64).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^= x >> 31;
     0.5 + (x >> 11) as f64 / (1_u64 << 53) as f64
-}
-
-/// The direction in which the entering variable grows for ever, in the caller's units, with largest entry 1.
-fn ray(dictionary: &Dictionary, entering: Variable, scaling: &Scaling, pivots: usize) -> Ray {
-    let n = dictionary.u.len();
-    let mut direction = DVector::zeros(n);
-    let mut covering_rate = 0.0;
-    if let Variable::Unknown(e) = entering {
-        direction[e] = power_of_two(scaling.column[e]);
-    }
-    for (basic, u) in dictionary.basic.iter().zip(&dictionary.u) {
-        match *basic {
-            Variable::Unknown(i) => direction[i] = u.max(0.0) * power_of_two(scaling.column[i]),
-            Variable::Covering => covering_rate = u.max(0.0),
-            Variable::Slack(_) => {}
-        }
-    }
-    let size = direction.amax();
-    if size > 0.0 && size.is_finite() {
-        direction /= size;
-        covering_rate /= size;
-    }
-    Ray { direction, covering_rate, pivots }
-}
-
-/// Computes the point of a basis from the M and q given, refines it and says "solved" only if the residuals do.
-fn finish(
-    m: &DMatrix<f64>,
-    q: &DVector<f64>,
-    basis: &Basis,
-    vanishing: &[bool],
-    pivots: usize,
-    settings: &Settings,
-) -> Outcome {
-    let n = q.len();
-    let alpha: Vec<usize> = basis.iter().collect();
-    // A basic variable which is zero in exact arithmetic comes out as noise. Leaving it out is best if the smaller
-    // block is regular; if not, only negative noise is cut off.
-    let support: Vec<usize> = alpha.iter().copied().filter(|i| !vanishing[*i]).collect();
-    let mut best: Option<Candidate> = None;
-    for indices in [&support, &alpha] {
-        if let Some(candidate) = Candidate::new(m, q, indices) {
-            let better = best.as_ref().is_none_or(|best| candidate.residuals.max() < best.residuals.max());
-            if better {
-                best = Some(candidate);
-            }
-        }
-        if best.as_ref().is_some_and(|best| best.residuals.max() <= ZERO) {
-            break;
-        }
-    }
-    let Some(Candidate { z, mut w, terms, residuals }) = best else {
-        return Outcome::Breakdown { pivots, cause: BreakdownCause::SingularBasis };
-    };
-    if residuals == Residuals::UNUSABLE {
-        return Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow };
-    }
-    if residuals.max().is_nan() || residuals.max() > settings.residual_tolerance {
-        return Outcome::Breakdown { pivots, cause: BreakdownCause::Residual(residuals) };
-    }
-    let mut degenerate = false;
-    for i in 0..n {
-        if basis.contains(i) {
-            w[i] = 0.0;
-            degenerate |= z[i] == 0.0;
-        } else {
-            degenerate |= w[i] <= ZERO * terms[i];
-            w[i] = w[i].max(0.0);
-        }
-    }
-    Outcome::Solved(Solution { z, w, basis: basis.clone(), residuals, pivots, degenerate })
-}
-
-/// The point of a basis, and how well it solves the problem.
-struct Candidate {
-    z: DVector<f64>,
-    w: DVector<f64>,
-    terms: Vec<f64>,
-    residuals: Residuals,
-}
-
-impl Candidate {
-    fn new(m: &DMatrix<f64>, q: &DVector<f64>, support: &[usize]) -> Option<Self> {
-        let n = q.len();
-        let basic = principal_solution(m, q, support)?;
-        let mut z = DVector::zeros(n);
-        for (i, value) in support.iter().zip(&basic) {
-            z[*i] = value.max(0.0);
-        }
-        let mut w = DVector::zeros(n);
-        let mut terms = vec![0.0; n];
-        slack_and_terms(m, q.as_slice(), z.as_slice(), w.as_mut_slice(), &mut terms);
-        let residuals = residuals_from(m, z.as_slice(), w.as_slice(), &terms);
-        Some(Self { z, w, terms, residuals })
-    }
-}
-
-/// Solves M_αα z_α = −q_α by row-equilibrated LU with complete pivoting and two steps of refinement.
-fn principal_solution(m: &DMatrix<f64>, q: &DVector<f64>, alpha: &[usize]) -> Option<DVector<f64>> {
-    let k = alpha.len();
-    if k == 0 {
-        return Some(DVector::zeros(0));
-    }
-    let exponent = |size: f64| if size > 0.0 && size.is_finite() { -size.log2().round() } else { 0.0 };
-    let mut block = DMatrix::from_fn(k, k, |i, j| m[(alpha[i], alpha[j])]);
-    let mut row = vec![1.0; k];
-    let mut column = vec![1.0; k];
-    for i in 0..k {
-        row[i] = exponent(block.row(i).amax()).exp2();
-        block.row_mut(i).scale_mut(row[i]);
-    }
-    for j in 0..k {
-        column[j] = exponent(block.column(j).amax()).exp2();
-        block.column_mut(j).scale_mut(column[j]);
-    }
-    let rhs = DVector::from_fn(k, |i, _| -row[i] * q[alpha[i]]);
-    let lu = block.clone().full_piv_lu();
-    let mut y = lu.solve(&rhs)?;
-    for _ in 0..2 {
-        let defect = &rhs - &block * &y;
-        y += lu.solve(&defect)?;
-    }
-    Some(DVector::from_fn(k, |j, _| y[j] * column[j]))
 }

@@ -46,20 +46,31 @@
 #![allow(clippy::doc_markdown)]
 
 mod basis;
+mod certificate;
 mod dictionary;
+mod enumerate;
 mod error;
+mod kernel;
 mod lemke;
 mod outcome;
+mod parametric;
+mod principal;
 mod ratio;
 mod residuals;
 mod scaling;
+mod series;
 mod settings;
+mod workspace;
 
-pub use basis::Basis;
+pub use basis::{Basis, Variable};
+pub use enumerate::AllSolutions;
 pub use error::LcpError;
-pub use outcome::{BreakdownCause, Outcome, Ray, Solution};
+pub use outcome::{BreakdownCause, Outcome, Proof, Ray, Solution};
+pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use residuals::Residuals;
+pub use series::Series;
 pub use settings::Settings;
+pub use workspace::{Answer, SolutionView, Workspace};
 
 use nalgebra::{DMatrix, DVector};
 
@@ -131,7 +142,32 @@ impl Lcp {
     /// Solves the problem by Lemke's method.
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome {
-        lemke::solve(&self.m, &self.q, settings)
+        Workspace::new().solve(self, settings).into_outcome()
+    }
+
+    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such as that of a
+    /// neighbouring problem: only what is infeasible there is covered by z₀, so the path is as short as the bases are close.
+    ///
+    /// A singular basis, a basis of another length, or a path that does not end in a solution lead back to
+    /// [`Lcp::solve_with`]. For many q with the same M use a [`Series`].
+    #[must_use]
+    pub fn solve_from(&self, basis: &Basis, settings: &Settings) -> Outcome {
+        Workspace::new().solve_from(self, basis, settings).into_outcome()
+    }
+
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases. `None` if n > 20.
+    #[must_use]
+    pub fn all_solutions(&self, settings: &Settings) -> Option<AllSolutions> {
+        (self.len() <= enumerate::LARGEST).then(|| enumerate::all_solutions(self, settings))
+    }
+
+    /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
+    ///
+    /// Each sum is compared with 8 (n + 2) ε Σ|terms|, ε = 2⁻⁵², the rounding error it may carry: (Mᵀy)_j must not exceed
+    /// that, qᵀy must be below minus that. Where the products and sums are exact, so is the proof.
+    #[must_use]
+    pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
+        certificate::check(self, y)
     }
 
     /// How well z solves the problem. A z of another length, or with entries that are not finite, solves nothing: its

@@ -12,8 +12,8 @@ pub enum Outcome {
     Solved(Solution),
     /// The path ended in a secondary ray: along it z₀ never reaches zero.
     ///
-    /// If M is copositive-plus (for instance positive semidefinite) or in P₀ ∩ Q₀ this proves that the problem has no
-    /// solution (Cottle, Pang & Stone, theorems 4.4.12 and 4.4.14). For other matrices it proves nothing.
+    /// [`Ray::proof`] says whether this proves that there is no solution. If it does not, nothing is known: every way
+    /// of going on that the [`Settings`](super::Settings) allow has been tried.
     Ray(Ray),
     /// The pivot limit was reached first; nothing is known about the problem.
     PivotLimit {
@@ -58,14 +58,37 @@ pub struct Solution {
 ///
 /// With ẑ, ŵ the direction and ẑ₀ the rate of the covering variable, ŵ = M ẑ + d ẑ₀, ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0, ẑᵀŵ = 0:
 /// the augmented problem has solutions for arbitrarily large steps along it. None of these is a solution of the problem.
+/// The direction is zero if infeasibility was proved after a path that ended otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ray {
     /// ẑ (n entries).
     pub direction: DVector<f64>,
     /// ẑ₀.
     pub covering_rate: f64,
+    /// What is proved by it, or was found out afterwards.
+    pub proof: Proof,
     /// Pivots made.
     pub pivots: usize,
+}
+
+impl Ray {
+    /// The answer when infeasibility was proved without a ray.
+    pub(crate) fn without_direction(n: usize, pivots: usize) -> Self {
+        Self { direction: DVector::zeros(n), covering_rate: 0.0, proof: Proof::None, pivots }
+    }
+}
+
+/// Whether a problem on which Lemke's method met a ray is known to have no solution.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Proof {
+    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma: the vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0, whereas
+    /// z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks it.
+    Infeasible(DVector<f64>),
+    /// None of the 2ⁿ complementary bases stands for a solution (up to rounding), although z ≥ 0 with M z + q ≥ 0 exist.
+    NoComplementaryBasis,
+    /// Nothing is proved.
+    None,
 }
 
 /// Why a solve broke down.

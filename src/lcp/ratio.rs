@@ -5,17 +5,30 @@
 //! ε → 0+. The perturbed problem has no ties, and its path is found by comparing, among rows that tie, the column of p next.
 //! Nothing is added to the data. If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
-use super::dictionary::{Dictionary, Variable};
+use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
 
+/// What z₀ is on the path that is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Covering {
+    /// To be brought to zero: it leaves as soon as it can.
+    Artificial,
+    /// The parameter of a family of problems, which may take any value.
+    Parameter,
+}
+
 /// The row in which a basic variable reaches zero first as the entering one grows; `None` if none ever does.
-pub(crate) fn blocking_row(dictionary: &Dictionary, settings: &Settings) -> Option<usize> {
-    let size = dictionary.u.iter().fold(dictionary.unit, |size, u| size.max(u.abs()));
+pub(crate) fn blocking_row(dictionary: &Dictionary, role: Covering, settings: &Settings) -> Option<usize> {
+    let size = largest(&dictionary.u).max(dictionary.unit);
     let least = -settings.pivot_tolerance * size;
+    let blocks = |row: usize, u: f64| {
+        u < least && (role == Covering::Artificial || dictionary.basic[row] != Unknown::Covering)
+    };
     let mut step = f64::INFINITY;
-    for (x, u) in dictionary.x.iter().zip(&dictionary.u) {
-        if *u < least {
-            step = step.min(x.max(0.0) / -u);
+    for (row, (x, u)) in dictionary.x.iter().zip(&dictionary.u).enumerate() {
+        // Multiplied out, since divisions are slow; u is negative.
+        if *u < least && x.max(0.0) < -u * step && blocks(row, *u) {
+            step = x.max(0.0) / -u;
         }
     }
     if step == f64::INFINITY {
@@ -24,8 +37,8 @@ pub(crate) fn blocking_row(dictionary: &Dictionary, settings: &Settings) -> Opti
     let mut best: Option<(usize, f64)> = None;
     for (row, u) in dictionary.u.iter().enumerate() {
         let margin = settings.tie_tolerance * dictionary.level[row].max(u.abs() * step);
-        if *u < least && dictionary.x[row].max(0.0) + u * step <= margin {
-            if dictionary.basic[row] == Variable::Covering {
+        if *u < least && dictionary.x[row].max(0.0) + u * step <= margin && blocks(row, *u) {
+            if dictionary.basic[row] == Unknown::Covering {
                 return Some(row);
             }
             let ratio = dictionary.p[row] / -u;
@@ -37,26 +50,26 @@ pub(crate) fn blocking_row(dictionary: &Dictionary, settings: &Settings) -> Opti
     best.map(|(row, _)| row)
 }
 
-/// The row of the smallest (q_i + ε p_i) / d_i with q_i < 0: there w_i leaves when z₀ enters the slack basis.
+/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters an infeasible basis.
 ///
-/// `Err(i)` if q_i < 0 but d_i is not positive, so that no z₀ makes row i feasible.
+/// `Err(row)` if x_i < 0 but u_i is not positive, so that no z₀ makes that row feasible.
 pub(crate) fn most_violated_row(
     dictionary: &Dictionary,
     settings: &Settings,
 ) -> Result<Option<usize>, usize> {
     let mut least = 0.0_f64;
-    for (row, (x, d)) in dictionary.x.iter().zip(&dictionary.u).enumerate() {
+    for (row, (x, u)) in dictionary.x.iter().zip(&dictionary.u).enumerate() {
         if *x < 0.0 {
-            if *d <= 0.0 {
+            if *u <= 0.0 {
                 return Err(row);
             }
-            least = least.min(x / d);
+            least = least.min(x / u);
         }
     }
     let mut best: Option<(usize, f64)> = None;
-    for (row, (x, d)) in dictionary.x.iter().zip(&dictionary.u).enumerate() {
-        if *x < 0.0 && *x - least * d <= settings.tie_tolerance * x.abs() {
-            let ratio = dictionary.p[row] / d;
+    for (row, (x, u)) in dictionary.x.iter().zip(&dictionary.u).enumerate() {
+        if *x < 0.0 && *x - least * u <= settings.tie_tolerance * x.abs() {
+            let ratio = dictionary.p[row] / u;
             if best.is_none_or(|(_, least)| ratio < least) {
                 best = Some((row, ratio));
             }

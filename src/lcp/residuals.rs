@@ -27,6 +27,12 @@ impl Residuals {
         if a.is_nan() || b.is_nan() || c.is_nan() { f64::NAN } else { a.max(b).max(c) }
     }
 
+    /// Whether all three are numbers of at most this size.
+    #[must_use]
+    pub fn within(&self, tolerance: f64) -> bool {
+        self.negative_z <= tolerance && self.negative_w <= tolerance && self.complementarity <= tolerance
+    }
+
     /// Residuals that no test accepts.
     pub(crate) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };

@@ -1,6 +1,12 @@
 //! Oracles in exact rational arithmetic, independent of the library.
 // Every test file uses its own part, and all casts are of small integers.
-#![allow(dead_code, clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss)]
+#![allow(
+    dead_code,
+    clippy::missing_panics_doc,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss
+)]
 #![allow(clippy::doc_markdown)]
 
 use num_bigint::BigInt;
@@ -32,51 +38,72 @@ impl Integers {
     }
 
     /// Whether the problem has a solution at all: for every α, is { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } empty?
-    /// Decided by Fourier–Motzkin elimination, so singular blocks need no special care.
+    /// Decided by the simplex method, so singular blocks need no special care.
     pub(crate) fn is_solvable(&self) -> bool {
-        (0..1_u32 << self.n).any(|alpha| self.piece_is_solvable(alpha))
+        (0..1_u32 << self.n).any(|alpha| self.has_point(alpha, alpha))
     }
 
-    fn piece_is_solvable(&self, alpha: u32) -> bool {
-        let support: Vec<usize> = (0..self.n).filter(|i| alpha >> i & 1 == 1).collect();
-        let k = support.len();
-        // Rows (a, b) stand for a·z + b ≥ 0.
-        let mut rows: Vec<Vec<BigRational>> = Vec::new();
-        for i in 0..self.n {
-            let mut row: Vec<BigRational> =
-                support.iter().map(|j| rational(self.m[i * self.n + j])).collect();
-            row.push(rational(self.q[i]));
-            if alpha >> i & 1 == 1 {
-                rows.push(row.iter().map(|x| -x.clone()).collect());
+    /// Whether { z ≥ 0, Mz + q ≥ 0 } is not empty.
+    pub(crate) fn is_feasible(&self) -> bool {
+        self.has_point((1 << self.n) - 1, 0)
+    }
+
+    /// Whether there are z ≥ 0 with support in `support`, (Mz + q)_i = 0 for i in `equal`, Mz + q ≥ 0.
+    fn has_point(&self, support: u32, equal: u32) -> bool {
+        let columns: Vec<usize> = (0..self.n).filter(|i| support >> i & 1 == 1).collect();
+        let slacks: Vec<usize> = (0..self.n).filter(|i| equal >> i & 1 == 0).collect();
+        let width = columns.len() + slacks.len();
+        // Rows of M z − s = −q, with a right-hand side that is not negative; the artificial basis is implicit.
+        let mut rows: Vec<Vec<BigRational>> = (0..self.n)
+            .map(|i| {
+                let mut row: Vec<BigRational> =
+                    columns.iter().map(|j| rational(self.m[i * self.n + j])).collect();
+                row.extend(slacks.iter().map(|s| rational(-i64::from(*s == i))));
+                row.push(rational(-self.q[i]));
+                if row[width].is_negative() { row.iter().map(|x| -x).collect() } else { row }
+            })
+            .collect();
+        let mut basic: Vec<Option<usize>> = vec![None; self.n];
+        loop {
+            let infeasibility = |c: usize| -> BigRational {
+                rows.iter().zip(&basic).filter(|(_, b)| b.is_none()).map(|(row, _)| row[c].clone()).sum()
+            };
+            if infeasibility(width).is_zero() {
+                return true;
             }
-            rows.push(row);
-        }
-        for j in 0..k {
-            let mut row = vec![BigRational::zero(); k + 1];
-            row[j] = rational(1);
-            rows.push(row);
-        }
-        for v in 0..k {
-            let (mut next, mut lower, mut upper) = (Vec::new(), Vec::new(), Vec::new());
-            for row in rows {
-                if row[v].is_zero() {
-                    next.push(row);
-                } else {
-                    let size = row[v].abs();
-                    let row: Vec<BigRational> = row.iter().map(|x| x / &size).collect();
-                    if row[v].is_positive() { lower.push(row) } else { upper.push(row) }
+            // Bland's rule: the first column that helps, the smallest basic index among the rows that block.
+            let Some(enter) = (0..width).find(|c| infeasibility(*c).is_positive()) else { return false };
+            let leave = (0..self.n)
+                .filter(|r| rows[*r][enter].is_positive())
+                .min_by_key(|r| (&rows[*r][width] / &rows[*r][enter], basic[*r].map_or(usize::MAX, |b| b)))
+                .expect("the infeasibility is bounded below");
+            let scale = rows[leave][enter].clone();
+            rows[leave].iter_mut().for_each(|x| *x /= &scale);
+            let head = rows[leave].clone();
+            for r in (0..self.n).filter(|r| *r != leave) {
+                let f = rows[r][enter].clone();
+                if !f.is_zero() {
+                    rows[r].iter_mut().zip(&head).for_each(|(x, h)| *x -= &f * h);
                 }
             }
-            for low in &lower {
-                for high in &upper {
-                    next.push(low.iter().zip(high).map(|(a, b)| a + b).collect());
-                }
-            }
-            next.sort();
-            next.dedup();
-            rows = next;
+            basic[leave] = Some(enter);
         }
-        rows.iter().all(|row| !row[k].is_negative())
+    }
+
+    /// The distinct solutions at regular bases.
+    pub(crate) fn regular_solutions(&self) -> Vec<Vec<BigRational>> {
+        let mut points = Vec::new();
+        for bits in 0..1_u32 << self.n {
+            let alpha: Vec<usize> = (0..self.n).filter(|i| bits >> i & 1 == 1).collect();
+            if let Some(z) = self.exact_point(&alpha)
+                && self.is_solution(&z)
+            {
+                points.push(z);
+            }
+        }
+        points.sort();
+        points.dedup();
+        points
     }
 
     /// Whether the basis α stands for a solution: the exact point of a regular M_αα, or `None` if it is singular.

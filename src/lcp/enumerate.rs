@@ -1,0 +1,104 @@
+//! All solutions of a small problem.
+
+use super::certificate::least_violation;
+use super::outcome::Solution;
+use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::settings::Settings;
+use super::workspace::ZERO;
+use super::{Basis, Lcp, principal};
+use nalgebra::{DMatrix, DVector};
+
+/// The largest n for which 2ⁿ bases are tried.
+pub(crate) const LARGEST: usize = 20;
+
+/// The solutions found by trying all complementary bases.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AllSolutions {
+    /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit).
+    /// Bases that stand for the same point are listed once, with `degenerate` set.
+    pub solutions: Vec<Solution>,
+    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be
+    /// a whole face of solutions; one point of it is among the solutions.
+    pub singular: Vec<Basis>,
+}
+
+/// Tries all 2ⁿ complementary bases; n is at most [`LARGEST`].
+pub(crate) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
+    let n = lcp.len();
+    let mut all = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
+    for bits in 0..1_u32 << n {
+        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
+        let basic = principal::solve(&lcp.m, &lcp.q, &alpha);
+        let regular = basic.is_some();
+        let Some(basic) = basic.or_else(|| point_of_singular_piece(lcp, &alpha, settings)) else { continue };
+        let basis = Basis::from_indices(n, alpha.iter().copied());
+        let Some(solution) = solution_at(lcp, &basis, &alpha, &basic, settings) else { continue };
+        if !regular {
+            all.singular.push(basis);
+        }
+        match all.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
+            Some(known) => known.degenerate = true,
+            None => all.solutions.push(solution),
+        }
+    }
+    all
+}
+
+fn solution_at(
+    lcp: &Lcp,
+    basis: &Basis,
+    alpha: &[usize],
+    basic: &DVector<f64>,
+    settings: &Settings,
+) -> Option<Solution> {
+    let mut z = DVector::zeros(lcp.len());
+    for (i, value) in alpha.iter().zip(basic) {
+        z[*i] = *value;
+    }
+    // With its negative entries first: those that are more than noise must not be cut off.
+    if !evaluate(lcp, &z).0.within(settings.residual_tolerance) {
+        return None;
+    }
+    z.iter_mut().for_each(|z| *z = z.max(0.0));
+    let (residuals, mut w, terms) = evaluate(lcp, &z);
+    if !residuals.within(settings.residual_tolerance) {
+        return None;
+    }
+    let mut degenerate = false;
+    for i in 0..lcp.len() {
+        if basis.contains(i) {
+            w[i] = 0.0;
+            degenerate |= z[i] == 0.0;
+        } else {
+            degenerate |= w[i] <= ZERO * terms[i];
+            w[i] = w[i].max(0.0);
+        }
+    }
+    Some(Solution { z, w, basis: basis.clone(), residuals, pivots: 0, degenerate })
+}
+
+fn evaluate(lcp: &Lcp, z: &DVector<f64>) -> (Residuals, DVector<f64>, Vec<f64>) {
+    let mut w = DVector::zeros(lcp.len());
+    let mut terms = vec![0.0; lcp.len()];
+    slack_and_terms(&lcp.m, lcp.q.as_slice(), z.as_slice(), w.as_mut_slice(), &mut terms);
+    (residuals_from(&lcp.m, z.as_slice(), w.as_slice(), &terms), w, terms)
+}
+
+/// Whether two points differ by no more than rounding, entry by entry or measured by the largest entry.
+fn same_point(lcp: &Lcp, a: &Solution, b: &Solution) -> bool {
+    let size = a.z.amax().max(b.z.amax());
+    (0..lcp.len()).all(|i| {
+        let difference = (a.z[i] - b.z[i]).abs();
+        difference <= 1e-9 * a.z[i].abs().max(b.z[i].abs()) || difference <= 1e-12 * size
+    })
+}
+
+/// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming; the caller checks it.
+fn point_of_singular_piece(lcp: &Lcp, alpha: &[usize], settings: &Settings) -> Option<DVector<f64>> {
+    let n = lcp.len();
+    let k = alpha.len();
+    let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
+    let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * lcp.m[(row(i).0, alpha[j])]);
+    let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0]);
+    least_violation(&a, &b, settings).map(|program| program.x)
+}

@@ -1,0 +1,275 @@
+//! The path of solutions of q(τ) = q₀ + τ dq.
+//!
+//! On a complementary basis the solution is an affine function of τ. It ends where a basic variable reaches zero, a
+//! *breakpoint*; there the variable leaves and its complement is driven, exactly as in Lemke's method with dq in the place of d
+//! (Cottle, Pang & Stone, section 4.5). On the next piece τ may go on growing, or turn back: then there are no solutions
+//! nearby for larger τ.
+
+use super::Lcp;
+use super::basis::{Basis, Variable};
+use super::dictionary::{Unknown, largest};
+use super::error::LcpError;
+use super::outcome::{BreakdownCause, Outcome};
+use super::ratio::Covering;
+use super::settings::Settings;
+use super::workspace::Workspace;
+use nalgebra::DVector;
+
+/// Where τ goes on a piece of the path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Trend {
+    /// τ grows.
+    Forward,
+    /// τ falls: the path has turned back.
+    Backward,
+    /// τ stands still while the solution moves: all points of the piece solve the problem at this τ.
+    Still,
+}
+
+/// The end of one piece of the path and the beginning of the next.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Breakpoint {
+    /// τ at the breakpoint.
+    pub tau: f64,
+    /// z at the breakpoint (n entries).
+    pub z: DVector<f64>,
+    /// The variable that has reached zero and leaves the basis.
+    pub leaving: Variable,
+    /// Its complement, which grows from zero on the next piece.
+    pub entering: Variable,
+    /// The complementary basis of the next piece.
+    pub basis: Basis,
+    /// Where τ goes on the next piece.
+    pub trend: Trend,
+    /// dz/dτ on the next piece (n entries); zero if τ stands still.
+    pub rate: DVector<f64>,
+}
+
+/// Why there are no further breakpoints.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum PathEnd {
+    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ (still).
+    Unbounded(Trend),
+    /// As many breakpoints as the settings allow pivots.
+    PivotLimit,
+    /// The path could not be followed further in double precision.
+    Breakdown(BreakdownCause),
+    /// The problem at τ = 0 was not solved, so there was no path.
+    NoStart,
+}
+
+/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
+///
+/// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
+/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length.
+///
+/// ```
+/// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
+/// use nalgebra::{DMatrix, DVector};
+///
+/// // w = z + 1 − 2τ: z = 0 up to τ = 1/2, then z = 2τ − 1.
+/// let problem = Lcp::new(DMatrix::from_element(1, 1, 1.0), DVector::from_element(1, 1.0))?;
+/// let mut path = Parametric::new(&problem, &DVector::from_element(1, -2.0), Settings::default())?;
+/// let first = path.next().expect("w reaches zero");
+/// assert_eq!((first.tau, first.leaving, first.trend), (0.5, Variable::W(0), Trend::Forward));
+/// assert!(path.next().is_none());
+/// assert_eq!(path.end(), Some(&PathEnd::Unbounded(Trend::Forward)));
+/// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Parametric<'a> {
+    lcp: &'a Lcp,
+    settings: Settings,
+    workspace: Workspace,
+    start: Outcome,
+    basis: Basis,
+    entering: Unknown,
+    trend: Trend,
+    breakpoints: usize,
+    end: Option<PathEnd>,
+}
+
+impl<'a> Parametric<'a> {
+    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the solution that
+    /// [`Lcp::solve_with`] finds.
+    ///
+    /// # Errors
+    ///
+    /// If dq has another length than the problem, or entries that are not finite.
+    pub fn new(lcp: &'a Lcp, dq: &DVector<f64>, settings: Settings) -> Result<Self, LcpError> {
+        Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
+    }
+
+    /// The same from the solution that [`Lcp::solve_from`] finds, so that one of several solutions can be followed.
+    ///
+    /// # Errors
+    ///
+    /// If dq has another length than the problem, or entries that are not finite.
+    pub fn from_basis(
+        lcp: &'a Lcp,
+        basis: &Basis,
+        dq: &DVector<f64>,
+        settings: Settings,
+    ) -> Result<Self, LcpError> {
+        if dq.len() != lcp.len() {
+            return Err(LcpError::Length { what: "dq", given: dq.len(), needed: lcp.len() });
+        }
+        if let Some(row) = dq.iter().position(|q| !q.is_finite()) {
+            return Err(LcpError::VectorEntry { what: "dq", row, value: dq[row] });
+        }
+        let mut workspace = Workspace::new();
+        let start = if basis.count() == 0 {
+            let failure = workspace.solve_first(lcp, &settings);
+            workspace.answer(failure).into_outcome()
+        } else {
+            workspace.solve_from(lcp, basis, &settings).into_outcome()
+        };
+        let mut path = Self {
+            lcp,
+            settings,
+            workspace,
+            start,
+            basis: Basis::slack(lcp.len()),
+            entering: Unknown::Covering,
+            trend: Trend::Forward,
+            breakpoints: 0,
+            end: None,
+        };
+        let found = path.start.solution().map(|solution| solution.basis.clone());
+        match found {
+            None => path.end = Some(PathEnd::NoStart),
+            Some(basis) => {
+                path.basis = basis;
+                path.begin(dq);
+            }
+        }
+        Ok(path)
+    }
+
+    fn begin(&mut self, dq: &DVector<f64>) {
+        let m = self.lcp.m.as_slice();
+        let basis = &self.basis;
+        if !self.workspace.holds(basis) {
+            if let Err(cause) = self.workspace.path.install_basis(m, |i| basis.contains(i)) {
+                self.end = Some(PathEnd::Breakdown(cause));
+                return;
+            }
+            self.workspace.path.cover_violations(m);
+        }
+        self.workspace.path.start_parameter(dq.as_slice(), m);
+    }
+
+    /// The solution at τ = 0, or why there is none.
+    #[must_use]
+    pub fn start(&self) -> &Outcome {
+        &self.start
+    }
+
+    /// Where τ goes on the present piece, the one after the last breakpoint.
+    #[must_use]
+    pub fn trend(&self) -> Trend {
+        self.trend
+    }
+
+    /// Why there are no further breakpoints, once there are none.
+    #[must_use]
+    pub fn end(&self) -> Option<&PathEnd> {
+        self.end.as_ref()
+    }
+
+    /// Rates of z and τ as the entering variable grows by one, in the caller's units.
+    fn rates(&self) -> (DVector<f64>, f64) {
+        let path = &self.workspace.path;
+        let mut rate = DVector::zeros(self.lcp.len());
+        let mut tau = if self.entering == Unknown::Covering { 1.0 } else { 0.0 };
+        if let Unknown::Z(e) = self.entering {
+            rate[e] = path.scaling.column[e];
+        }
+        for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
+            match *basic {
+                Unknown::Z(j) => rate[j] = u * path.scaling.column[j],
+                Unknown::Covering => tau = *u,
+                Unknown::W(_) => {}
+            }
+        }
+        let size = largest(&path.dictionary.u).max(path.dictionary.unit);
+        if tau.abs() <= self.settings.pivot_tolerance * size {
+            tau = 0.0;
+        }
+        (rate, tau)
+    }
+
+    fn breakpoint(&mut self, leaving: Variable) -> Breakpoint {
+        let (mut rate, tau_rate) = self.rates();
+        self.trend = match tau_rate {
+            t if t > 0.0 => Trend::Forward,
+            t if t < 0.0 => Trend::Backward,
+            _ => Trend::Still,
+        };
+        if tau_rate == 0.0 {
+            rate.fill(0.0);
+        } else {
+            rate /= tau_rate;
+        }
+        self.basis.toggle(leaving.index());
+        let path = &self.workspace.path;
+        let mut z = DVector::zeros(self.lcp.len());
+        let mut tau = 0.0;
+        for (basic, x) in path.dictionary.basic.iter().zip(&path.dictionary.x) {
+            match *basic {
+                Unknown::Z(j) => z[j] = x.max(0.0) * path.scaling.column[j],
+                Unknown::Covering => tau = *x,
+                Unknown::W(_) => {}
+            }
+        }
+        Breakpoint {
+            tau,
+            z,
+            leaving,
+            entering: leaving.complement(),
+            basis: self.basis.clone(),
+            trend: self.trend,
+            rate,
+        }
+    }
+}
+
+impl Iterator for Parametric<'_> {
+    type Item = Breakpoint;
+
+    fn next(&mut self) -> Option<Breakpoint> {
+        if self.end.is_some() {
+            return None;
+        }
+        if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
+            self.end = Some(PathEnd::PivotLimit);
+            return None;
+        }
+        let m = self.lcp.m.as_slice();
+        let path = &mut self.workspace.path;
+        let row = match path.blocking_row(self.entering, Covering::Parameter, m, &self.settings) {
+            Ok(Some(row)) => row,
+            Ok(None) => {
+                self.end = Some(PathEnd::Unbounded(self.trend));
+                return None;
+            }
+            Err(cause) => {
+                self.end = Some(PathEnd::Breakdown(cause));
+                return None;
+            }
+        };
+        self.breakpoints += 1;
+        let leaving = match path.pivot(self.entering, row, m) {
+            Unknown::W(i) => Variable::W(i),
+            Unknown::Z(i) => Variable::Z(i),
+            // A parameter never blocks.
+            Unknown::Covering => return None,
+        };
+        self.entering = match leaving.complement() {
+            Variable::W(i) => Unknown::W(i),
+            Variable::Z(i) => Unknown::Z(i),
+        };
+        Some(self.breakpoint(leaving))
+    }
+}

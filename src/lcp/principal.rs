@@ -1,0 +1,39 @@
+//! The point of a complementary basis, by a fresh factorisation of its principal block.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Solves M_αα z_α = −q_α by LU with complete pivoting of the balanced block, with two steps of refinement; `None` if
+/// the block is singular to working precision.
+pub(crate) fn solve(m: &DMatrix<f64>, q: &DVector<f64>, alpha: &[usize]) -> Option<DVector<f64>> {
+    let k = alpha.len();
+    if k == 0 {
+        return Some(DVector::zeros(0));
+    }
+    let factor = |size: f64| if size > 0.0 && size.is_finite() { (-size.log2().round()).exp2() } else { 1.0 };
+    let mut block = DMatrix::from_fn(k, k, |i, j| m[(alpha[i], alpha[j])]);
+    let mut row = vec![1.0; k];
+    let mut column = vec![1.0; k];
+    for i in 0..k {
+        row[i] = factor(block.row(i).amax());
+        block.row_mut(i).scale_mut(row[i]);
+    }
+    for j in 0..k {
+        column[j] = factor(block.column(j).amax());
+        block.column_mut(j).scale_mut(column[j]);
+    }
+    let rhs = DVector::from_fn(k, |i, _| -row[i] * q[alpha[i]]);
+    let lu = block.clone().full_piv_lu();
+    let diagonal = lu.lu_internal().diagonal();
+    if diagonal.iter().any(|u| u.is_nan() || u.abs() <= SINGULAR) {
+        return None;
+    }
+    let mut y = lu.solve(&rhs)?;
+    for _ in 0..2 {
+        let defect = &rhs - &block * &y;
+        y += lu.solve(&defect)?;
+    }
+    Some(DVector::from_fn(k, |j, _| y[j] * column[j]))
+}
+
+/// Columns of the balanced block have largest entries near 1; a pivot below this is noise.
+const SINGULAR: f64 = 1e-15;

@@ -1,0 +1,66 @@
+//! Many right-hand sides, one matrix.
+
+use super::error::LcpError;
+use super::workspace::{Answer, Workspace};
+use super::{Lcp, Settings};
+use nalgebra::{DMatrix, DVector};
+
+/// A series of problems with the same M, each solved from the basis of the one before.
+///
+/// The dictionary of the last basis is kept, so a new q costs about one pivot to look at and then the pivots in which its basis
+/// differs. Once two problems have been solved, nothing is allocated any more unless a path fails.
+///
+/// ```
+/// use grasp_lcp::lcp::{Answer, Series, Settings};
+/// use nalgebra::{DMatrix, DVector};
+///
+/// let m = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
+/// let mut series = Series::new(m, Settings::default())?;
+/// for (q, pivots) in [([-5.0, -6.0], 3), ([-5.0, -6.1], 0)] {
+///     let Answer::Solved(solution) = series.solve(&DVector::from_column_slice(&q))? else { panic!("M > 0") };
+///     assert_eq!(solution.pivots, pivots);
+/// }
+/// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Series {
+    lcp: Lcp,
+    settings: Settings,
+    workspace: Workspace,
+    /// Whether the workspace holds the dictionary of a complementary basis.
+    started: bool,
+}
+
+impl Series {
+    /// The series of the n × n matrix M.
+    ///
+    /// # Errors
+    ///
+    /// If M is not square or has entries that are not finite.
+    pub fn new(m: DMatrix<f64>, settings: Settings) -> Result<Self, LcpError> {
+        let q = DVector::zeros(m.nrows());
+        Ok(Self { lcp: Lcp::new(m, q)?, settings, workspace: Workspace::new(), started: false })
+    }
+
+    /// Solves the problem with right-hand side q (n entries).
+    ///
+    /// # Errors
+    ///
+    /// If q has another length than M has rows, or entries that are not finite.
+    pub fn solve(&mut self, q: &DVector<f64>) -> Result<Answer<'_>, LcpError> {
+        if q.len() != self.lcp.len() {
+            return Err(LcpError::Length { what: "q", given: q.len(), needed: self.lcp.len() });
+        }
+        if let Some(row) = q.iter().position(|q| !q.is_finite()) {
+            return Err(LcpError::VectorEntry { what: "q", row, value: q[row] });
+        }
+        self.lcp.q.copy_from(q);
+        let failure = if self.started {
+            self.workspace.solve_next(&self.lcp, &self.settings)
+        } else {
+            self.workspace.solve_first(&self.lcp, &self.settings)
+        };
+        self.started = failure.is_none() && self.workspace.is_complementary();
+        Ok(self.workspace.answer(failure))
+    }
+}
