@@ -40,8 +40,8 @@ pub(crate) struct Path {
     pub(crate) pivots: usize,
     /// Pivots since the dictionary was last computed from the data.
     age: usize,
-    /// Level and perturbation of each basic variable while the dictionary is computed anew.
-    saved: Vec<(f64, f64)>,
+    /// The perturbation of each basic variable while the dictionary is computed anew.
+    saved: Vec<f64>,
     members: Vec<Unknown>,
     active: Vec<bool>,
     defect: Vec<f64>,
@@ -121,8 +121,12 @@ impl Path {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        if self.age > 0 && self.pivots.is_multiple_of(CHECK_EVERY) && self.drift(m) > DRIFT {
-            self.refactor(entering, m)?;
+        if self.age > 0 && self.pivots.is_multiple_of(CHECK_EVERY) {
+            if self.drift(m) > DRIFT {
+                self.refactor(entering, m)?;
+            } else {
+                self.correct();
+            }
         }
         loop {
             if !self.dictionary.u.iter().all(|u| u.is_finite()) {
@@ -190,9 +194,9 @@ impl Path {
     pub(crate) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         self.saved.clear();
-        self.saved.resize(2 * self.q.len() + 1, (0.0, 0.0));
+        self.saved.resize(2 * self.q.len() + 1, 0.0);
         for (row, basic) in self.dictionary.basic.iter().enumerate() {
-            self.saved[index(*basic, self.q.len())] = (self.dictionary.level[row], self.dictionary.p[row]);
+            self.saved[index(*basic, self.q.len())] = self.dictionary.p[row];
             if !matches!(basic, Unknown::W(_)) {
                 self.members.push(*basic);
             }
@@ -201,8 +205,7 @@ impl Path {
         self.active.extend((0..self.q.len()).map(|i| self.dictionary.is_active(i)));
         self.install(m)?;
         for row in 0..self.q.len() {
-            let saved = self.saved[index(self.dictionary.basic[row], self.q.len())];
-            (self.dictionary.level[row], self.dictionary.p[row]) = saved;
+            self.dictionary.p[row] = self.saved[index(self.dictionary.basic[row], self.q.len())];
         }
         self.dictionary.enter(entering, m, &self.scaling);
         Ok(())
@@ -229,13 +232,19 @@ impl Path {
             self.dictionary.exchange(member, best.0);
         }
         self.compute_defect(m);
+        self.correct();
+        Ok(())
+    }
+
+    /// Adds to the values the effect of the defect computed last, and measures anew what rounding they may carry.
+    fn correct(&mut self) {
+        self.dictionary.sum_terms(&self.terms);
         let mut effect = std::mem::take(&mut self.terms);
         self.dictionary.effect(&self.defect, &mut effect);
         for (x, e) in self.dictionary.x.iter_mut().zip(&effect) {
             *x += e;
         }
         self.terms = effect;
-        Ok(())
     }
 
     /// The values for a new right-hand side in the present dictionary.

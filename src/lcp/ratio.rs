@@ -8,6 +8,9 @@
 use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
 
+/// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// What z₀ is on the path that is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Covering {
@@ -36,7 +39,7 @@ pub(crate) fn blocking_row(dictionary: &Dictionary, role: Covering, settings: &S
     }
     let mut best: Option<(usize, f64)> = None;
     for (row, u) in dictionary.u.iter().enumerate() {
-        let margin = settings.tie_tolerance * dictionary.level[row].max(u.abs() * step);
+        let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDING * dictionary.level[row];
         if *u < least && dictionary.x[row].max(0.0) + u * step <= margin && blocks(row, *u) {
             if dictionary.basic[row] == Unknown::Covering {
                 return Some(row);

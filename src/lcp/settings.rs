@@ -32,11 +32,11 @@ pub struct Settings {
     /// growth of the elimination; a value below 1e-14 lets noise become a pivot and turns
     /// rays into wrong bases, one above 1e-6 overlooks real blocking rows of badly conditioned problems.
     pub pivot_tolerance: f64,
-    /// Two rows block at the same step if their values then differ by less than this fraction of the largest term
-    /// that has gone into them (default 1e-12).
+    /// Two rows block at the same step if their values then differ by less than this fraction of what the step has taken
+    /// from them (default 1e-12), or by less than the rounding error which they may carry in any case.
     ///
     /// It guards the tie rule: rows which tie in exact arithmetic must be seen to tie, although rounding
-    /// separated them. Below 1e-15 exact ties are missed and z₀ may lose one, so a solved problem
+    /// separated them. At 0 exact ties may be missed and z₀ lose one, so a solved problem
     /// is carried on into a ray; above 1e-8 rows that do not tie are treated as if they did, and values of
     /// that size become negative.
     pub tie_tolerance: f64,

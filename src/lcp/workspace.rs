@@ -303,11 +303,26 @@ impl Workspace {
         self.path.start_from_slacks();
         self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
         match self.path.cover_and_run(m, settings, settings.pivot_limit(lcp.len())) {
-            End::Complementary => self.finish(lcp, settings),
+            End::Complementary => self.finish_or_go_on(lcp, settings),
             End::Ray(entering) => Some(Outcome::Ray(certificate::ray(lcp, &self.path, entering))),
             End::PivotLimit => Some(Outcome::PivotLimit { pivots: self.path.pivots }),
             End::Breakdown(cause) => Some(Outcome::Breakdown { pivots: self.path.pivots, cause }),
         }
+    }
+
+    /// Where rounding has led the path to a basis that is not feasible, it is taken up again from there.
+    fn finish_or_go_on(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        let m = lcp.m.as_slice();
+        for _ in 0..3 {
+            let failure = self.finish(lcp, settings)?;
+            let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();
+            let sound = self.path.install_basis(m, |i| active[i]).is_ok() && self.path.cover_violations(m);
+            let limit = settings.pivot_limit(lcp.len());
+            if !sound || self.path.cover_and_run(m, settings, limit) != End::Complementary {
+                return Some(failure);
+            }
+        }
+        self.finish(lcp, settings)
     }
 
     fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
