@@ -66,7 +66,10 @@ pub(crate) struct Dictionary {
     pub(crate) unit: f64,
     /// The covering vector d.
     pub(crate) d: Vec<f64>,
+    /// The entering column before elimination, with a zero behind its end.
     entering: Vec<f64>,
+    /// The i of each row whose basic variable is a slack w_i, n for the others.
+    slack: Vec<usize>,
     next: Vec<f64>,
     /// For each stored column, its multiple of u in the update and its multiple in the next entering column.
     g: Vec<f64>,
@@ -90,9 +93,11 @@ impl Dictionary {
         }
         self.level.clear();
         self.level.extend(q.iter().map(|q| q.abs()));
-        for scratch in [&mut self.u, &mut self.entering, &mut self.next] {
+        self.slack.clear();
+        self.slack.extend(0..n);
+        for (scratch, size) in [(&mut self.u, n), (&mut self.entering, n + 1), (&mut self.next, n)] {
             scratch.clear();
-            scratch.resize(n, 0.0);
+            scratch.resize(size, 0.0);
         }
     }
 
@@ -118,7 +123,7 @@ impl Dictionary {
 
     /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
     pub(crate) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
-        self.entering.copy_from_slice(r);
+        self.entering[..self.n].copy_from_slice(r);
         self.spread();
         effect.copy_from_slice(&self.next);
         kernel::combine(&self.columns, self.n, &self.c, effect);
@@ -146,7 +151,7 @@ impl Dictionary {
                 *to = m * row * factor;
             }
         } else {
-            self.entering.copy_from_slice(&self.d);
+            self.entering[..self.n].copy_from_slice(&self.d);
         }
         self.unit = largest(&self.entering);
         self.spread();
@@ -154,8 +159,8 @@ impl Dictionary {
 
     /// The first term of (1) into `next`, the factors of the second into `c`.
     fn spread(&mut self) {
-        for (to, basic) in self.next.iter_mut().zip(&self.basic) {
-            *to = if let Unknown::W(i) = *basic { self.entering[i] } else { 0.0 };
+        for (to, i) in self.next.iter_mut().zip(&self.slack) {
+            *to = self.entering[*i];
         }
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
@@ -209,6 +214,7 @@ impl Dictionary {
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }
         self.basic[r] = entering;
+        self.slack[r] = if let Unknown::W(i) = entering { i } else { n };
         match (leaving, own) {
             (Unknown::W(l), NONE) => {
                 self.slot[l] = self.kept.len();
@@ -233,7 +239,8 @@ impl Dictionary {
         let level = self.level[r] / pivot.abs();
         for ((x, l), u) in self.x.iter_mut().zip(&mut self.level).zip(&self.u) {
             *x += u * step;
-            *l = l.max(u.abs() * level);
+            let inherited = u.abs() * level;
+            *l = if inherited > *l { inherited } else { *l };
         }
         self.x[r] = step;
         self.level[r] = level;
@@ -254,7 +261,25 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|.
+/// max_i |v_i|, infinite if an entry is not a number. Eight independent maxima keep the processor busy.
 pub(crate) fn largest(v: &[f64]) -> f64 {
-    v.iter().fold(0.0, |largest: f64, v| largest.max(v.abs()))
+    let mut lanes = [0.0_f64; 8];
+    let mut wrong = [0.0_f64; 8];
+    let mut chunks = v.chunks_exact(8);
+    for chunk in &mut chunks {
+        for lane in 0..8 {
+            let size = chunk[lane].abs();
+            lanes[lane] = if size > lanes[lane] { size } else { lanes[lane] };
+            wrong[lane] += size * 0.0;
+        }
+    }
+    for (lane, v) in chunks.remainder().iter().enumerate() {
+        lanes[lane] = lanes[lane].max(v.abs());
+        wrong[lane] += v * 0.0;
+    }
+    if wrong.iter().any(|wrong| wrong.is_nan()) {
+        f64::INFINITY
+    } else {
+        lanes.iter().fold(0.0, |a, b| a.max(*b))
+    }
 }

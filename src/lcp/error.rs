@@ -28,6 +28,22 @@ pub enum LcpError {
         /// The length it must have.
         needed: usize,
     },
+    /// A block of a mixed problem must fit the others.
+    #[error(
+        "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
+    )]
+    BlockShape {
+        /// Which block.
+        what: &'static str,
+        /// Its rows.
+        rows: usize,
+        /// Its columns.
+        columns: usize,
+        /// The rows it must have.
+        needed_rows: usize,
+        /// The columns it must have.
+        needed_columns: usize,
+    },
     /// An entry of a matrix is infinite or not a number.
     #[error("entry ({row}, {column}) of {what} is {value}, not a finite number")]
     MatrixEntry {

@@ -51,7 +51,7 @@ pub(crate) struct Path {
 impl Path {
     /// Balances M, and q and p with it. The dictionary still has to be started.
     pub(crate) fn prepare(&mut self, m: &[f64], q: &[f64]) {
-        self.scaling.balance(q.len(), m);
+        self.scaling.balance(q.len(), m, q);
         self.p.clear();
         self.p.extend(self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)));
         self.set_right_hand_side(q);
@@ -129,21 +129,16 @@ impl Path {
             }
         }
         loop {
-            if !self.dictionary.u.iter().all(|u| u.is_finite()) {
+            let size = largest(&self.dictionary.u).max(self.dictionary.unit);
+            if size == f64::INFINITY {
                 if self.age == 0 {
                     return Err(BreakdownCause::Overflow);
                 }
                 self.refactor(entering, m)?;
                 continue;
             }
-            let row = blocking_row(&self.dictionary, role, settings);
-            let doubtful = match row {
-                None => true,
-                Some(row) => {
-                    let size = largest(&self.dictionary.u).max(self.dictionary.unit);
-                    self.dictionary.u[row].abs() < DOUBTFUL * size
-                }
-            };
+            let row = blocking_row(&self.dictionary, size, role, settings);
+            let doubtful = row.is_none_or(|row| self.dictionary.u[row].abs() < DOUBTFUL * size);
             if doubtful && self.age > 0 {
                 self.refactor(entering, m)?;
                 continue;

@@ -156,8 +156,8 @@ impl Workspace {
         let first = self.first_path(lcp, settings)?;
         match &first {
             Outcome::Ray(ray) if ray.proof != Proof::None => return Some(first),
-            Outcome::PivotLimit { .. }
-            | Outcome::Breakdown {
+            Outcome::PivotLimit { .. } if settings.max_pivots.is_some() => return Some(first),
+            Outcome::Breakdown {
                 cause: BreakdownCause::CoveringEntry { .. } | BreakdownCause::CoveringLength { .. },
                 ..
             } => return Some(first),
@@ -170,7 +170,7 @@ impl Workspace {
         if let Err(cause) = self.cover(lcp, settings) {
             return Some(Outcome::Breakdown { pivots: self.path.pivots, cause });
         }
-        self.follow(lcp, settings)
+        self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
     /// After a first path without solution and without proof.
@@ -187,11 +187,10 @@ impl Workspace {
             self.path.d.extend(units.map(|(i, unit)| {
                 unit * (6.0 * (super::lemke::generic(attempt * 1_000_003 + i) - 1.0)).exp2()
             }));
-            match self.follow(lcp, settings) {
-                None => return None,
-                Some(limit @ Outcome::PivotLimit { .. }) => return Some(limit),
-                Some(_) => {}
-            }
+            // An exponential path is not followed again to its end.
+            let limit =
+                settings.max_pivots.unwrap_or_else(|| self.path.pivots.saturating_add(100 + 10 * lcp.len()));
+            self.follow(lcp, settings, limit)?;
         }
         if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
             let all = enumerate::all_solutions(lcp, settings);
@@ -298,12 +297,12 @@ impl Workspace {
     }
 
     /// Follows Lemke's path from the slack basis and checks where it ends.
-    fn follow(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Outcome> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
         self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
-        match self.path.cover_and_run(m, settings, settings.pivot_limit(lcp.len())) {
-            End::Complementary => self.finish_or_go_on(lcp, settings),
+        match self.path.cover_and_run(m, settings, limit) {
+            End::Complementary => self.finish_or_go_on(lcp, settings, limit),
             End::Ray(entering) => Some(Outcome::Ray(certificate::ray(lcp, &self.path, entering))),
             End::PivotLimit => Some(Outcome::PivotLimit { pivots: self.path.pivots }),
             End::Breakdown(cause) => Some(Outcome::Breakdown { pivots: self.path.pivots, cause }),
@@ -311,13 +310,12 @@ impl Workspace {
     }
 
     /// Where rounding has led the path to a basis that is not feasible, it is taken up again from there.
-    fn finish_or_go_on(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    fn finish_or_go_on(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Outcome> {
         let m = lcp.m.as_slice();
         for _ in 0..3 {
             let failure = self.finish(lcp, settings)?;
             let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();
             let sound = self.path.install_basis(m, |i| active[i]).is_ok() && self.path.cover_violations(m);
-            let limit = settings.pivot_limit(lcp.len());
             if !sound || self.path.cover_and_run(m, settings, limit) != End::Complementary {
                 return Some(failure);
             }

@@ -1,0 +1,222 @@
+//! To which classes a matrix belongs, and what that guarantees.
+
+use super::error::LcpError;
+use nalgebra::DMatrix;
+
+/// For n up to this all principal minors are looked at when nothing else decides whether M is a P-matrix.
+const MINORS: usize = 12;
+
+/// What could be found out about a matrix M. The tests are exact up to rounding: a matrix closer to the boundary of a class
+/// than n ε relative to its diagonal may be put on either side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct MatrixClass {
+    /// M = Mᵀ, entry by entry.
+    pub symmetric: bool,
+    /// The sign of zᵀMz for all z; decided by the symmetric part (M + Mᵀ)/2.
+    pub definiteness: Definiteness,
+    /// The sign of zᵀMz for z ≥ 0, as far as the structure shows it.
+    pub copositivity: Copositivity,
+    /// No off-diagonal entry is positive.
+    pub z_matrix: bool,
+    /// All principal minors are positive; `None` if undecided (then n > 12).
+    pub p_matrix: Option<bool>,
+}
+
+/// The sign of zᵀMz.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Definiteness {
+    /// zᵀMz > 0 for all z ≠ 0.
+    PositiveDefinite,
+    /// zᵀMz ≥ 0 for all z, with equality for some z ≠ 0.
+    PositiveSemidefinite,
+    /// zᵀMz < 0 for some z.
+    Indefinite,
+}
+
+/// The sign of zᵀMz for z ≥ 0. Deciding it in general is as hard as the problem itself; this is what the structure shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Copositivity {
+    /// zᵀMz > 0 for 0 ≠ z ≥ 0: positive definite, or no negative entries and a positive diagonal.
+    Strict,
+    /// zᵀMz ≥ 0 for z ≥ 0, and z ≥ 0, zᵀMz = 0 imply (M + Mᵀ)z = 0: positive semidefinite.
+    Plus,
+    /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and one without negative
+    /// entries.
+    Plain,
+    /// A diagonal entry is negative.
+    Not,
+    /// The structure does not show it.
+    Unknown,
+}
+
+/// What Lemke's method does on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Guarantee {
+    /// Exactly one solution for every q (theorem 3.3.7), and it is found (4.4.1 with the remark on P-matrices).
+    UniqueSolution,
+    /// A solution for every q (3.8.5), and one is found.
+    Solution,
+    /// A solution if any z ≥ 0 has M z + q ≥ 0, and one is found; a ray proves that there is no such z (4.4.12).
+    SolutionIfFeasible,
+    /// Nothing: a ray proves nothing, and there may be several solutions.
+    None,
+}
+
+impl MatrixClass {
+    /// Looks at M. The cost is that of a Cholesky factorisation, n³/3 flops, or 2ⁿ for n ≤ 12.
+    ///
+    /// # Errors
+    ///
+    /// If M is not square or has entries that are not finite.
+    pub fn of(m: &DMatrix<f64>) -> Result<Self, LcpError> {
+        super::Lcp::new(m.clone(), nalgebra::DVector::zeros(m.nrows()))?;
+        let n = m.nrows();
+        let off_diagonal =
+            |test: &dyn Fn(f64) -> bool| (0..n).all(|j| (0..n).all(|i| i == j || test(m[(i, j)])));
+        let definiteness = definiteness(&symmetric_part(m));
+        let z_matrix = off_diagonal(&|x| x <= 0.0);
+        Ok(Self {
+            symmetric: (0..n).all(|j| (0..j).all(|i| m[(i, j)] == m[(j, i)])),
+            definiteness,
+            copositivity: copositivity(m, definiteness, off_diagonal(&|x| x >= 0.0)),
+            z_matrix,
+            p_matrix: p_matrix(m, definiteness, z_matrix),
+        })
+    }
+
+    /// What the classes found guarantee.
+    #[must_use]
+    pub fn guarantee(&self) -> Guarantee {
+        if self.p_matrix == Some(true) {
+            Guarantee::UniqueSolution
+        } else if self.copositivity == Copositivity::Strict {
+            Guarantee::Solution
+        } else if self.copositivity == Copositivity::Plus {
+            Guarantee::SolutionIfFeasible
+        } else {
+            Guarantee::None
+        }
+    }
+}
+
+fn symmetric_part(m: &DMatrix<f64>) -> DMatrix<f64> {
+    DMatrix::from_fn(m.nrows(), m.nrows(), |i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
+}
+
+/// Cholesky's factorisation with diagonal pivoting of the matrix scaled to a diagonal of ones and zeros.
+fn definiteness(s: &DMatrix<f64>) -> Definiteness {
+    let n = s.nrows();
+    if (0..n).any(|i| s[(i, i)] < 0.0) {
+        return Definiteness::Indefinite;
+    }
+    let factor = |i: usize| if s[(i, i)] > 0.0 { 1.0 / s[(i, i)].sqrt() } else { 0.0 };
+    for i in 0..n {
+        // A zero on the diagonal of a semidefinite matrix has a zero row.
+        if s[(i, i)] == 0.0 && s.row(i).iter().any(|x| *x != 0.0) {
+            return Definiteness::Indefinite;
+        }
+    }
+    let mut a = DMatrix::from_fn(n, n, |i, j| s[(i, j)] * factor(i) * factor(j));
+    let rounding = 8.0 * n as f64 * f64::EPSILON;
+    for k in 0..n {
+        let (pivot, value) = (k..n)
+            .fold((k, f64::NEG_INFINITY), |best, i| if a[(i, i)] > best.1 { (i, a[(i, i)]) } else { best });
+        if value <= rounding {
+            let rest = a.view((k, k), (n - k, n - k));
+            let small = rest.iter().all(|x| x.abs() <= rounding.max(n as f64 * value.abs()));
+            return if small { Definiteness::PositiveSemidefinite } else { Definiteness::Indefinite };
+        }
+        a.swap_rows(k, pivot);
+        a.swap_columns(k, pivot);
+        for j in k + 1..n {
+            let f = a[(k, j)] / value;
+            for i in k + 1..n {
+                a[(i, j)] -= f * a[(i, k)];
+            }
+        }
+    }
+    Definiteness::PositiveDefinite
+}
+
+fn copositivity(
+    m: &DMatrix<f64>,
+    definiteness: Definiteness,
+    nonnegative_off_diagonal: bool,
+) -> Copositivity {
+    let n = m.nrows();
+    let diagonal = |test: &dyn Fn(f64) -> bool| (0..n).all(|i| test(m[(i, i)]));
+    if definiteness == Definiteness::PositiveDefinite || (nonnegative_off_diagonal && diagonal(&|x| x > 0.0))
+    {
+        return Copositivity::Strict;
+    }
+    if definiteness == Definiteness::PositiveSemidefinite {
+        return Copositivity::Plus;
+    }
+    if !diagonal(&|x| x >= 0.0) {
+        return Copositivity::Not;
+    }
+    // Take the positive off-diagonal entries away; if the rest is semidefinite, putting them back keeps zᵀMz ≥ 0.
+    let mut rest = symmetric_part(m);
+    for j in 0..n {
+        for i in 0..n {
+            if i != j {
+                rest[(i, j)] = rest[(i, j)].min(0.0);
+            }
+        }
+    }
+    match self::definiteness(&rest) {
+        Definiteness::Indefinite => Copositivity::Unknown,
+        _ => Copositivity::Plain,
+    }
+}
+
+fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Option<bool> {
+    let n = m.nrows();
+    if (0..n).any(|i| m[(i, i)] <= 0.0) {
+        return Some(false);
+    }
+    let dominant = |i: usize| m.row(i).iter().map(|x| x.abs()).sum::<f64>() < 2.0 * m[(i, i)];
+    if definiteness == Definiteness::PositiveDefinite || (0..n).all(dominant) {
+        return Some(true);
+    }
+    if z_matrix {
+        // A Z-matrix is a P-matrix exactly if elimination without exchanges meets positive pivots only (3.11.10).
+        let mut a = m.clone();
+        for k in 0..n {
+            if a[(k, k)] <= 8.0 * n as f64 * f64::EPSILON * m[(k, k)] {
+                return Some(false);
+            }
+            eliminate(&mut a, k);
+        }
+        return Some(true);
+    }
+    (n <= MINORS).then(|| minors_are_positive(m.clone(), m))
+}
+
+fn eliminate(a: &mut DMatrix<f64>, k: usize) {
+    for i in k + 1..a.nrows() {
+        let f = a[(i, k)] / a[(k, k)];
+        for j in k + 1..a.nrows() {
+            a[(i, j)] -= f * a[(k, j)];
+        }
+    }
+}
+
+/// M is a P-matrix exactly if its first entry is positive, and both M without its first row and column and the Schur
+/// complement of that entry are P-matrices. `m` holds the original diagonal in the same order, as a measure.
+fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
+    let n = a.nrows();
+    if n == 0 {
+        return true;
+    }
+    if a[(0, 0)] <= 1e-14 * m[(0, 0)] {
+        return false;
+    }
+    let smaller = m.view((1, 1), (n - 1, n - 1)).into_owned();
+    let without = a.view((1, 1), (n - 1, n - 1)).into_owned();
+    let mut a = a;
+    eliminate(&mut a, 0);
+    minors_are_positive(without, &smaller)
+        && minors_are_positive(a.view((1, 1), (n - 1, n - 1)).into_owned(), &smaller)
+}
