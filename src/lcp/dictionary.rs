@@ -142,6 +142,37 @@ impl Dictionary {
         }
     }
 
+    /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
+    /// them. The column of a slack is not summed; there, entries below rounding of the largest are cut.
+    pub(crate) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
+        if let Unknown::W(_) = entering {
+            let rounding = 64.0 * f64::EPSILON * largest(&self.u);
+            for u in self.u.iter_mut().filter(|u| u.abs() <= rounding) {
+                *u = 0.0;
+            }
+            return;
+        }
+        self.spread_terms();
+        for (u, terms) in self.u.iter_mut().zip(&self.next) {
+            if u.abs() <= tolerance * terms {
+                *u = 0.0;
+            }
+        }
+    }
+
+    /// Puts the sums of the sizes of the terms of (1) for the column loaded last into `next`.
+    fn spread_terms(&mut self) {
+        for (to, i) in self.next.iter_mut().zip(&self.slack) {
+            *to = self.entering[*i].abs();
+        }
+        for (column, i) in self.columns.chunks_exact(self.n.max(1)).zip(&self.kept) {
+            let size = self.entering[*i].abs();
+            for (to, c) in self.next.iter_mut().zip(column) {
+                *to += size * c.abs();
+            }
+        }
+    }
+
     /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
     fn load(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
         if let Unknown::Z(e) = variable {

@@ -1,8 +1,10 @@
 //! All solutions of a small problem.
 
 use super::certificate::least_violation;
+use super::dictionary::largest;
 use super::outcome::Solution;
 use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::scaling::Scaling;
 use super::settings::Settings;
 use super::workspace::ZERO;
 use super::{Basis, Lcp, principal};
@@ -14,7 +16,8 @@ pub(crate) const LARGEST: usize = 20;
 /// The solutions found by trying all complementary bases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AllSolutions {
-    /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit).
+    /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit),
+    /// regular bases first.
     /// Bases that stand for the same point are listed once, with `degenerate` set.
     pub solutions: Vec<Solution>,
     /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be
@@ -26,22 +29,48 @@ pub struct AllSolutions {
 pub(crate) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
     let mut all = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
+    let indices = |bits: u32| -> Vec<usize> { (0..n).filter(|i| bits >> i & 1 == 1).collect() };
+    let mut without_point = Vec::new();
     for bits in 0..1_u32 << n {
-        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
-        let basic = principal::solve(&lcp.m, &lcp.q, &alpha);
-        let regular = basic.is_some();
-        let Some(basic) = basic.or_else(|| point_of_singular_piece(lcp, &alpha, settings)) else { continue };
-        let basis = Basis::from_indices(n, alpha.iter().copied());
-        let Some(solution) = solution_at(lcp, &basis, &alpha, &basic, settings) else { continue };
-        if !regular {
-            all.singular.push(basis);
+        let alpha = indices(bits);
+        match principal::solve(&lcp.m, &lcp.q, &alpha) {
+            Some(basic) => {
+                let _ = all.offer(lcp, &alpha, &basic, settings);
+            }
+            None => without_point.push(bits),
         }
-        match all.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
-            Some(known) => known.degenerate = true,
-            None => all.solutions.push(solution),
+    }
+    let mut scaling = Scaling::default();
+    scaling.balance(n, lcp.m.as_slice(), lcp.q.as_slice());
+    // Singular bases come last, so that the first basis listed is a regular one if any is.
+    for bits in without_point {
+        let alpha = indices(bits);
+        if let Some(basic) = point_of_singular_piece(lcp, &scaling, &alpha, settings)
+            && let Some(basis) = all.offer(lcp, &alpha, &basic, settings)
+        {
+            all.singular.push(basis);
         }
     }
     all
+}
+
+impl AllSolutions {
+    /// Adds the point with these basic values if it is a solution not known yet; its basis if it is one at all.
+    fn offer(
+        &mut self,
+        lcp: &Lcp,
+        alpha: &[usize],
+        basic: &DVector<f64>,
+        settings: &Settings,
+    ) -> Option<Basis> {
+        let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
+        let solution = solution_at(lcp, &basis, alpha, basic, settings)?;
+        match self.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
+            Some(known) => known.degenerate = true,
+            None => self.solutions.push(solution),
+        }
+        Some(basis)
+    }
 }
 
 fn solution_at(
@@ -93,12 +122,23 @@ fn same_point(lcp: &Lcp, a: &Solution, b: &Solution) -> bool {
     })
 }
 
-/// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming; the caller checks it.
-fn point_of_singular_piece(lcp: &Lcp, alpha: &[usize], settings: &Settings) -> Option<DVector<f64>> {
+/// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming on balanced data; the caller checks it.
+fn point_of_singular_piece(
+    lcp: &Lcp,
+    scaling: &Scaling,
+    alpha: &[usize],
+    settings: &Settings,
+) -> Option<DVector<f64>> {
     let n = lcp.len();
     let k = alpha.len();
-    let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
-    let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * lcp.m[(row(i).0, alpha[j])]);
-    let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0]);
-    least_violation(&a, &b, settings).map(|program| program.x)
+    let row = |i: usize| if i < n { (i, scaling.row[i]) } else { (alpha[i - n], -scaling.row[alpha[i - n]]) };
+    let a = DMatrix::from_fn(n + k, k, |i, j| {
+        let (i, factor) = row(i);
+        factor * lcp.m[(i, alpha[j])] * scaling.column[alpha[j]]
+    });
+    let load = largest(lcp.q.iter().zip(&scaling.row).map(|(q, row)| q * row).collect::<Vec<_>>().as_slice());
+    let load = if load > 0.0 { load } else { 1.0 };
+    let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0] / load);
+    let program = least_violation(&a, &b, settings)?;
+    Some(DVector::from_fn(k, |j, _| program.x[j] * scaling.column[alpha[j]] * load))
 }

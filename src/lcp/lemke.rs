@@ -23,6 +23,9 @@ pub(crate) enum End {
 
 /// A pivot smaller than this fraction of its column, or a drift larger than this, asks for a fresh dictionary.
 const DOUBTFUL: f64 = 1e-7;
+/// A coefficient below this fraction of its column is noise in any case; between that and the pivot tolerance it is worth
+/// a second look.
+const GREY: f64 = 4.0 * f64::EPSILON;
 /// The values are compared with the data after so many pivots.
 const CHECK_EVERY: usize = 32;
 /// A dictionary whose values miss the data by more than this fraction of their terms is computed anew.
@@ -137,11 +140,17 @@ impl Path {
                 self.refactor(entering, m)?;
                 continue;
             }
-            let row = blocking_row(&self.dictionary, size, role, settings);
-            let doubtful = row.is_none_or(|row| self.dictionary.u[row].abs() < DOUBTFUL * size);
-            if doubtful && self.age > 0 {
+            let certain = settings.pivot_tolerance * size;
+            let row = blocking_row(&self.dictionary, GREY * size, certain, role, settings);
+            let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
+            if pivot < DOUBTFUL * size && self.age > 0 {
                 self.refactor(entering, m)?;
                 continue;
+            }
+            if row.is_some() && pivot <= certain {
+                // Small against the column, but perhaps not against the terms of its own row.
+                self.dictionary.clear_noise(entering, settings.pivot_tolerance);
+                return Ok(blocking_row(&self.dictionary, 0.0, 0.0, role, settings));
             }
             return Ok(row);
         }
@@ -250,7 +259,7 @@ impl Path {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 in these
+    /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 unit in these
     /// rows of the dictionary and 0 in the others, d is the vector for which c is the column of z₀. Returns whether
     /// anything is infeasible.
     pub(crate) fn cover_violations(&mut self, m: &[f64]) -> bool {
@@ -261,20 +270,26 @@ impl Path {
         let mut violated = false;
         dictionary.unit = 1.0;
         for row in 0..n {
-            dictionary.p[row] = generic(row);
+            // One unit of the exactly balanced problem, as everywhere.
+            let unit = match dictionary.basic[row] {
+                Unknown::W(i) => self.scaling.row_unit[i],
+                Unknown::Z(j) => self.scaling.column_unit[j],
+                Unknown::Covering => 1.0,
+            };
+            dictionary.p[row] = unit * generic(row);
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -NOISE * dictionary.level[row] {
                 dictionary.x[row] = dictionary.x[row].max(0.0);
                 continue;
             }
             violated = true;
-            dictionary.u[row] = 1.0;
+            dictionary.u[row] = unit;
             match dictionary.basic[row] {
-                Unknown::W(i) => self.d[i] += 1.0,
+                Unknown::W(i) => self.d[i] += unit,
                 Unknown::Z(j) => {
                     let column = m[j * n..(j + 1) * n].iter().zip(&self.scaling.row);
                     for (d, (m, row)) in self.d.iter_mut().zip(column) {
-                        *d -= m * row * self.scaling.column[j];
+                        *d -= m * row * self.scaling.column[j] * unit;
                     }
                 }
                 Unknown::Covering => {}

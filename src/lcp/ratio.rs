@@ -20,15 +20,16 @@ pub(crate) enum Covering {
     Parameter,
 }
 
-/// The row in which a basic variable reaches zero first as the entering one grows; `None` if none ever does. `size` is
-/// the size of the entering column, before or after elimination.
+/// The row in which a basic variable reaches zero first as the entering one grows; `None` if none ever does. Only rows
+/// with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are preferred.
 pub(crate) fn blocking_row(
     dictionary: &Dictionary,
-    size: f64,
+    noise: f64,
+    certain: f64,
     role: Covering,
     settings: &Settings,
 ) -> Option<usize> {
-    let least = -settings.pivot_tolerance * size;
+    let least = -noise;
     // The parameter of a family is no candidate: an infinite value never reaches zero.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == Unknown::Covering)
@@ -45,7 +46,7 @@ pub(crate) fn blocking_row(
     if step == f64::INFINITY {
         return None;
     }
-    let mut best: Option<(usize, f64)> = None;
+    let mut best: Option<(usize, bool, f64)> = None;
     let blocks = |x: f64, u: f64, level: f64| {
         let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDING * level;
         (u < least) & (x.max(0.0) + u * step <= margin)
@@ -66,14 +67,15 @@ pub(crate) fn blocking_row(
                 if dictionary.basic[row] == Unknown::Covering {
                     return Some(row);
                 }
+                let doubtful = u >= -certain;
                 let ratio = dictionary.p[row] / -u;
-                if best.is_none_or(|(_, least)| ratio < least) {
-                    best = Some((row, ratio));
+                if best.is_none_or(|(_, doubt, least)| (doubtful, ratio) < (doubt, least)) {
+                    best = Some((row, doubtful, ratio));
                 }
             }
         }
     }
-    best.map(|(row, _)| row)
+    best.map(|(row, ..)| row)
 }
 
 /// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0. No branches, since half of them would be

@@ -47,9 +47,10 @@ pub struct Settings {
     /// value below 1e-15 would reject correctly rounded solutions, one above 1e-6 accept points that solve a
     /// visibly different problem.
     pub residual_tolerance: f64,
-    /// How many other covering vectors are tried after a ray that proves nothing, or after a breakdown (default 8).
+    /// How many other covering vectors, and as many other starting bases, are tried after a ray that proves nothing or a
+    /// breakdown (default 8).
     ///
-    /// It guards against rays on solvable problems, which other paths often avoid. The vectors are fixed, so the same
+    /// It guards against rays on solvable problems, which other paths often avoid. They are fixed, so the same
     /// problem takes the same paths. 0 follows one path only; more than a few dozen hardly ever find more.
     pub retries: usize,
     /// For n up to this all 2ⁿ complementary bases are tried when no path has ended in a solution and no proof of

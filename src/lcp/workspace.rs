@@ -5,7 +5,7 @@ use super::basis::Basis;
 use super::certificate;
 use super::dictionary::Unknown;
 use super::enumerate;
-use super::lemke::{End, Path};
+use super::lemke::{End, Path, generic};
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray, Solution};
 use super::principal;
 use super::residuals::{Residuals, residuals_from, slack_and_terms};
@@ -181,16 +181,25 @@ impl Workspace {
             return Some(Outcome::Ray(Ray { proof: Proof::Infeasible(proof), ..ray }));
         }
         for attempt in 1..=settings.retries {
+            // An exponential path is not followed again to its end.
+            let limit = self.short_limit(lcp, settings);
             let units = self.path.scaling.row_unit.iter().enumerate();
             self.path.d.clear();
             // Entries between 1/8 and 8.
-            self.path.d.extend(units.map(|(i, unit)| {
-                unit * (6.0 * (super::lemke::generic(attempt * 1_000_003 + i) - 1.0)).exp2()
-            }));
-            // An exponential path is not followed again to its end.
-            let limit =
-                settings.max_pivots.unwrap_or_else(|| self.path.pivots.saturating_add(100 + 10 * lcp.len()));
+            self.path.d.extend(
+                units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
+            );
             self.follow(lcp, settings, limit)?;
+            if let Some([i, j]) = small_basis(lcp, attempt) {
+                let m = lcp.m.as_slice();
+                let sound = self.path.install_basis(m, |k| k == i || k == j).is_ok();
+                if sound && self.path.cover_violations(m) {
+                    let limit = self.short_limit(lcp, settings);
+                    if self.path.cover_and_run(m, settings, limit) == End::Complementary {
+                        self.finish_or_go_on(lcp, settings, limit)?;
+                    }
+                }
+            }
         }
         if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
             let all = enumerate::all_solutions(lcp, settings);
@@ -213,6 +222,11 @@ impl Workspace {
             _ => {}
         }
         Some(first)
+    }
+
+    /// A limit for one more path.
+    fn short_limit(&self, lcp: &Lcp, settings: &Settings) -> usize {
+        settings.max_pivots.unwrap_or_else(|| self.path.pivots.saturating_add(100 + 10 * lcp.len()))
     }
 
     fn solve_warm(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Option<Outcome> {
@@ -458,6 +472,18 @@ impl Workspace {
         self.residuals = Some(residuals);
         None
     }
+}
+
+/// A basis of one or two z's to start a path from where the slack basis leads to rays, as in bimatrix games, whose matrix
+/// [0, A; Bᵀ, 0] has no other regular bases with few z's. Each attempt takes another first index.
+fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
+    let n = lcp.len();
+    let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;
+    if lcp.m[(i, i)] != 0.0 {
+        return Some([i, i]);
+    }
+    let coupled = |j: &usize| lcp.m[(i, *j)] != 0.0 && lcp.m[(*j, i)] != 0.0;
+    (0..n).map(|k| (i + attempt + k) % n).find(coupled).map(|j| [i, j])
 }
 
 impl Point {

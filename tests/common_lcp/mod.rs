@@ -9,6 +9,8 @@
 )]
 #![allow(clippy::doc_markdown)]
 
+pub(crate) mod published;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
