@@ -93,6 +93,9 @@ fn solution_at(
     if !residuals.within(settings.residual_tolerance) {
         return None;
     }
+    if alpha.iter().any(|i| w[*i] > settings.residual_tolerance * terms[*i]) {
+        return None;
+    }
     let mut degenerate = false;
     for i in 0..lcp.len() {
         if basis.contains(i) {

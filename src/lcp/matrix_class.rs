@@ -124,7 +124,7 @@ fn definiteness(s: &DMatrix<f64>) -> Definiteness {
             .fold((k, f64::NEG_INFINITY), |best, i| if a[(i, i)] > best.1 { (i, a[(i, i)]) } else { best });
         if value <= rounding {
             let rest = a.view((k, k), (n - k, n - k));
-            let small = rest.iter().all(|x| x.abs() <= rounding.max(n as f64 * value.abs()));
+            let small = rest.iter().all(|x| x.abs() <= 4.0 * rounding);
             return if small { Definiteness::PositiveSemidefinite } else { Definiteness::Indefinite };
         }
         a.swap_rows(k, pivot);

@@ -260,7 +260,12 @@ impl Workspace {
 
     /// Whether the dictionary is that of a complementary basis.
     pub(crate) fn is_complementary(&self) -> bool {
-        self.path.dictionary.basic.iter().all(|basic| *basic != Unknown::Covering)
+        let dictionary = &self.path.dictionary;
+        dictionary.basic.iter().all(|basic| match *basic {
+            Unknown::W(i) => !dictionary.is_active(i),
+            Unknown::Z(i) => dictionary.is_active(i),
+            Unknown::Covering => false,
+        })
     }
 
     /// Whether the dictionary is that of this complementary basis.
@@ -396,7 +401,24 @@ impl Workspace {
         if !residuals.within(10.0 * ROUNDED) {
             residuals = self.finish_by_factorisation(lcp, residuals);
         }
+        if self.settle_pairs(settings) {
+            residuals = self.point.evaluate(lcp);
+        }
         self.conclude(residuals, settings)
+    }
+
+    /// Where z_i is basic but w_i is not zero although the residuals are small, z_i has no share in any row that
+    /// could be seen: it is the one to vanish. Returns whether there was such a pair.
+    fn settle_pairs(&mut self, settings: &Settings) -> bool {
+        let mut changed = false;
+        for (i, z) in self.point.z.iter_mut().enumerate() {
+            if self.basis.contains(i) && self.point.w[i] > settings.residual_tolerance * self.point.terms[i] {
+                *z = 0.0;
+                self.basis.toggle(i);
+                changed = true;
+            }
+        }
+        changed
     }
 
     /// z from the values in the dictionary; noise below zero is cut off.
