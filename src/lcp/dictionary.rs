@@ -62,8 +62,6 @@ pub(crate) struct Dictionary {
     pub(crate) level: Vec<f64>,
     /// The entering column.
     pub(crate) u: Vec<f64>,
-    /// The largest entry of the entering column before elimination.
-    pub(crate) unit: f64,
     /// The covering vector d.
     pub(crate) d: Vec<f64>,
     /// The entering column before elimination, with a zero behind its end.
@@ -111,7 +109,6 @@ impl Dictionary {
         if let Unknown::W(i) = variable {
             let at = self.slot[i] * self.n;
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
-            self.unit = 1.0;
         } else {
             self.load(variable, m, scaling);
             let mut u = std::mem::take(&mut self.u);
@@ -119,6 +116,11 @@ impl Dictionary {
             kernel::combine(&self.columns, self.n, &self.c, &mut u);
             self.u = u;
         }
+    }
+
+    /// The largest entry of the column loaded last, before elimination.
+    pub(crate) fn entering_size(&self) -> f64 {
+        largest(&self.entering)
     }
 
     /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
@@ -184,7 +186,6 @@ impl Dictionary {
         } else {
             self.entering[..self.n].copy_from_slice(&self.d);
         }
-        self.unit = largest(&self.entering);
         self.spread();
     }
 
@@ -292,25 +293,16 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|, infinite if an entry is not a number. Eight independent maxima keep the processor busy.
+/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the processor busy.
 pub(crate) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
-    let mut wrong = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);
     for chunk in &mut chunks {
         for lane in 0..8 {
             let size = chunk[lane].abs();
             lanes[lane] = if size > lanes[lane] { size } else { lanes[lane] };
-            wrong[lane] += size * 0.0;
         }
     }
-    for (lane, v) in chunks.remainder().iter().enumerate() {
-        lanes[lane] = lanes[lane].max(v.abs());
-        wrong[lane] += v * 0.0;
-    }
-    if wrong.iter().any(|wrong| wrong.is_nan()) {
-        f64::INFINITY
-    } else {
-        lanes.iter().fold(0.0, |a, b| a.max(*b))
-    }
+    let rest = chunks.remainder().iter().fold(0.0_f64, |rest, v| rest.max(v.abs()));
+    lanes.iter().fold(rest, |a, b| if *b > a { *b } else { a })
 }

@@ -132,7 +132,7 @@ impl Path {
             }
         }
         loop {
-            let size = largest(&self.dictionary.u).max(self.dictionary.unit);
+            let size = largest(&self.dictionary.u).max(1.0);
             if size == f64::INFINITY {
                 if self.age == 0 {
                     return Err(BreakdownCause::Overflow);
@@ -230,7 +230,7 @@ impl Path {
                     best = (row, u.abs());
                 }
             }
-            if best.1.is_nan() || best.1 <= SINGULAR * self.dictionary.unit {
+            if best.1.is_nan() || best.1 <= SINGULAR * self.dictionary.entering_size() {
                 return Err(BreakdownCause::SingularBasis);
             }
             self.dictionary.exchange(member, best.0);
@@ -268,12 +268,11 @@ impl Path {
         self.d.clear();
         self.d.resize(n, 0.0);
         let mut violated = false;
-        dictionary.unit = 1.0;
         for row in 0..n {
             // One unit of the exactly balanced problem, as everywhere.
             let unit = match dictionary.basic[row] {
                 Unknown::W(i) => self.scaling.row_unit[i],
-                Unknown::Z(j) => self.scaling.column_unit[j],
+                Unknown::Z(j) => self.scaling.column_unit(j),
                 Unknown::Covering => 1.0,
             };
             dictionary.p[row] = unit * generic(row);

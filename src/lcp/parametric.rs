@@ -193,7 +193,7 @@ impl<'a> Parametric<'a> {
                 Unknown::W(_) => {}
             }
         }
-        let size = largest(&path.dictionary.u).max(path.dictionary.unit);
+        let size = largest(&path.dictionary.u).max(1.0);
         if tau.abs() <= self.settings.pivot_tolerance * size {
             tau = 0.0;
         }

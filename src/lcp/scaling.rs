@@ -18,8 +18,6 @@ pub(crate) struct Scaling {
     pub(crate) column: Vec<f64>,
     /// What one unit of the exactly balanced row i measures in the rounded one: row_i / 2^ρ_i.
     pub(crate) row_unit: Vec<f64>,
-    /// The same for z_j: 2^γ_j / column_j.
-    pub(crate) column_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
     rows: Logarithms,
@@ -165,6 +163,11 @@ impl Scaling {
         self.columns.finish();
     }
 
+    /// What one unit of the exactly balanced z_j measures in the rounded one: 2^γ_j / column_j.
+    pub(crate) fn column_unit(&self, j: usize) -> f64 {
+        (self.gamma[j] - self.gamma[j].round()).exp2()
+    }
+
     fn round(&mut self) {
         self.row.clear();
         self.column.clear();
@@ -174,12 +177,7 @@ impl Scaling {
             self.row.push(power_of_two(rounded));
             self.row_unit.push((rounded - rho).exp2());
         }
-        self.column_unit.clear();
-        for gamma in &self.gamma {
-            let rounded = gamma.round();
-            self.column.push(power_of_two(rounded));
-            self.column_unit.push((gamma - rounded).exp2());
-        }
+        self.column.extend(self.gamma.iter().map(|gamma| power_of_two(gamma.round())));
     }
 }
 

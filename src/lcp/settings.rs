@@ -26,7 +26,7 @@ pub struct Settings {
     /// off, larger ones only make the exponential families run longer.
     pub max_pivots: Option<usize>,
     /// A coefficient of the entering column blocks the entering variable only if it exceeds this fraction of the
-    /// largest entry of the column, before or after elimination (default 1e-11).
+    /// largest entry of the column (at least 1 in balanced units), or of the terms of its own row (default 1e-11).
     ///
     /// It guards against pivots on rounding noise where the true coefficient is zero. Noise is some 1e-16 times the
     /// growth of the elimination; a value below 1e-14 lets noise become a pivot and turns
