@@ -22,6 +22,8 @@ pub(crate) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
+    /// The rows of the entries that take part, column after column.
+    pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
@@ -81,16 +83,24 @@ impl Scaling {
         }
         self.columns.sum.push(q_sum);
         self.columns.count.push(q_count);
-        let columns = || m.chunks_exact(n).chain(std::iter::once(q));
+        let total: f64 = self.columns.count.iter().sum();
+        // Few entries are listed; many are faster to look at in place than to look up.
+        let listed = 4.0 * total < (n * n) as f64;
+        self.pattern.clear();
+        if listed {
+            for column in m.chunks_exact(n).chain(std::iter::once(q)) {
+                self.pattern.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
+            }
+        }
+        let pattern = std::mem::take(&mut self.pattern);
+        let source = if listed { Pattern::Listed(&pattern) } else { Pattern::InPlace { n, m, q } };
 
         // The residual at ρ = 0.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
-        for (column, (sum, count)) in columns().zip(self.columns.sum.iter().zip(&self.columns.count)) {
-            if *count > 0.0 {
-                add_where(column, sum / count, &mut self.residual);
-            }
-        }
+        source.for_each(&self.columns.count, |j, count, column| {
+            column.add(self.columns.sum[j] / count, &mut self.residual);
+        });
         self.direction.clear();
         self.direction.resize(n, 0.0);
         self.image.clear();
@@ -117,11 +127,9 @@ impl Scaling {
             for ((image, d), count) in self.image.iter_mut().zip(&self.direction).zip(&self.rows.count) {
                 *image = d * count;
             }
-            for (column, count) in columns().zip(&self.columns.count) {
-                if *count > 0.0 {
-                    add_where(column, -sum_where(column, &self.direction) / count, &mut self.image);
-                }
-            }
+            source.for_each(&self.columns.count, |_, count, column| {
+                column.add(-column.sum(&self.direction) / count, &mut self.image);
+            });
             let curvature: f64 = self.direction.iter().zip(&self.image).map(|(d, a)| d * a).sum();
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
@@ -132,11 +140,12 @@ impl Scaling {
                 self.residual[i] -= step * self.image[i];
             }
         }
-        for (j, column) in m.chunks_exact(n).enumerate() {
-            if self.columns.count[j] > 0.0 {
-                self.gamma[j] = -(self.columns.sum[j] + sum_where(column, &self.rho)) / self.columns.count[j];
+        source.for_each(&self.columns.count, |j, count, column| {
+            if j < n {
+                self.gamma[j] = -(self.columns.sum[j] + column.sum(&self.rho)) / count;
             }
-        }
+        });
+        self.pattern = pattern;
     }
 
     /// The sums over rows and columns. A logarithm is taken of a product of mantissas only, not of each entry.
@@ -185,6 +194,61 @@ impl Scaling {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn power_of_two(k: f64) -> f64 {
     f64::from_bits(((k.clamp(-1022.0, 1023.0) + 1023.0) as u64) << 52)
+}
+
+/// Where the entries that take part are found.
+enum Pattern<'a> {
+    Listed(&'a [u32]),
+    InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
+}
+
+/// The entries of one column that take part.
+enum Column<'a> {
+    Listed(&'a [u32]),
+    InPlace(&'a [f64]),
+}
+
+impl Pattern<'_> {
+    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has any.
+    fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
+        match self {
+            Self::Listed(list) => {
+                let mut rest = *list;
+                for (j, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count of entries
+                    let (here, next) = rest.split_at((*count as usize).min(rest.len()));
+                    rest = next;
+                    visit(j, *count, &Column::Listed(here));
+                }
+            }
+            Self::InPlace { n, m, q } => {
+                let columns = m.chunks_exact(*n).chain(std::iter::once(*q));
+                for (j, (column, count)) in
+                    columns.zip(counts).enumerate().filter(|(_, (_, count))| **count > 0.0)
+                {
+                    visit(j, *count, &Column::InPlace(column));
+                }
+            }
+        }
+    }
+}
+
+impl Column<'_> {
+    /// Σ ρ_i over the entries.
+    fn sum(&self, rho: &[f64]) -> f64 {
+        match self {
+            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
+            Self::InPlace(column) => sum_where(column, rho),
+        }
+    }
+
+    /// Adds a number to the rows of the entries.
+    fn add(&self, what: f64, to: &mut [f64]) {
+        match self {
+            Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
+            Self::InPlace(column) => add_where(column, what, to),
+        }
+    }
 }
 
 const MANTISSA: u64 = (1 << 52) - 1;

@@ -14,8 +14,8 @@ use nalgebra::DVector;
 
 /// Values below this fraction of the largest term they were computed from are zero.
 pub(crate) const ZERO: f64 = 1e-13;
-/// A point with residuals up to this needs no refinement: a row of n terms cannot be summed better.
-const ROUNDED: f64 = 1e-15;
+/// A point with residuals up to this needs no refinement: a row of many terms cannot be summed better.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
 /// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
 /// that size allocates nothing, as long as they are solved by the first path.
@@ -398,7 +398,7 @@ impl Workspace {
                 residuals = cut;
             }
         }
-        if !residuals.within(10.0 * ROUNDED) {
+        if !residuals.within(ZERO) {
             residuals = self.finish_by_factorisation(lcp, residuals);
         }
         if self.settle_pairs(settings) {
