@@ -40,6 +40,9 @@ impl Unknown {
     }
 }
 
+/// The least pivot, relative to its column, for which a z that is zero is taken out of the basis.
+const RETIRING: f64 = 1e-5;
+
 const NONE: usize = usize::MAX;
 
 /// The dictionary of one basis. All vectors keep their memory between problems.
@@ -219,6 +222,19 @@ impl Dictionary {
     pub(crate) fn exchange(&mut self, entering: Unknown, r: usize) {
         self.rearrange(entering, r);
         kernel::update(&mut self.columns, self.n, &self.g, &self.u);
+    }
+
+    /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.
+    pub(crate) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) -> bool {
+        if !self.is_active(j) {
+            return false;
+        }
+        self.enter(Unknown::W(j), m, scaling);
+        if self.u[r].abs() < RETIRING * largest(&self.u).max(1.0) {
+            return false;
+        }
+        self.exchange(Unknown::W(j), r);
+        true
     }
 
     /// All of an exchange but the rank-one update of the stored columns, whose factors are left in `g` and `u`.

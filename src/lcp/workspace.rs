@@ -359,11 +359,15 @@ impl Workspace {
         self.basis.clear(n);
         self.vanishing.clear();
         self.vanishing.resize(n, false);
-        let dictionary = &self.path.dictionary;
-        for ((basic, x), level) in dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level) {
-            if let Unknown::Z(j) = *basic {
-                self.basis.insert(j);
-                self.vanishing[j] = *x <= ZERO * level;
+        for row in 0..n {
+            let dictionary = &mut self.path.dictionary;
+            if let Unknown::Z(j) = dictionary.basic[row] {
+                self.vanishing[j] = dictionary.x[row] <= ZERO * dictionary.level[row];
+                // A z_j which is zero in exact arithmetic comes out as noise that spoils the rows it enters. If w_j can
+                // take its place, the point is that of a smaller block.
+                if !(self.vanishing[j] && dictionary.retire(j, row, &self.path.scaling, lcp.m.as_slice())) {
+                    self.basis.insert(j);
+                }
             }
         }
         self.read_point(n);
@@ -487,7 +491,7 @@ impl Workspace {
                 *w = 0.0;
                 self.degenerate |= self.vanishing[i] || self.point.z[i] == 0.0;
             } else {
-                self.degenerate |= *w <= ZERO * self.point.terms[i];
+                self.degenerate |= self.vanishing[i] || *w <= ZERO * self.point.terms[i];
                 *w = w.max(0.0);
             }
         }
