@@ -460,6 +460,9 @@ impl Workspace {
         let alpha: Vec<usize> = self.basis.iter().collect();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
         for indices in [&support, &alpha] {
+            if best.within(ZERO) {
+                break;
+            }
             if let Some(basic) = principal::solve(&lcp.m, &lcp.q, indices) {
                 self.spare.z.clear();
                 self.spare.z.resize(lcp.len(), 0.0);
