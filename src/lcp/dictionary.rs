@@ -139,12 +139,7 @@ impl Dictionary {
         for (level, basic) in self.level.iter_mut().zip(&self.basic) {
             *level = if let Unknown::W(i) = *basic { q[i].abs() } else { 0.0 };
         }
-        for (column, i) in self.columns.chunks_exact(self.n.max(1)).zip(&self.kept) {
-            let size = q[*i].abs();
-            for (level, c) in self.level.iter_mut().zip(column) {
-                *level += size * c.abs();
-            }
-        }
+        kernel::combine_sizes(&self.columns, self.n, &self.kept, q, &mut self.level);
     }
 
     /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
@@ -170,12 +165,7 @@ impl Dictionary {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i].abs();
         }
-        for (column, i) in self.columns.chunks_exact(self.n.max(1)).zip(&self.kept) {
-            let size = self.entering[*i].abs();
-            for (to, c) in self.next.iter_mut().zip(column) {
-                *to += size * c.abs();
-            }
-        }
+        kernel::combine_sizes(&self.columns, self.n, &self.kept, &self.entering, &mut self.next);
     }
 
     /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.

@@ -59,6 +59,30 @@ pub(crate) fn combine(columns: &[f64], n: usize, c: &[f64], y: &mut [f64]) {
     }
 }
 
+/// y += Σ_j |c_j a_j|, with c_j = `factors[kept[j]]`.
+pub(crate) fn combine_sizes(columns: &[f64], n: usize, kept: &[usize], factors: &[f64], y: &mut [f64]) {
+    let blocks = columns.chunks_exact(4 * n.max(1));
+    let rest = blocks.remainder();
+    let mut quads = kept.chunks_exact(4);
+    for (block, quad) in blocks.zip(&mut quads) {
+        let (a, tail) = block.split_at(n);
+        let (b, tail) = tail.split_at(n);
+        let (d, e) = tail.split_at(n);
+        let (a, b, d, e, y) = (&a[..n], &b[..n], &d[..n], &e[..n], &mut y[..n]);
+        let c =
+            [factors[quad[0]].abs(), factors[quad[1]].abs(), factors[quad[2]].abs(), factors[quad[3]].abs()];
+        for i in 0..n {
+            y[i] += (c[0] * a[i].abs() + c[1] * b[i].abs()) + (c[2] * d[i].abs() + c[3] * e[i].abs());
+        }
+    }
+    for (column, i) in rest.chunks_exact(n.max(1)).zip(quads.remainder()) {
+        let size = factors[*i].abs();
+        for (y, a) in y.iter_mut().zip(column) {
+            *y += size * a.abs();
+        }
+    }
+}
+
 /// a_j += g_j u.
 pub(crate) fn update(columns: &mut [f64], n: usize, g: &[f64], u: &[f64]) {
     for (column, g) in columns.chunks_exact_mut(n.max(1)).zip(g) {

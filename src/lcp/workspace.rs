@@ -14,8 +14,10 @@ use nalgebra::DVector;
 
 /// Values below this fraction of the largest term they were computed from are zero.
 pub(crate) const ZERO: f64 = 1e-13;
-/// A point with residuals up to this needs no refinement: a row of many terms cannot be summed better.
-const ROUNDED: f64 = 8.0 * f64::EPSILON;
+/// A point of n rows with residuals up to this needs no refinement: a row of so many terms cannot be summed much better.
+fn rounded(n: usize) -> f64 {
+    (8.0 + n as f64 / 8.0) * f64::EPSILON
+}
 
 /// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
 /// that size allocates nothing, as long as they are solved by the first path.
@@ -373,7 +375,7 @@ impl Workspace {
         self.read_point(n);
         let mut residuals = self.point.evaluate(lcp);
         for _ in 0..3 {
-            if residuals.within(ROUNDED) || residuals == Residuals::UNUSABLE {
+            if residuals.within(rounded(n)) || residuals == Residuals::UNUSABLE {
                 break;
             }
             std::mem::swap(&mut self.point, &mut self.spare);
@@ -397,7 +399,7 @@ impl Workspace {
                 .z
                 .extend(self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z }));
             let cut = self.spare.evaluate(lcp);
-            if cut.max() <= residuals.max().max(ROUNDED) {
+            if cut.max() <= residuals.max().max(rounded(n)) {
                 std::mem::swap(&mut self.point, &mut self.spare);
                 residuals = cut;
             }
