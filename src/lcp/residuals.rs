@@ -48,14 +48,33 @@ pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f
     if n == 0 {
         return;
     }
-    for (column, &z) in m.as_slice().chunks_exact(n).zip(z) {
-        if z != 0.0 {
-            for ((w, a), m) in w.iter_mut().zip(terms.iter_mut()).zip(column) {
-                let product = m * z;
-                *w += product;
-                *a += product.abs();
+    // Four columns at a time.
+    let column = |j: usize| &m.as_slice()[j * n..(j + 1) * n];
+    let mut support = z.iter().enumerate().filter(|(_, z)| **z != 0.0).map(|(j, z)| (j, *z));
+    while let Some(first) = support.next() {
+        let [b, c, d] = [support.next(), support.next(), support.next()];
+        if let (Some(b), Some(c), Some(d)) = (b, c, d) {
+            add_four([first, b, c, d].map(|(j, z)| (column(j), z)), w, terms);
+        } else {
+            for (j, z) in [Some(first), b, c, d].into_iter().flatten() {
+                for ((w, a), m) in w.iter_mut().zip(terms.iter_mut()).zip(column(j)) {
+                    let product = m * z;
+                    *w += product;
+                    *a += product.abs();
+                }
             }
         }
+    }
+}
+
+fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
+    let n = w.len();
+    let [(a, za), (b, zb), (c, zc), (d, zd)] = columns;
+    let (a, b, c, d, terms) = (&a[..n], &b[..n], &c[..n], &d[..n], &mut terms[..n]);
+    for i in 0..n {
+        let (a, b, c, d) = (a[i] * za, b[i] * zb, c[i] * zc, d[i] * zd);
+        w[i] += (a + b) + (c + d);
+        terms[i] += (a.abs() + b.abs()) + (c.abs() + d.abs());
     }
 }
 
@@ -80,7 +99,8 @@ pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
         if z > 0.0 && slack <= out.complementarity {
             continue;
         }
-        let share = share(column, z, terms);
+        let enough = if z > 0.0 { slack } else { f64::INFINITY };
+        let share = share(column, z, terms, enough);
         if z < 0.0 {
             out.negative_z = out.negative_z.max(share);
         } else {
@@ -98,13 +118,17 @@ pub(crate) fn residuals(m: &DMatrix<f64>, q: &DVector<f64>, z: &[f64]) -> Residu
     residuals_from(m, z, &w, &terms)
 }
 
-/// s_j, the largest share of z_j in a row.
-fn share(column: &[f64], z: f64, terms: &[f64]) -> f64 {
+/// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is so too.
+fn share(column: &[f64], z: f64, terms: &[f64], enough: f64) -> f64 {
     let mut share = None;
     for (m, a) in column.iter().zip(terms) {
         // An underflowed product leaves a_i = 0 although M_ij is not zero; such a row says nothing about z_j.
         if *m != 0.0 && *a > 0.0 {
-            share = Some(share.unwrap_or(0.0_f64).max(m.abs() * z.abs() / a));
+            let largest = share.unwrap_or(0.0_f64).max(m.abs() * z.abs() / a);
+            if largest >= enough {
+                return largest;
+            }
+            share = Some(largest);
         }
     }
     share.unwrap_or(1.0)
