@@ -32,8 +32,9 @@ pub(crate) fn check(lcp: &Lcp, y: &DVector<f64>) -> bool {
         })
 }
 
-/// The ray along which the entering variable grows for ever, in the caller's units and with largest entry 1.
-pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Ray {
+/// The ray along which the entering variable grows for ever, in the caller's units and with largest entry 1. `None` if
+/// it leaves the range of double precision there.
+pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
     let mut direction = DVector::zeros(lcp.len());
     let mut balanced = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
@@ -56,11 +57,14 @@ pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Ray {
     let y = DVector::from_fn(lcp.len(), |i, _| balanced[i] * path.scaling.row[i]);
     let proof = if check(lcp, &y) { Proof::Infeasible(y) } else { Proof::None };
     let size = direction.amax();
-    if size > 0.0 && size.is_finite() {
+    if direction.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    if size > 0.0 {
         direction /= size;
         covering_rate /= size;
     }
-    Ray { direction, covering_rate, proof, pivots: path.pivots }
+    covering_rate.is_finite().then_some(Ray { direction, covering_rate, proof, pivots: path.pivots })
 }
 
 /// A Farkas vector from the linear program, if the constraints cannot be met.

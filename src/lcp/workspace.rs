@@ -324,7 +324,10 @@ impl Workspace {
         self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
         match self.path.cover_and_run(m, settings, limit) {
             End::Complementary => self.finish_or_go_on(lcp, settings, limit),
-            End::Ray(entering) => Some(Outcome::Ray(certificate::ray(lcp, &self.path, entering))),
+            End::Ray(entering) => Some(match certificate::ray(lcp, &self.path, entering) {
+                Some(ray) => Outcome::Ray(ray),
+                None => Outcome::Breakdown { pivots: self.path.pivots, cause: BreakdownCause::Overflow },
+            }),
             End::PivotLimit => Some(Outcome::PivotLimit { pivots: self.path.pivots }),
             End::Breakdown(cause) => Some(Outcome::Breakdown { pivots: self.path.pivots, cause }),
         }
