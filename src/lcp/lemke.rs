@@ -275,7 +275,8 @@ impl Path {
                 Unknown::Z(j) => self.scaling.column_unit(j),
                 Unknown::Covering => 1.0,
             };
-            dictionary.p[row] = unit * generic(row);
+            // By the variable, since the order of rows depends on rounding.
+            dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -NOISE * dictionary.level[row] {
                 dictionary.x[row] = dictionary.x[row].max(0.0);

@@ -1,5 +1,6 @@
 //! The point of a complementary basis, by a fresh factorisation of its principal block.
 
+use super::scaling::Scaling;
 use nalgebra::{DMatrix, DVector};
 
 /// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, with two steps of refinement; `None` if
@@ -9,19 +10,16 @@ pub(crate) fn solve(m: &DMatrix<f64>, q: &DVector<f64>, alpha: &[usize]) -> Opti
     if k == 0 {
         return Some(DVector::zeros(0));
     }
-    let factor = |size: f64| if size > 0.0 && size.is_finite() { (-size.log2().round()).exp2() } else { 1.0 };
     let mut block = DMatrix::from_fn(k, k, |i, j| m[(alpha[i], alpha[j])]);
-    let mut row = vec![1.0; k];
-    let mut column = vec![1.0; k];
-    for i in 0..k {
-        row[i] = factor(block.row(i).amax());
-        block.row_mut(i).scale_mut(row[i]);
-    }
+    let rhs = DVector::from_fn(k, |i, _| -q[alpha[i]]);
+    let mut scaling = Scaling::default();
+    scaling.balance(k, block.as_slice(), rhs.as_slice());
     for j in 0..k {
-        column[j] = factor(block.column(j).amax());
-        block.column_mut(j).scale_mut(column[j]);
+        for i in 0..k {
+            block[(i, j)] *= scaling.row[i] * scaling.column[j];
+        }
     }
-    let rhs = DVector::from_fn(k, |i, _| -row[i] * q[alpha[i]]);
+    let rhs = DVector::from_fn(k, |i, _| rhs[i] * scaling.row[i]);
     let y = if k <= COMPLETE {
         let lu = block.clone().full_piv_lu();
         regular(&lu.lu_internal().diagonal()).then_some(())?;
@@ -31,7 +29,7 @@ pub(crate) fn solve(m: &DMatrix<f64>, q: &DVector<f64>, alpha: &[usize]) -> Opti
         regular(&lu.lu_internal().diagonal()).then_some(())?;
         refined(&block, &rhs, |b| lu.solve(b))
     }?;
-    Some(DVector::from_fn(k, |j, _| y[j] * column[j]))
+    Some(DVector::from_fn(k, |j, _| y[j] * scaling.column[j]))
 }
 
 /// Up to this size pivoting is complete, which tells singular blocks apart more surely; beyond it only partial, which is
@@ -55,5 +53,5 @@ fn refined(
     Some(y)
 }
 
-/// Columns of the balanced block have largest entries near 1; a pivot below this is noise.
+/// The entries of the balanced block are near 1; a pivot below this is noise.
 const SINGULAR: f64 = 1e-15;
