@@ -21,7 +21,8 @@ pub struct Settings {
     /// [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
     /// It guards against the problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); cycling
-    /// is excluded by the tie rule. `None` allows 10000 + 100 n: ordinary problems need one to three times n, and
+    /// is excluded by the tie rule. A number given here bounds all paths together.
+    /// `None` allows 10000 + 100 n for the first path, and 100 + 10 n for each retry: ordinary problems need one to three times n, and
     /// the exponential families are still solved up to n = 13. Smaller values cut solvable problems
     /// off, larger ones only make the exponential families run longer.
     pub max_pivots: Option<usize>,
