@@ -2,4 +2,15 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod equilibrium;
+mod error;
+pub mod formulation;
+pub mod grasp;
 pub mod lcp;
+pub mod load_path;
+pub mod planar;
+pub mod spatial;
+
+pub use equilibrium::Settings;
+pub use error::{ContactLabel, Error, Field};
+pub use formulation::{Fit, PolygonCone};

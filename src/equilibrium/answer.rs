@@ -1,0 +1,220 @@
+//! The answer as physics.
+
+use nalgebra::SVector;
+
+use super::residuals::Residuals;
+use super::settle::{Doubt, Rung};
+use crate::formulation::{LeftOut, PolygonCone};
+use crate::grasp::{Twist, Wrench};
+
+/// How a question for an equilibrium ends.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Outcome<const D: usize, const C: usize> {
+    /// The grasp holds: here is where the object goes and what the contacts carry.
+    Equilibrium(Box<Equilibrium<D, C>>),
+    /// No quasi-static equilibrium exists under this load, with the proof.
+    NoEquilibrium(NoEquilibrium<D>),
+    /// None was found and none was ruled out.
+    Undecided(Undecided),
+}
+
+impl<const D: usize, const C: usize> Outcome<D, C> {
+    /// The equilibrium, if there is one.
+    #[must_use]
+    pub fn equilibrium(&self) -> Option<&Equilibrium<D, C>> {
+        match self {
+            Self::Equilibrium(equilibrium) => Some(equilibrium),
+            _ => None,
+        }
+    }
+}
+
+/// An equilibrium of the elastic contacts, the load and the finger commands.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Equilibrium<const D: usize, const C: usize> {
+    /// The load it balances.
+    pub load: Wrench<D>,
+    /// Motion of the object. Where `free_motions` are left it is the one of least norm (about the centroid of the
+    /// contact points, lengths in units of their root mean square distance from it), unless gaps and slips need more.
+    pub twist: Twist<D>,
+    /// Contact by contact, in the order of the grasp.
+    pub contacts: Vec<ContactAnswer<C>>,
+    /// By which rule this equilibrium was found; there may be others, see
+    /// [`Grasp::equilibria`](crate::grasp::Grasp::equilibria).
+    pub rule: Rung,
+    /// Energy stored in the springs, `Σ ½ F²/k`, J.
+    pub stored_energy: f64,
+    /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
+    /// them. A rotation is counted in radians times the root mean square distance of the contacts.
+    pub free_motions: Vec<Twist<D>>,
+    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
+    /// a whole line. Empty but at loads where friction just balances on a wedge.
+    pub neutral_motions: Vec<Twist<D>>,
+    /// How well the answer satisfies the conditions, recomputed from the question.
+    pub residuals: Residuals,
+    /// What was done to find it.
+    pub work: WorkDone,
+    /// The friction cone the answer is for.
+    pub cone: Cone,
+}
+
+/// The friction cone an answer is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Cone {
+    /// The planar cone, which is polygonal by nature: nothing is approximated.
+    Planar,
+    /// A polygon in place of the round cone.
+    Polygon(PolygonCone),
+    /// The round cone in space.
+    Round,
+}
+
+impl Cone {
+    /// Facets of a formulation with this cone: 2 in the plane, and the one facet that touches a round cone.
+    pub(crate) fn facets(self) -> usize {
+        match self {
+            Self::Planar => 2,
+            Self::Polygon(polygon) => polygon.facets(),
+            Self::Round => 1,
+        }
+    }
+}
+
+/// One contact of an equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ContactAnswer<const C: usize> {
+    /// What the contact does.
+    pub state: ContactState<C>,
+    /// Force on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes.
+    pub force: SVector<f64, C>,
+    /// The same force along the coordinate axes.
+    pub force_world: SVector<f64, C>,
+    /// Displacement u_c of the body's core at the contact, coordinate axes, m.
+    pub body_core: SVector<f64, C>,
+    /// Displacement u_d of the body's surface, coordinate axes, m; `None` if only the series stiffness is known.
+    pub body_surface: Option<SVector<f64, C>>,
+    /// Displacement u_e of the finger's surface, coordinate axes, m; `None` if only the series stiffness is known.
+    pub finger_surface: Option<SVector<f64, C>>,
+    /// Gap between the surfaces, m, >= 0.
+    pub gap: f64,
+    /// Slip of the finger over the body in the contact frame, m; its normal component is zero. For a separated or
+    /// frictionless contact: how far the surfaces have moved past each other.
+    pub slip: SVector<f64, C>,
+    /// Friction in reserve, N: the least of `μ F_n - h·F_t` over the facets of the cone, in the plane `μ F_n - |F_t|`.
+    /// Zero for a sliding, separated or frictionless contact, infinite with infinite friction.
+    pub margin: f64,
+}
+
+impl<const C: usize> ContactAnswer<C> {
+    /// Normal force `F_n`, N.
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        self.force[0]
+    }
+
+    /// Size of the tangential force, `|F_t|`, N.
+    #[must_use]
+    pub fn friction_force(&self) -> f64 {
+        self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
+    }
+
+    /// How much friction is used, `|F_t| / F_n`; zero for a contact without force.
+    #[must_use]
+    pub fn friction_used(&self) -> f64 {
+        let friction = self.friction_force();
+        if friction == 0.0 { 0.0 } else { friction / self.force[0] }
+    }
+}
+
+impl ContactAnswer<2> {
+    /// Tangential force `F_t` along t, N, with its sign.
+    #[must_use]
+    pub fn tangential_force(&self) -> f64 {
+        self.force[1]
+    }
+
+    /// `F_t / F_n` with its sign, as the paper tabulates it; zero for a contact without force.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.friction_used().copysign(self.force[1])
+    }
+}
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum ContactState<const C: usize> {
+    /// Open, or touching without force: F = 0, gap >= 0.
+    Separated,
+    /// Closed and stuck: gap = 0, slip = 0, `|F_t| <= μ F_n`. The paper's word; others say sticking.
+    Rolling,
+    /// Closed and on the edge of its cone.
+    Sliding {
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        direction: SVector<f64, C>,
+    },
+    /// Closed without friction: F_t = 0 and the surfaces move past each other as they like.
+    Frictionless,
+}
+
+/// What was done, and what was not needed.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct WorkDone {
+    /// Pivots of Lemke's method, all runs together.
+    pub pivots: usize,
+    /// Complementary pairs of the largest problem that was made.
+    pub rows_made: usize,
+    /// Complementary pairs that a full kinematic formulation would have had besides, and why they were left out.
+    pub rows_left_out: Vec<LeftOut>,
+    /// Combinations of contact states that were tried one by one.
+    pub combinations: usize,
+}
+
+/// No equilibrium exists: the grasp gives way under this load.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct NoEquilibrium<const D: usize> {
+    /// Why, and how that is known.
+    pub proof: Proof<D>,
+}
+
+/// Why no equilibrium exists, and how that is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Proof<const D: usize> {
+    /// No contact resists this unit motion in any state, and the load works on it.
+    FreeMotion {
+        /// The motion.
+        motion: Twist<D>,
+        /// Work of the load on it, J.
+        work: f64,
+    },
+    /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
+    /// the load drives it. Holds for any stiffness and any command.
+    SeparatingMotion {
+        /// The motion.
+        motion: Twist<D>,
+        /// Work of the load on it, J.
+        work: f64,
+    },
+    /// Every combination of contact states was tried; each violates a condition clearly.
+    EveryStateTried {
+        /// How many.
+        combinations: usize,
+    },
+}
+
+/// Nothing was found and nothing was ruled out.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Undecided {
+    /// Why.
+    pub doubt: Doubt,
+    /// What was tried.
+    pub work: WorkDone,
+}

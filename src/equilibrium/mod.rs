@@ -1,0 +1,274 @@
+//! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
+
+mod answer;
+mod candidate;
+mod decomposition;
+mod enumerate;
+mod residuals;
+mod settings;
+mod settle;
+mod slack;
+mod wrench_cone;
+
+use nalgebra::SVector;
+
+pub use answer::{
+    Cone, ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone,
+};
+pub use decomposition::Decomposition;
+pub use residuals::Residuals;
+pub use settings::Settings;
+pub use settle::{Doubt, Rung};
+
+pub(crate) use candidate::Found;
+pub(crate) use enumerate::{combinations, for_each_combination, search};
+pub(crate) use settle::{Effort, Settled, settle};
+pub(crate) use slack::{for_each_slack, force_size};
+
+use crate::error::Error;
+use crate::formulation::{LeftOut, Polygon, Problem, State, Why};
+use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The equilibrium under a load, with default [`Settings`].
+    ///
+    /// Where several equilibria exist, the one in which everything rolls comes first; else see [`Rung`].
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn solve(&self, load: &Wrench<D>) -> Result<Outcome<D, C>, Error> {
+        self.solve_with(load, &Settings::default())
+    }
+
+    /// The equilibrium under a load.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
+        let polygon = Polygon::new(&settings.cone);
+        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let (settled, effort) = settle(&problem, settings);
+        Ok(self.outcome(&problem, load, settled, &effort, polygonal::<C>(settings)))
+    }
+
+    /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
+    /// [`Self::solve_with`] returns is among them. Combinations that share one equilibrium (a contact exactly on an
+    /// edge) are listed once; a line of equilibria by one of its points, with its
+    /// [`neutral_motions`](Equilibrium::neutral_motions).
+    ///
+    /// # Errors
+    /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
+    /// finite.
+    pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
+        let polygon = Polygon::new(&settings.cone);
+        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let combinations = combinations(&problem);
+        if combinations > settings.most_states as f64 {
+            return Err(Error::TooManyStates {
+                contacts: self.len(),
+                combinations,
+                most: settings.most_states,
+            });
+        }
+        let search = search(&problem, false);
+        let effort = Effort { combinations: search.tried, ..Effort::default() };
+        let mut list: Vec<Equilibrium<D, C>> = Vec::new();
+        for found in search.found {
+            let equilibrium = self.equilibrium(
+                &problem,
+                load,
+                &found,
+                Rung::Enumeration,
+                &effort,
+                polygonal::<C>(settings),
+            );
+            if !list.iter().any(|known| same(known, &equilibrium)) {
+                list.push(equilibrium);
+            }
+        }
+        Ok(list)
+    }
+
+    pub(crate) fn outcome(
+        &self,
+        problem: &Problem<D, C>,
+        load: &Wrench<D>,
+        settled: Settled<D, C>,
+        effort: &Effort,
+        cone: Cone,
+    ) -> Outcome<D, C> {
+        let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
+        let motion_and_work = |v: &SVector<f64, D>| (self.outside(v), v.dot(&problem.wrench));
+        match settled {
+            Settled::Found(found, rule) => {
+                Outcome::Equilibrium(Box::new(self.equilibrium(problem, load, &found, rule, effort, cone)))
+            }
+            Settled::FreeMotion(v) => {
+                let (motion, work) = motion_and_work(&v);
+                none(Proof::FreeMotion { motion, work })
+            }
+            Settled::Separating(v) => {
+                let (motion, work) = motion_and_work(&v);
+                none(Proof::SeparatingMotion { motion, work })
+            }
+            Settled::NoneOf(combinations) => none(Proof::EveryStateTried { combinations }),
+            Settled::Undecided(doubt) => {
+                let work = WorkDone {
+                    pivots: effort.pivots,
+                    rows_made: effort.rows,
+                    rows_left_out: self.left_out(effort, cone, false),
+                    combinations: effort.combinations,
+                };
+                Outcome::Undecided(Undecided { doubt, work })
+            }
+        }
+    }
+
+    /// Writes a solution of the local problem out as physics.
+    pub(crate) fn equilibrium(
+        &self,
+        problem: &Problem<D, C>,
+        load: &Wrench<D>,
+        found: &Found<D, C>,
+        rule: Rung,
+        effort: &Effort,
+        cone: Cone,
+    ) -> Equilibrium<D, C> {
+        let contacts: Vec<_> =
+            (0..self.len()).map(|i| self.contact_answer(problem, found, cone, i)).collect();
+        let twist = self.outside(&found.twist);
+        let motions =
+            |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
+        let stored_energy = contacts
+            .iter()
+            .zip(self.sites())
+            .map(|(c, site)| (0..site.axes).map(|a| 0.5 * c.force[a] * c.force[a] / site.k[a]).sum::<f64>())
+            .sum();
+        Equilibrium {
+            load: *load,
+            residuals: self.residuals(problem, load, &twist, &contacts, cone),
+            twist,
+            contacts,
+            rule,
+            stored_energy,
+            free_motions: motions(&found.free_motions),
+            neutral_motions: motions(&found.neutral_motions),
+            work: WorkDone {
+                pivots: effort.pivots,
+                rows_made: effort.rows,
+                rows_left_out: self.left_out(effort, cone, rule == Rung::EverythingRolls),
+                combinations: effort.combinations,
+            },
+            cone,
+        }
+    }
+
+    pub(crate) fn contact_answer(
+        &self,
+        problem: &Problem<D, C>,
+        found: &Found<D, C>,
+        cone: Cone,
+        i: usize,
+    ) -> ContactAnswer<C> {
+        let (site, contact) = (&self.sites()[i], &self.contacts()[i]);
+        let force = found.forces[i];
+        let moved = site.map.tr_mul(&found.twist);
+        let stretch = problem.drives[i] - moved;
+        let compression =
+            SVector::<f64, C>::from_fn(|a, _| if a < site.axes { force[a] / site.k[a] } else { 0.0 });
+        let mut slip = stretch - compression;
+        slip[0] = 0.0;
+        let normals = problem.normals(i);
+        let frictionless = site.axes == 1;
+        let state = match found.states[i] {
+            State::Open => ContactState::Separated,
+            State::Rolling if frictionless => ContactState::Frictionless,
+            State::Rolling => {
+                slip.fill(0.0);
+                ContactState::Rolling
+            }
+            State::Sliding { first, second } => {
+                // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
+                // direction is the one in which it would start.
+                let outward = second.map_or(normals[first], |second| normals[first] + normals[second]);
+                let along = if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward };
+                ContactState::Sliding { direction: site.frame * along.normalize() }
+            }
+        };
+        let margin = match state {
+            ContactState::Rolling if site.hold == Hold::Bonded || site.mu.is_infinite() => f64::INFINITY,
+            ContactState::Rolling if cone == Cone::Round => {
+                site.mu * force[0] - force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
+            }
+            ContactState::Rolling => problem
+                .polygon
+                .normals
+                .iter()
+                .fold(f64::INFINITY, |least, h| least.min(site.mu * force[0] - h.dot(&force))),
+            _ => 0.0,
+        };
+        slip += problem.slips[i];
+        let mut commanded = problem.drives[i] + problem.slips[i];
+        commanded[0] += contact.clearance;
+        let (body_surface, finger_surface) = match contact.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => {
+                let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
+                (Some(site.frame * (moved + give(&body))), Some(site.frame * (commanded - give(&finger))))
+            }
+            Stiffness::Series(_) => (None, None),
+        };
+        ContactAnswer {
+            state,
+            force,
+            force_world: site.frame * force,
+            body_core: site.frame * moved,
+            body_surface,
+            finger_surface,
+            gap: if state == ContactState::Separated { (-stretch[0]).max(0.0) } else { 0.0 },
+            slip,
+            margin,
+        }
+    }
+
+    fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
+        let facets = cone.facets();
+        let mut list = Vec::new();
+        for (contact, site) in self.sites().iter().enumerate() {
+            let mut push = |rows, why| list.push(LeftOut { contact, rows, why });
+            if everything_rolls && effort.rows == 0 {
+                push(1 + facets, Why::EverythingRolls);
+                continue;
+            }
+            match site.hold {
+                Hold::Bonded => push(1 + facets, Why::Bonded),
+                Hold::KeptClosed => push(1, Why::KeptClosed),
+                Hold::Unilateral => {}
+            }
+            if site.hold != Hold::Bonded {
+                if site.mu == 0.0 {
+                    push(facets, Why::Frictionless);
+                } else if site.mu.is_infinite() {
+                    push(facets, Why::InfiniteFriction);
+                }
+            }
+        }
+        list
+    }
+}
+
+/// Two answers of the same question are one equilibrium.
+fn same<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D, C>) -> bool {
+    let size = |e: &Equilibrium<D, C>| e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+    let force_size = size(a).max(size(b));
+    let travel = |e: &Equilibrium<D, C>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
+    let motion_size = travel(a).max(travel(b));
+    a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
+        (x.force - y.force).norm() <= 1e-9 * force_size
+            && (x.body_core - y.body_core).norm() <= 1e-9 * motion_size
+    })
+}
+
+/// The cone that the pivoting works on.
+pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Cone {
+    if C == 2 { Cone::Planar } else { Cone::Polygon(settings.cone) }
+}

@@ -1,0 +1,125 @@
+//! How well an answer satisfies the conditions, recomputed from the question alone.
+
+use nalgebra::SVector;
+
+use super::answer::{Cone, ContactAnswer, ContactState};
+use crate::formulation::Problem;
+use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
+
+/// Relative residuals of an equilibrium; all are zero in exact arithmetic.
+///
+/// Forces are measured against the largest contact force or load of the scene, displacements of a contact against the
+/// sum of the sizes of its own displacements, products against the product of both.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Residuals {
+    /// `|Σ F_i + W|` over the sum of the sizes of its terms; the same for moments; the larger of both.
+    pub equilibrium: f64,
+    /// `|F/k - (a - u_c + g - s)|` axis by axis: the contact springs.
+    pub springs: f64,
+    /// `max(0, -F_n)` and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon its own size of `F_t`.
+    pub cone: f64,
+    /// `max(0, -g)`: penetration.
+    pub gap: f64,
+    /// `|F_n g|`, and `μ F_n |s| - F_t·s` over 1 + μ, which is zero iff the slip follows the friction force.
+    pub complementarity: f64,
+}
+
+impl Residuals {
+    /// The largest of them.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity]
+            .into_iter()
+            .fold(0.0, f64::max)
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load.
+    pub(crate) fn residuals(
+        &self,
+        problem: &Problem<D, C>,
+        load: &Wrench<D>,
+        twist: &Twist<D>,
+        answers: &[ContactAnswer<C>],
+        cone: Cone,
+    ) -> Residuals {
+        let mut r = Residuals { equilibrium: self.out_of_balance(load, answers), ..Residuals::default() };
+        let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
+        let force_size =
+            answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm())).max(f64::MIN_POSITIVE);
+        let drives = &problem.drives;
+        for (i, (answer, site)) in answers.iter().zip(self.sites()).enumerate() {
+            let point = self.contacts()[i].point;
+            // The law is about the slip since the state that the drives count from.
+            let (f, s, g) = (&answer.force, &(answer.slip - problem.slips[i]), answer.gap);
+            let moved = site.frame.tr_mul(&displacement_of(&point, twist.as_vector()));
+            let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
+            let compression =
+                SVector::<f64, C>::from_fn(|a, _| if a < site.axes { f[a] / site.k[a] } else { 0.0 });
+            let size = drives[i].norm()
+                + self.contacts()[i].clearance
+                + twist.as_vector().norm()
+                + turned * point.norm()
+                + compression.norm()
+                + g.abs()
+                + s.norm();
+            let size = size.max(f64::MIN_POSITIVE);
+            for a in 0..site.axes {
+                let jump = if a == 0 { g } else { -s[a] };
+                r.springs = r.springs.max((compression[a] - (drives[i][a] - moved[a] + jump)).abs() / size);
+            }
+            if site.hold == Hold::Bonded {
+                r.gap = r.gap.max(g.abs() / size);
+                r.complementarity = r.complementarity.max(s.norm() / size);
+                continue;
+            }
+            if site.hold == Hold::Unilateral {
+                r.cone = r.cone.max(-f[0] / force_size);
+                r.gap = r.gap.max(-g / size);
+                r.complementarity = r.complementarity.max((f[0] * g).abs() / (force_size * size));
+            }
+            if site.mu.is_infinite() {
+                if answer.state == ContactState::Separated {
+                    r.cone = r.cone.max(f.norm() / force_size);
+                } else {
+                    r.complementarity = r.complementarity.max(s.norm() / size);
+                }
+            } else if site.axes == C {
+                let scale = force_size * (1.0 + site.mu);
+                let (used, support) = if cone == Cone::Round {
+                    (answer.friction_force(), s.norm())
+                } else {
+                    let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
+                        list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
+                    };
+                    (most(&problem.polygon.normals, f), most(&problem.polygon.corners, s))
+                };
+                r.cone = r.cone.max((used - site.mu * f[0]) / scale);
+                let missing = site.mu * f[0] * support - f.dot(s);
+                r.complementarity = r.complementarity.max(missing.abs() / (scale * size));
+            }
+        }
+        r
+    }
+
+    fn out_of_balance(&self, load: &Wrench<D>, answers: &[ContactAnswer<C>]) -> f64 {
+        let mut sum = *load.as_vector();
+        let (mut force_size, mut moment_size) = (0.0, 0.0);
+        for k in 0..D {
+            *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
+        }
+        for (contact, answer) in self.contacts().iter().zip(answers) {
+            sum += wrench_of::<D, C>(&contact.point, &answer.force_world);
+            force_size += answer.force_world.norm();
+            moment_size += contact.point.norm() * answer.force_world.norm();
+        }
+        // A moment counts against the moments, and against the forces at the distance of the contacts.
+        moment_size += force_size * self.length();
+        let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
+        let moment = sum.iter().skip(C).map(|m| m * m).sum::<f64>().sqrt();
+        let relative = |residual: f64, size: f64| if residual == 0.0 { 0.0 } else { residual / size };
+        relative(force, force_size).max(relative(moment, moment_size))
+    }
+}

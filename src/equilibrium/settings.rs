@@ -1,0 +1,48 @@
+//! What a caller may choose.
+
+use crate::formulation::PolygonCone;
+
+/// Choices that have sound defaults.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Settings {
+    /// The polygonal friction cone in space: 8 facets, inscribed. More facets come closer to the round cone (the
+    /// onset's error falls like 1/m², a sliding state's like 1/m) and cost more pivots. Not looked at in the plane.
+    pub cone: PolygonCone,
+    /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
+    /// exponential problems, which contact problems are not known to be.
+    pub max_pivots: Option<usize>,
+    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
+    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 in space). Lower it for speed on scenes
+    /// without an equilibrium, raise it to get a proof for more contacts.
+    pub most_states: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { cone: PolygonCone::default(), max_pivots: None, most_states: 20_000 }
+    }
+}
+
+impl Settings {
+    /// The same with another polygonal cone.
+    #[must_use]
+    pub fn with_cone(mut self, cone: PolygonCone) -> Self {
+        self.cone = cone;
+        self
+    }
+
+    /// The same with another limit on the combinations of contact states.
+    #[must_use]
+    pub fn with_most_states(mut self, most_states: usize) -> Self {
+        self.most_states = most_states;
+        self
+    }
+
+    /// The same with a limit on the pivots of one run of Lemke's method.
+    #[must_use]
+    pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
+        self.max_pivots = Some(max_pivots);
+        self
+    }
+}

@@ -1,0 +1,141 @@
+//! The ladder: elastic trial state, kinematic form, force form, proofs, every combination.
+
+use nalgebra::SVector;
+
+use super::candidate::{Found, Verdict, try_states};
+use super::enumerate::{combinations, search};
+use super::settings::Settings;
+use super::wrench_cone::separating_motion;
+use crate::formulation::{
+    Form, Piece, Problem, State, force_form, force_states, kinematic_form, kinematic_states,
+};
+use crate::lcp::{self, Basis, Outcome};
+
+/// By which rule a solution was found; with several equilibria this says which one it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Rung {
+    /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
+    EverythingRolls,
+    /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
+    KinematicForm,
+    /// Lemke's method on the force form: the end of a path of forces from none.
+    ForceForm,
+    /// The first combination of contact states that satisfies every condition.
+    Enumeration,
+}
+
+/// What it took.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Effort {
+    pub(crate) pivots: usize,
+    /// Rows of the largest complementarity problem that was made.
+    pub(crate) rows: usize,
+    pub(crate) combinations: usize,
+}
+
+/// How the ladder ended.
+#[derive(Debug, Clone)]
+pub(crate) enum Settled<const D: usize, const C: usize> {
+    Found(Found<D, C>, Rung),
+    /// The load works on a motion that no spring resists.
+    FreeMotion(SVector<f64, D>),
+    /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
+    Separating(SVector<f64, D>),
+    /// All combinations of contact states were tried and fail clearly.
+    NoneOf(usize),
+    /// Nothing found, nothing proved.
+    Undecided(Doubt),
+}
+
+/// Why nothing could be said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Doubt {
+    /// Lemke ended on rays that prove nothing and there are too many contacts to try every combination of states.
+    RayWithoutProof,
+    /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
+    /// boundary of what the grasp can hold, as far as the working precision can tell.
+    OnTheBoundary,
+    /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
+    OutOfPivots,
+}
+
+/// Climbs the ladder.
+pub(crate) fn settle<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    settings: &Settings,
+) -> (Settled<D, C>, Effort) {
+    let mut effort = Effort::default();
+    let unjumped: Vec<State> = (0..problem.len()).map(|i| problem.unjumped(i)).collect();
+    let trial = Piece::new(problem, &unjumped);
+    let state = match trial.solve(&problem.drives, &problem.wrench) {
+        Ok(state) => state,
+        Err(unbalanced) => {
+            let settled =
+                unbalanced.motion.map_or(Settled::Undecided(Doubt::OnTheBoundary), Settled::FreeMotion);
+            return (settled, effort);
+        }
+    };
+    if let Verdict::Holds(found) = try_states(problem, unjumped) {
+        return (Settled::Found(found, Rung::EverythingRolls), effort);
+    }
+    let mut doubt = Doubt::RayWithoutProof;
+    let kinematic = kinematic_form(problem, &trial, &state);
+    if let Some(found) = climb(problem, settings, kinematic, kinematic_states, &mut effort, &mut doubt) {
+        return (Settled::Found(found, Rung::KinematicForm), effort);
+    }
+    if problem.sites.iter().any(|site| site.mu.is_infinite()) {
+        // A contact with infinite friction has to let go of its tangential force when it opens; only facets do that.
+        let with_facets = Problem { infinite_friction_has_facets: true, ..problem.clone() };
+        let again = kinematic_form(&with_facets, &trial, &state);
+        if let Some(found) = climb(&with_facets, settings, again, kinematic_states, &mut effort, &mut doubt) {
+            return (Settled::Found(found, Rung::KinematicForm), effort);
+        }
+    }
+    if let Some(found) = climb(problem, settings, force_form(problem), force_states, &mut effort, &mut doubt)
+    {
+        return (Settled::Found(found, Rung::ForceForm), effort);
+    }
+    if let Some(motion) = separating_motion(problem) {
+        return (Settled::Separating(motion), effort);
+    }
+    if combinations(problem) <= settings.most_states as f64 {
+        let search = search(problem, true);
+        effort.combinations = search.tried;
+        let settled = match search.found.into_iter().next() {
+            Some(found) => Settled::Found(found, Rung::Enumeration),
+            None if search.doubtful => Settled::Undecided(Doubt::OnTheBoundary),
+            None => Settled::NoneOf(search.tried),
+        };
+        return (settled, effort);
+    }
+    (Settled::Undecided(doubt), effort)
+}
+
+/// One rung: Lemke proposes states, the piece with these states is solved and checked.
+fn climb<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    settings: &Settings,
+    form: Option<Form>,
+    states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State>,
+    effort: &mut Effort,
+    doubt: &mut Doubt,
+) -> Option<Found<D, C>> {
+    let form = form?;
+    effort.rows = effort.rows.max(form.rows.len());
+    let lcp_settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
+    match form.lcp.solve_with(&lcp_settings) {
+        Outcome::Solved(solution) => {
+            effort.pivots += solution.pivots;
+            match try_states(problem, states(problem, &form, &solution.basis)) {
+                Verdict::Holds(found) => return Some(found),
+                Verdict::Violated { doubtful: true } => *doubt = Doubt::OnTheBoundary,
+                Verdict::Violated { doubtful: false } | Verdict::Unbalanced => {}
+            }
+        }
+        Outcome::Ray(ray) => effort.pivots += ray.pivots,
+        _ => *doubt = Doubt::OutOfPivots,
+    }
+    None
+}

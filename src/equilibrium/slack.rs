@@ -1,0 +1,92 @@
+//! The inequalities that a state of the contacts must satisfy, each beside the size that rounding is measured against.
+//!
+//! ```text
+//! open      gap = n·u_c - a_n                 >= 0
+//! rolling   F_n, μ F_n - h·F_t (every facet)  >= 0
+//! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
+//! ```
+//!
+//! All of them are linear in (drives, forces, twist): the same function gives their rates along a load or a motion.
+
+use nalgebra::SVector;
+
+use crate::formulation::{Problem, State};
+use crate::grasp::Site;
+
+/// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,
+/// `largest` that of the largest force of the scene: a stiff contact's force is not known from its (cancelling)
+/// displacements but from equilibrium with the others, a soft one's the other way round.
+pub(crate) fn force_size<const D: usize, const C: usize>(
+    site: &Site<D, C>,
+    force: &SVector<f64, C>,
+    spans: f64,
+    largest: f64,
+) -> f64 {
+    force.norm() + largest.min(site.k.amax() * spans)
+}
+
+/// Calls `visit(value, size)` for every inequality `value >= 0`; rounding errors of the value are of the order of
+/// `size` times the machine precision.
+pub(crate) fn for_each_slack<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State],
+    drives: &[SVector<f64, C>],
+    forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+    mut visit: impl FnMut(f64, f64),
+) {
+    let largest = forces.iter().fold(problem.wrench.norm(), |most, f| most.max(f.norm()));
+    for (contact, state) in states.iter().enumerate() {
+        let site = &problem.sites[contact];
+        let (a, f) = (&drives[contact], &forces[contact]);
+        let moved = site.map.tr_mul(twist);
+        let stretch = a - moved;
+        let spans = a.norm() + moved.norm();
+        let force_size = force_size(site, f, spans, largest);
+        let motion_size = spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
+        let mu = problem.mu(contact);
+        let mut facets_left_alone = |but: [Option<usize>; 2]| {
+            for (j, h) in problem.normals(contact).iter().enumerate() {
+                if !but.contains(&Some(j)) {
+                    visit(mu * f[0] - h.dot(f), force_size * (mu + h.norm()));
+                }
+            }
+        };
+        match *state {
+            State::Open => {
+                if problem.may_open(contact) {
+                    visit(-stretch[0], motion_size);
+                }
+            }
+            State::Rolling => {
+                facets_left_alone([None, None]);
+                if problem.may_open(contact) {
+                    visit(f[0], force_size);
+                }
+            }
+            State::Sliding { first, second } => {
+                facets_left_alone([Some(first), second]);
+                if problem.may_open(contact) {
+                    visit(f[0], force_size);
+                }
+                let mut slip = stretch;
+                slip[0] = 0.0;
+                for axis in 1..C {
+                    slip[axis] -= f[axis] / site.k[axis];
+                }
+                let h1 = problem.normals(contact)[first];
+                match second {
+                    None => visit(slip.dot(&h1) / h1.norm(), motion_size),
+                    Some(second) => {
+                        // slip = σ₁ h₁ + σ₂ h₂, each σ with the sign of the other normal's right angle to it.
+                        let h2 = problem.normals(contact)[second];
+                        let cross = |u: &SVector<f64, C>, v: &SVector<f64, C>| u[1] * v[2] - u[2] * v[1];
+                        let turn = cross(&h1, &h2);
+                        visit(cross(&slip, &h2) / turn, motion_size * h2.norm() / turn.abs());
+                        visit(cross(&h1, &slip) / turn, motion_size * h1.norm() / turn.abs());
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::Outcome`]), not an error.
+
+use std::fmt;
+
+/// What was wrong with a question, where, and what would have been allowed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A grasp without contacts.
+    #[error("a grasp needs at least one contact, none was given")]
+    EmptyGrasp,
+    /// One number of one contact is out of range.
+    #[error("contact {contact}: {field} is {value}, must be {allowed}")]
+    Contact {
+        /// Which contact.
+        contact: ContactLabel,
+        /// Which of its data.
+        field: Field,
+        /// What was given: the offending component, or the length of an offending vector.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A component of a wrench is not a finite number.
+    #[error("{what}: component {component} is {value}, must be finite")]
+    Wrench {
+        /// Which wrench of the question.
+        what: &'static str,
+        /// Index of the component: forces first, then moments.
+        component: usize,
+        /// What was given.
+        value: f64,
+    },
+    /// A list that goes with the contacts has another length than the list of contacts.
+    #[error("{what}: {given} given, must be {expected}, one a contact")]
+    Size {
+        /// Which list.
+        what: &'static str,
+        /// Its length.
+        given: usize,
+        /// The number of contacts.
+        expected: usize,
+    },
+    /// A polygonal friction cone that is no polygon, or needlessly fine.
+    #[error("friction cone: {given} facets, must be from 3 to {most}")]
+    Facets {
+        /// What was given.
+        given: usize,
+        /// The largest number of facets that is accepted.
+        most: usize,
+    },
+    /// Listing every equilibrium would mean trying too many combinations of contact states.
+    #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
+    TooManyStates {
+        /// Number of contacts.
+        contacts: usize,
+        /// Number of combinations of their states.
+        combinations: f64,
+        /// The limit in force.
+        most: usize,
+    },
+}
+
+/// A contact as messages name it: by index and, where the user gave one, by name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ContactLabel {
+    /// Position in the list of contacts, from 0.
+    pub index: usize,
+    /// The user's name for it.
+    pub name: Option<String>,
+}
+
+impl fmt::Display for ContactLabel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.name {
+            Some(name) => write!(f, "{} ({name})", self.index),
+            None => write!(f, "{}", self.index),
+        }
+    }
+}
+
+/// The data of a contact, as error messages name them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Field {
+    /// The contact point.
+    Point,
+    /// The normal into the object.
+    Normal,
+    /// The first tangent.
+    Tangent,
+    /// Stiffness of the object at the contact.
+    BodyStiffness,
+    /// Stiffness of the finger.
+    FingerStiffness,
+    /// Stiffness of both in series.
+    SeriesStiffness,
+    /// Coefficient of friction.
+    Friction,
+    /// Commanded finger displacement.
+    Command,
+    /// Change of the commanded finger displacement.
+    CommandChange,
+    /// Initial clearance.
+    Clearance,
+}
+
+impl fmt::Display for Field {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Field::Point => "point",
+            Field::Normal => "normal",
+            Field::Tangent => "tangent",
+            Field::BodyStiffness => "body stiffness",
+            Field::FingerStiffness => "finger stiffness",
+            Field::SeriesStiffness => "series stiffness",
+            Field::Friction => "friction coefficient",
+            Field::Command => "command",
+            Field::CommandChange => "change of command",
+            Field::Clearance => "clearance",
+        })
+    }
+}

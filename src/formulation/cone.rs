@@ -1,0 +1,148 @@
+//! The friction cone as a polygon: `F_t` lies in μF_n times a polygon around the origin.
+//!
+//! ```text
+//! h_j · F_t <= μ F_n            for every facet normal h_j
+//! F_t = Σ β_j d_j, Σ β_j <= μ F_n, β >= 0   with the corners d_j
+//! ```
+//!
+//! In the plane the polygon is the interval [-1, 1] and nothing is approximated. In space it has m facets, and a sliding
+//! contact slips in the normal cone of the polygon at F_t (maximum dissipation over the polygon).
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use crate::error::Error;
+
+/// How the polygon lies to the circle of radius one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fit {
+    /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).
+    #[default]
+    Inscribed,
+    /// Facets touch the circle: never less friction than Coulomb's, more by up to 1/cos(π/m) - 1.
+    Circumscribed,
+    /// Corners as far outside as facets inside, by the same factor cos(π/m)^(1/2).
+    Balanced,
+}
+
+/// The polygonal cone that stands in for the round one in space. Planar grasps do not look at it.
+///
+/// The first corner points along the first tangent of each contact. Default: 8 facets, inscribed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PolygonCone {
+    facets: usize,
+    fit: Fit,
+}
+
+impl PolygonCone {
+    /// More facets than this say nothing that rounding would not blur.
+    pub const MOST_FACETS: usize = 4096;
+
+    /// A polygon of `facets` facets.
+    ///
+    /// # Errors
+    /// [`Error::Facets`] unless 3 <= facets <= [`Self::MOST_FACETS`].
+    pub fn new(facets: usize, fit: Fit) -> Result<Self, Error> {
+        if (3..=Self::MOST_FACETS).contains(&facets) {
+            Ok(Self { facets, fit })
+        } else {
+            Err(Error::Facets { given: facets, most: Self::MOST_FACETS })
+        }
+    }
+
+    /// The polygon with as many facets around the circle.
+    pub(crate) fn circumscribed(self) -> Self {
+        Self { fit: Fit::Circumscribed, ..self }
+    }
+
+    /// Number of facets m.
+    #[must_use]
+    pub fn facets(&self) -> usize {
+        self.facets
+    }
+
+    /// How the polygon lies to the circle.
+    #[must_use]
+    pub fn fit(&self) -> Fit {
+        self.fit
+    }
+}
+
+impl Default for PolygonCone {
+    fn default() -> Self {
+        Self { facets: 8, fit: Fit::Inscribed }
+    }
+}
+
+/// The polygon in the frame of a contact: vectors with a zero normal component.
+#[derive(Debug, Clone)]
+pub(crate) struct Polygon<const C: usize> {
+    /// Facet normals h_j, scaled so that the facet is h_j·x = 1.
+    pub(crate) normals: Vec<SVector<f64, C>>,
+    /// Corners d_j; in space corner j lies between facets j and j + 1, in the plane it is facet j itself.
+    pub(crate) corners: Vec<SVector<f64, C>>,
+}
+
+impl<const C: usize> Polygon<C> {
+    pub(crate) fn new(cone: &PolygonCone) -> Self {
+        if C == 2 {
+            let sides = vec![tangential(&[1.0]), tangential(&[-1.0])];
+            return Self { normals: sides.clone(), corners: sides };
+        }
+        let m = cone.facets;
+        let half = TAU / (2.0 * m as f64);
+        let facet_distance = match cone.fit {
+            Fit::Inscribed => half.cos(),
+            Fit::Circumscribed => 1.0,
+            Fit::Balanced => half.cos().sqrt(),
+        };
+        let corner_distance = facet_distance / half.cos();
+        let ray = |half_turns: usize, length: f64| {
+            let (sin, cos) = (half * half_turns as f64).sin_cos();
+            // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
+            let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
+            tangential(&[length * clean(cos), length * clean(sin)])
+        };
+        Self {
+            normals: (0..m).map(|j| ray((2 * j + 2 * m - 1) % (2 * m), 1.0 / facet_distance)).collect(),
+            corners: (0..m).map(|j| ray(2 * j, corner_distance)).collect(),
+        }
+    }
+}
+
+fn tangential<const C: usize>(components: &[f64]) -> SVector<f64, C> {
+    let mut v = SVector::zeros();
+    for (a, &x) in components.iter().enumerate() {
+        v[a + 1] = x;
+    }
+    v
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_lie_on_their_two_facets() {
+        for fit in [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced] {
+            for m in [3, 4, 7, 8, 64] {
+                let polygon = Polygon::<3>::new(&PolygonCone { facets: m, fit });
+                for j in 0..m {
+                    for facet in [j, (j + 1) % m] {
+                        assert!((polygon.normals[facet].dot(&polygon.corners[j]) - 1.0).abs() < 1e-14);
+                    }
+                    for normal in &polygon.normals {
+                        assert!(normal.dot(&polygon.corners[j]) < 1.0 + 1e-14);
+                    }
+                }
+                let (inner, outer) = (1.0 / polygon.normals[0].norm(), polygon.corners[0].norm());
+                match fit {
+                    Fit::Inscribed => assert!((outer - 1.0).abs() < 1e-15),
+                    Fit::Circumscribed => assert!((inner - 1.0).abs() < 1e-15),
+                    Fit::Balanced => assert!((inner * outer - 1.0).abs() < 1e-14),
+                }
+            }
+        }
+    }
+}

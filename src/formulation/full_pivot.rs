@@ -1,0 +1,108 @@
+//! A small linear system with complete pivoting that says what it could not resolve.
+
+use nalgebra::{SMatrix, SVector};
+
+/// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors
+/// (entries at most one, noise near 1e-16), so anything smaller is a singular state, not a stiff one.
+const SINGULAR: f64 = 1e-13;
+
+/// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
+#[derive(Debug, Clone)]
+pub(crate) struct FullPivot<const D: usize> {
+    lu: SMatrix<f64, D, D>,
+    row_order: [usize; D],
+    col_order: [usize; D],
+    rows: usize,
+    cols: usize,
+    rank: usize,
+}
+
+impl<const D: usize> FullPivot<D> {
+    pub(crate) fn new(mut a: SMatrix<f64, D, D>, rows: usize, cols: usize) -> Self {
+        let mut row_order: [usize; D] = std::array::from_fn(|i| i);
+        let mut col_order = row_order;
+        let mut rank = 0;
+        let mut largest = 0.0_f64;
+        while rank < rows.min(cols) {
+            let k = rank;
+            let (mut pi, mut pj, mut most) = (k, k, 0.0);
+            for i in k..rows {
+                for j in k..cols {
+                    if a[(i, j)].abs() > most {
+                        (pi, pj, most) = (i, j, a[(i, j)].abs());
+                    }
+                }
+            }
+            largest = largest.max(most);
+            if most <= SINGULAR * largest {
+                break;
+            }
+            a.swap_rows(k, pi);
+            a.swap_columns(k, pj);
+            row_order.swap(k, pi);
+            col_order.swap(k, pj);
+            for i in k + 1..rows {
+                let factor = a[(i, k)] / a[(k, k)];
+                a[(i, k)] = factor;
+                for j in k + 1..cols {
+                    a[(i, j)] -= factor * a[(k, j)];
+                }
+            }
+            rank += 1;
+        }
+        Self { lu: a, row_order, col_order, rows, cols, rank }
+    }
+
+    /// A solution of `A x = b` with zeros in the free columns, and how much of b no x can reach.
+    pub(crate) fn solve(&self, b: &SVector<f64, D>) -> (SVector<f64, D>, f64) {
+        let mut y = SVector::<f64, D>::zeros();
+        for i in 0..self.rows {
+            let known: f64 = (0..i.min(self.rank)).map(|j| self.lu[(i, j)] * y[j]).sum();
+            y[i] = b[self.row_order[i]] - known;
+        }
+        let unreached = (self.rank..self.rows).map(|i| y[i].abs()).fold(0.0, f64::max);
+        (self.back(&y), unreached)
+    }
+
+    /// A basis of {x : A x = 0}.
+    pub(crate) fn kernel(&self) -> Vec<SVector<f64, D>> {
+        (self.rank..self.cols)
+            .map(|free| {
+                let mut y = SVector::<f64, D>::zeros();
+                for i in 0..self.rank {
+                    y[i] = -self.lu[(i, free)];
+                }
+                let mut x = self.back(&y);
+                x[self.col_order[free]] = 1.0;
+                x
+            })
+            .collect()
+    }
+
+    /// Largest row sum of the inverse: how much an error of the right-hand side can grow. 1 for an empty system.
+    pub(crate) fn growth(&self) -> f64 {
+        let mut sums = [0.0; D];
+        for e in 0..self.rank {
+            let mut unit = SVector::zeros();
+            unit[self.row_order[e]] = 1.0;
+            let (x, _) = self.solve(&unit);
+            for i in 0..D {
+                sums[i] += x[i].abs();
+            }
+        }
+        sums.into_iter().fold(1.0, f64::max)
+    }
+
+    fn back(&self, y: &SVector<f64, D>) -> SVector<f64, D> {
+        let mut s = [0.0; D];
+        for i in (0..self.rank).rev() {
+            let known: f64 = (i + 1..self.rank).map(|j| self.lu[(i, j)] * s[j]).sum();
+            s[i] = (y[i] - known) / self.lu[(i, i)];
+        }
+        let mut x = SVector::zeros();
+        for i in 0..self.rank {
+            x[self.col_order[i]] = s[i];
+        }
+        x
+    }
+}

@@ -1,0 +1,111 @@
+//! The kinematic form: jumps (gaps and slips) on top of the elastic trial state.
+//!
+//! ```text
+//! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0
+//! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j
+//! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
+//! ```
+//!
+//! Small and cheap, exact when everything rolls (z = 0). Its matrix is not copositive: with strong friction Lemke can
+//! end on a ray although an equilibrium exists, so a ray here proves nothing.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::piece::{Piece, PieceState};
+use super::problem::{Problem, State};
+use super::rows::{Form, Row};
+use crate::lcp::{Basis, Lcp};
+
+/// One row in energy coordinates: `ŵ = row · x`, `x` jumps by `column ẑ`, with x = K^{-1/2} F.
+struct Jump<const D: usize, const C: usize> {
+    contact: usize,
+    row: SVector<f64, C>,
+    column: SVector<f64, C>,
+    /// Qᵀ applied to both.
+    row_seen: SVector<f64, D>,
+    column_seen: SVector<f64, D>,
+}
+
+/// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
+/// overflows.
+pub(crate) fn kinematic_form<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    trial: &Piece<D, C>,
+    state: &PieceState<D, C>,
+) -> Option<Form> {
+    let mut form_rows = Vec::new();
+    let (mut z_unit, mut w_unit) = (Vec::new(), Vec::new());
+    let mut jumps: Vec<Jump<D, C>> = Vec::new();
+    let mut first_spring = 0;
+    for contact in 0..problem.len() {
+        let springs = trial.springs[first_spring..].iter().take_while(|s| s.contact == contact).count();
+        let root = problem.sites[contact].k.map(f64::sqrt);
+        let seen = |v: &SVector<f64, C>| {
+            (0..springs).fold(SVector::zeros(), |sum, a| sum + trial.right.row(first_spring + a) * v[a])
+        };
+        let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
+            let (w, z) = (row.norm(), column.norm());
+            let (row, column) = (row / w, column / z);
+            jumps.push(Jump { contact, row, column, row_seen: seen(&row), column_seen: seen(&column) });
+            form_rows.push(meaning);
+            w_unit.push(w);
+            z_unit.push(1.0 / z);
+        };
+        let mut normal = SVector::<f64, C>::zeros();
+        normal[0] = root[0];
+        if problem.may_open(contact) {
+            push(Row::Gap { contact }, normal, normal);
+        }
+        for (facet, h) in problem.normals(contact).iter().enumerate() {
+            let pull = root.component_mul(h);
+            push(Row::Slip { contact, facet }, normal * problem.mu(contact) - pull, -pull);
+        }
+        first_spring += springs;
+    }
+    if jumps.is_empty() {
+        return None;
+    }
+    let n = jumps.len();
+    let m = DMatrix::from_fn(n, n, |i, j| {
+        let (to, from) = (&jumps[i], &jumps[j]);
+        let own = if to.contact == from.contact { to.row.dot(&from.column) } else { 0.0 };
+        own - to.row_seen.dot(&from.column_seen)
+    });
+    let q = DVector::from_fn(n, |i, _| {
+        let jump = &jumps[i];
+        let site = &problem.sites[jump.contact];
+        let force = &state.forces[jump.contact];
+        (0..site.axes).map(|a| jump.row[a] * force[a] / site.k[a].sqrt()).sum()
+    });
+    Some(Form { lcp: Lcp::new(m, q).ok()?, rows: form_rows, z_unit, w_unit })
+}
+
+/// The contact states of a complementary basis.
+pub(crate) fn kinematic_states<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    form: &Form,
+    basis: &Basis,
+) -> Vec<State> {
+    let mut slipping: Vec<Vec<usize>> = vec![Vec::new(); problem.len()];
+    let mut open = vec![false; problem.len()];
+    for (i, row) in form.rows.iter().enumerate() {
+        if basis.contains(i) {
+            match *row {
+                Row::Gap { contact } => open[contact] = true,
+                Row::Slip { contact, facet } => slipping[contact].push(facet),
+                _ => {}
+            }
+        }
+    }
+    (0..problem.len())
+        .map(|contact| {
+            if open[contact] {
+                State::Open
+            } else if slipping[contact].is_empty() {
+                problem.unjumped(contact)
+            } else {
+                problem.slipping_state(contact, &slipping[contact])
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,195 @@
+//! Rank-revealing orthogonal factors of a tall matrix with graded rows.
+//!
+//! The rows are those of K^{1/2}Gᵀ and its kin: with stiffness ratios of 1e14 they differ by 1e7 in size. Normal
+//! equations (G K Gᵀ)⁻¹ would lose the square of that; Gram–Schmidt with column pivoting, every column
+//! orthogonalised twice, keeps the columns of Q orthonormal to working precision whatever the grading.
+
+use nalgebra::{SMatrix, SVector};
+
+/// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
+/// It guards against rounding noise (about 1e-16 times a few operations) being taken for a resisted direction; real
+/// geometry comes as close as contacts that are parallel to 1e-12.
+const DEPENDENT: f64 = 1e-13;
+
+/// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
+/// triangular `r x r`, Π permutes columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Orthogonal<const D: usize> {
+    /// Rows of Q; entries from `rank` on are zero.
+    q: Vec<SVector<f64, D>>,
+    r: SMatrix<f64, D, D>,
+    order: [usize; D],
+    rank: usize,
+}
+
+impl<const D: usize> Orthogonal<D> {
+    pub(crate) fn new(mut rows: Vec<SVector<f64, D>>) -> Self {
+        let column = |rows: &[SVector<f64, D>], a: usize, b: usize| -> f64 {
+            rows.iter().map(|row| row[a] * row[b]).sum()
+        };
+        let mut r = SMatrix::<f64, D, D>::zeros();
+        let mut order: [usize; D] = std::array::from_fn(|j| j);
+        let mut full: [f64; D] = std::array::from_fn(|j| column(&rows, j, j).sqrt());
+        let mut rank = 0;
+        while rank < D {
+            let k = rank;
+            // The largest remaining column, among those that are more than rounding noise of what they were.
+            let mut best = None;
+            for j in k..D {
+                let left = column(&rows, j, j).sqrt();
+                if left > DEPENDENT * full[j] && best.is_none_or(|(_, most)| left > most) {
+                    best = Some((j, left));
+                }
+            }
+            let Some((pivot, _)) = best else { break };
+            for row in &mut rows {
+                row.swap_rows(k, pivot);
+            }
+            r.swap_columns(k, pivot);
+            order.swap(k, pivot);
+            full.swap(k, pivot);
+            // Second pass against the finished columns: the first was their own step of elimination.
+            for l in 0..k {
+                let again = column(&rows, l, k);
+                r[(l, k)] += again;
+                for row in &mut rows {
+                    row[k] -= again * row[l];
+                }
+            }
+            let norm = column(&rows, k, k).sqrt();
+            if norm <= DEPENDENT * full[k] {
+                // What seemed to be left was noise after all: never a pivot again.
+                full[k] = f64::INFINITY;
+                continue;
+            }
+            r[(k, k)] = norm;
+            for row in &mut rows {
+                row[k] /= norm;
+            }
+            for j in k + 1..D {
+                let along = column(&rows, k, j);
+                r[(k, j)] = along;
+                for row in &mut rows {
+                    row[j] -= along * row[k];
+                }
+            }
+            rank += 1;
+        }
+        for row in &mut rows {
+            for j in rank..D {
+                row[j] = 0.0;
+            }
+        }
+        Self { q: rows, r, order, rank }
+    }
+
+    pub(crate) fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Row i of Q, entries from the rank on zero.
+    pub(crate) fn row(&self, i: usize) -> &SVector<f64, D> {
+        &self.q[i]
+    }
+
+    /// Qᵀx.
+    pub(crate) fn coordinates(&self, x: &[f64]) -> SVector<f64, D> {
+        self.q.iter().zip(x).fold(SVector::zeros(), |sum, (row, &x)| sum + row * x)
+    }
+
+    /// x - Q y.
+    pub(crate) fn subtract(&self, x: &mut [f64], y: &SVector<f64, D>) {
+        for (x, row) in x.iter_mut().zip(&self.q) {
+            *x -= row.dot(y);
+        }
+    }
+
+    /// A solution v of `A v = Q c` with zeros in the dependent columns.
+    pub(crate) fn preimage(&self, c: &SVector<f64, D>) -> SVector<f64, D> {
+        let mut y = [0.0; D];
+        for i in (0..self.rank).rev() {
+            let known: f64 = (i + 1..self.rank).map(|j| self.r[(i, j)] * y[j]).sum();
+            y[i] = (c[i] - known) / self.r[(i, i)];
+        }
+        let mut v = SVector::zeros();
+        for i in 0..self.rank {
+            v[self.order[i]] = y[i];
+        }
+        v
+    }
+
+    /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w that some x reaches: `R11ᵀ y = Πᵀw`, first r rows.
+    pub(crate) fn load_coordinates(&self, w: &SVector<f64, D>) -> SVector<f64, D> {
+        let mut y = SVector::zeros();
+        for i in 0..self.rank {
+            let known: f64 = (0..i).map(|j| self.r[(j, i)] * y[j]).sum();
+            y[i] = (w[self.order[i]] - known) / self.r[(i, i)];
+        }
+        y
+    }
+
+    /// An orthonormal basis of the null space {v : A v = 0}.
+    pub(crate) fn null_space(&self) -> Vec<SVector<f64, D>> {
+        let mut basis: Vec<SVector<f64, D>> = Vec::with_capacity(D - self.rank);
+        for free in self.rank..D {
+            let mut c = SVector::zeros();
+            for i in 0..self.rank {
+                c[i] = -self.r[(i, free)];
+            }
+            let mut v = self.preimage(&c);
+            v[self.order[free]] = 1.0;
+            orthonormalise_against(&mut v, &basis);
+            basis.push(v);
+        }
+        basis
+    }
+}
+
+/// v becomes a unit vector orthogonal to an orthonormal set (two passes).
+pub(crate) fn orthonormalise_against<const D: usize>(v: &mut SVector<f64, D>, basis: &[SVector<f64, D>]) {
+    for _ in 0..2 {
+        for b in basis {
+            *v -= b * b.dot(v);
+        }
+    }
+    let norm = v.norm();
+    if norm > 0.0 {
+        *v /= norm;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dependent_column_gives_its_null_vector() {
+        // Third column = first - 2 second, rows graded over 14 decades.
+        let rows = [[1e7, 0.0], [1.0, 1.0], [1e-7, 3e-7], [0.5, 1e7]]
+            .map(|[a, b]| SVector::from([a, b, a - 2.0 * b]));
+        let factor = Orthogonal::new(rows.to_vec());
+        assert_eq!(factor.rank(), 2);
+        let null = factor.null_space();
+        assert_eq!(null.len(), 1);
+        let expected = SVector::from([1.0, -2.0, -1.0]).normalize();
+        assert!((null[0] - expected * expected.dot(&null[0]).signum()).norm() < 1e-9);
+    }
+
+    #[test]
+    fn orthonormal_whatever_the_grading() {
+        let rows: Vec<_> = (0..9_i32)
+            .map(|i| {
+                let (a, s) = (f64::from(i), 10f64.powi(3 * (i % 5)));
+                SVector::from([s * a.sin(), s * a.cos(), s * (2.0 * a).sin()])
+            })
+            .collect();
+        let factor = Orthogonal::new(rows);
+        assert_eq!(factor.rank(), 3);
+        for a in 0..3 {
+            for b in 0..3 {
+                let product: f64 = (0..9).map(|i| factor.row(i)[a] * factor.row(i)[b]).sum();
+                assert!((product - f64::from(u8::from(a == b))).abs() < 1e-15);
+            }
+        }
+    }
+}

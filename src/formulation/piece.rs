@@ -1,0 +1,256 @@
+//! With every contact in a known state the law is linear: one `d x d` system gives twist and forces.
+//!
+//! A contact in a known state is a few springs, each stretched along one direction and pushing along another:
+//!
+//! ```text
+//! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
+//! rolling          left = right = √k_a e_a on every axis with a spring
+//! sliding          F_t = μ F_n p on a corner p:   right = √k_n e_n,  left = √k_n (e_n + μ p)
+//!                  on a facet h (space):          p = K_t h / (h·K_t h) and the spring across h stays
+//! open             none
+//! ```
+//!
+//! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
+//! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised and the projection
+//! is applied three times, which keeps it accurate whatever the stiffness ratios (see [`super::orthogonal`]).
+
+use nalgebra::{SMatrix, SVector};
+
+use super::full_pivot::FullPivot;
+use super::orthogonal::{Orthogonal, orthonormalise_against};
+use super::problem::{Problem, State};
+use crate::grasp::Site;
+
+/// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
+/// to balance carry rounding noise of about 1e-16.
+const NO_WORK: f64 = 1e-13;
+
+/// One linear piece of the contact law: a state for every contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Piece<const D: usize, const C: usize> {
+    pub(super) springs: Vec<Spring<C>>,
+    pub(super) right: Orthogonal<D>,
+    /// Differs from `right` only when something slides.
+    left: Option<(Orthogonal<D>, FullPivot<D>)>,
+    /// Orthonormal motions that stretch no spring of this piece.
+    free: Vec<SVector<f64, D>>,
+    /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
+    unbalanced: Vec<SVector<f64, D>>,
+    growth: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Spring<const C: usize> {
+    pub(super) contact: usize,
+    right: SVector<f64, C>,
+    left: SVector<f64, C>,
+}
+
+/// Forces and a twist of one linear piece.
+#[derive(Debug, Clone)]
+pub(crate) struct PieceState<const D: usize, const C: usize> {
+    /// F_i in the contact frames.
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    /// The twist of least norm, in inside coordinates.
+    pub(crate) twist: SVector<f64, D>,
+}
+
+/// Why a piece has no solution under a load.
+#[derive(Debug, Clone)]
+pub(crate) struct Unbalanced<const D: usize> {
+    /// The unit motion on which the load works and no contact of this piece resists; `None` when the springs do
+    /// resist it but friction lets them not push that way.
+    pub(crate) motion: Option<SVector<f64, D>>,
+}
+
+impl<const D: usize, const C: usize> Piece<D, C> {
+    pub(crate) fn new(problem: &Problem<D, C>, states: &[State]) -> Self {
+        let mut springs = Vec::with_capacity(C * states.len());
+        for (contact, &state) in states.iter().enumerate() {
+            push_springs(problem, contact, state, &mut springs);
+        }
+        let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
+            springs.iter().map(|s| problem.sites[s.contact].map * side(s)).collect::<Vec<_>>()
+        };
+        let right = Orthogonal::new(rows(|s| &s.right));
+        let free = right.null_space();
+        if states.iter().all(|s| !matches!(s, State::Sliding { .. })) {
+            return Self { springs, right, left: None, unbalanced: free.clone(), free, growth: 1.0 };
+        }
+        let left = Orthogonal::new(rows(|s| &s.left));
+        let unbalanced = left.null_space();
+        let mut coupling = SMatrix::<f64, D, D>::zeros();
+        for i in 0..springs.len() {
+            coupling += left.row(i) * right.row(i).transpose();
+        }
+        let coupling = FullPivot::new(coupling, left.rank(), right.rank());
+        let growth = coupling.growth();
+        Self { springs, right, left: Some((left, coupling)), free, unbalanced, growth }
+    }
+
+    /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
+    pub(crate) fn free_motions(&self) -> &[SVector<f64, D>] {
+        &self.free
+    }
+
+    /// Motions along which this piece stays in equilibrium while its forces change: its solution is a whole line.
+    pub(crate) fn neutral_motions(&self) -> Vec<SVector<f64, D>> {
+        let Some((_, coupling)) = &self.left else { return Vec::new() };
+        let mut motions: Vec<SVector<f64, D>> = Vec::new();
+        for c in coupling.kernel() {
+            let mut v = self.right.preimage(&c);
+            let found: Vec<_> = self.free.iter().chain(&motions).copied().collect();
+            orthonormalise_against(&mut v, &found);
+            motions.push(v);
+        }
+        motions
+    }
+
+    /// How much relative rounding errors grow in this piece, at least 1.
+    pub(crate) fn growth(&self) -> f64 {
+        self.growth
+    }
+
+    /// Forces and the twist of least norm under these drives and this load.
+    pub(crate) fn solve(
+        &self,
+        drives: &[SVector<f64, C>],
+        wrench: &SVector<f64, D>,
+    ) -> Result<PieceState<D, C>, Unbalanced<D>> {
+        if let Some(motion) = self.worked_on(wrench) {
+            return Err(Unbalanced { motion: Some(motion) });
+        }
+        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
+        let load = balance.load_coordinates(wrench);
+        let mut x: Vec<f64> = self.springs.iter().map(|s| s.right.dot(&drives[s.contact])).collect();
+        let mut travelled = SVector::<f64, D>::zeros();
+        // x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + load): once to solve, twice more to remove what rounding left of it.
+        for pass in 0..3 {
+            let excess = balance.coordinates(&x) + load;
+            let step = match &self.left {
+                None => excess,
+                Some((_, coupling)) => {
+                    let (step, unreached) = coupling.solve(&excess);
+                    if pass == 0 && unreached > NO_WORK * excess.amax() * self.growth {
+                        return Err(Unbalanced { motion: None });
+                    }
+                    step
+                }
+            };
+            self.right.subtract(&mut x, &step);
+            travelled += step;
+        }
+        let mut twist = self.right.preimage(&travelled);
+        for v in &self.free {
+            twist -= v * v.dot(&twist);
+        }
+        Ok(PieceState { forces: self.forces(&x, drives.len()), twist })
+    }
+
+    /// Change of the forces along a motion of the object with everything else at rest.
+    pub(crate) fn forces_along(
+        &self,
+        problem: &Problem<D, C>,
+        motion: &SVector<f64, D>,
+    ) -> Vec<SVector<f64, C>> {
+        let x: Vec<f64> = self
+            .springs
+            .iter()
+            .map(|s| -s.right.dot(&(problem.sites[s.contact].map.transpose() * motion)))
+            .collect();
+        self.forces(&x, problem.len())
+    }
+
+    /// The unit motion on which the load works though nothing here balances it.
+    fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
+        let along = self.unbalanced.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
+        let work = along.norm();
+        (work > NO_WORK * wrench.norm()).then(|| along / work)
+    }
+
+    fn forces(&self, x: &[f64], contacts: usize) -> Vec<SVector<f64, C>> {
+        let mut forces = vec![SVector::zeros(); contacts];
+        for (spring, &x) in self.springs.iter().zip(x) {
+            forces[spring.contact] += spring.left * x;
+        }
+        forces
+    }
+}
+
+fn push_springs<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    state: State,
+    springs: &mut Vec<Spring<C>>,
+) {
+    let site = &problem.sites[contact];
+    let along = |axis: usize, size: f64| {
+        let mut v = SVector::<f64, C>::zeros();
+        v[axis] = size;
+        v
+    };
+    match state {
+        State::Open => {}
+        State::Rolling => {
+            for axis in 0..site.axes {
+                let spring = along(axis, site.k[axis].sqrt());
+                springs.push(Spring { contact, right: spring, left: spring });
+            }
+        }
+        State::Sliding { first, second } => {
+            let normals = problem.normals(contact);
+            let h = normals[first];
+            let stretched = site.k.component_mul(&h);
+            let pull = match second {
+                Some(second) => corner(&h, &normals[second]),
+                None => stretched / h.dot(&stretched),
+            };
+            let root = site.k[0].sqrt();
+            // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
+            let balance = (1.0 + problem.mu(contact) * pull.norm()).sqrt();
+            springs.push(Spring {
+                contact,
+                right: along(0, root * balance),
+                left: (along(0, 1.0) + pull * problem.mu(contact)) * (root / balance),
+            });
+            if C == 3 && second.is_none() {
+                // Across the slip direction the tangential springs still hold: √K_t times the unit vector at right
+                // angles to √K_t h.
+                let (r1, r2) = (site.k[1].sqrt(), site.k[2].sqrt());
+                let (y1, y2) = (r1 * h[1], r2 * h[2]);
+                let length = y1.hypot(y2);
+                let across = along(1, -r1 * y2 / length) + along(2, r2 * y1 / length);
+                springs.push(Spring { contact, right: across, left: across });
+            }
+        }
+    }
+}
+
+/// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
+fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
+    let determinant = h1[1] * h2[2] - h1[2] * h2[1];
+    let mut p = SVector::zeros();
+    p[1] = (h2[2] - h1[2]) / determinant;
+    p[2] = (h1[1] - h2[1]) / determinant;
+    p
+}
+
+/// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
+/// `F = -G⁺W` over the axes that resist.
+pub(crate) fn least_forces<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    carries: &[bool],
+    wrench: &SVector<f64, D>,
+) -> Vec<SVector<f64, C>> {
+    let axes: Vec<(usize, usize)> = (0..sites.len())
+        .filter(|&i| carries[i])
+        .flat_map(|i| (0..sites[i].axes).map(move |a| (i, a)))
+        .collect();
+    let factor = Orthogonal::new(axes.iter().map(|&(i, a)| sites[i].map.column(a).into_owned()).collect());
+    let load = factor.load_coordinates(wrench);
+    let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
+    for (row, &(i, a)) in axes.iter().enumerate() {
+        forces[i][a] = -factor.row(row).dot(&load);
+    }
+    forces
+}

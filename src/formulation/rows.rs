@@ -1,0 +1,96 @@
+//! Which row of a linear complementarity problem says what, and which rows were never made.
+
+use crate::lcp::Lcp;
+
+/// The meaning of one complementary pair `0 <= z ⟂ w >= 0`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Row {
+    /// Kinematic form: z = gap g (m), w = normal force `F_n` (N).
+    Gap {
+        /// The contact.
+        contact: usize,
+    },
+    /// Kinematic form: z = slip σ across one facet (m), w = distance to that facet, `μ F_n - h·F_t` (N).
+    Slip {
+        /// The contact.
+        contact: usize,
+        /// The facet: in the plane 0 for slip along +t, 1 for slip along -t.
+        facet: usize,
+    },
+    /// Force form: z = normal force `F_n` (N), w = gap g (m).
+    NormalForce {
+        /// The contact.
+        contact: usize,
+    },
+    /// Force form: z = share β of the tangential force at one corner of the cone (N), w = λ - d·s (m).
+    TangentialForce {
+        /// The contact.
+        contact: usize,
+        /// The corner of the polygon; in the plane 0 for +t, 1 for -t.
+        corner: usize,
+    },
+    /// Force form: z = size of the slip λ (m), w = friction that is not used, `μ F_n - Σβ` (N).
+    SlipSize {
+        /// The contact.
+        contact: usize,
+    },
+    /// Force form: one half of an equilibrium equation; z = positive or negative part of a twist component.
+    Balance {
+        /// The component of the twist and of the equilibrium equation.
+        axis: usize,
+        /// Which half.
+        positive: bool,
+    },
+}
+
+/// Rows that a full formulation would have and this one does not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LeftOut {
+    /// The contact.
+    pub contact: usize,
+    /// How many complementary pairs were saved.
+    pub rows: usize,
+    /// Why they are not needed.
+    pub why: Why,
+}
+
+/// Why a contact needs fewer rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Why {
+    /// Everything rolls: the elastic trial state is the answer.
+    EverythingRolls,
+    /// μ = 0: no tangential force, no facets.
+    Frictionless,
+    /// μ = ∞: never slides while closed, no facets.
+    InfiniteFriction,
+    /// Kept closed by the caller: no gap.
+    KeptClosed,
+    /// Bonded by the caller: neither gap nor facets.
+    Bonded,
+}
+
+/// A linear complementarity problem with the meaning of its rows.
+///
+/// The problem is stated in scaled variables (square roots of energy), in which stiffness ratios do not show:
+/// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`.
+#[derive(Debug, Clone)]
+pub struct Form {
+    /// The problem in scaled variables.
+    pub lcp: Lcp,
+    /// Row by row, what it says.
+    pub rows: Vec<Row>,
+    /// Unit of each z.
+    pub z_unit: Vec<f64>,
+    /// Unit of each w.
+    pub w_unit: Vec<f64>,
+}
+
+impl Form {
+    /// The row with this meaning, if it was made.
+    #[must_use]
+    pub fn position(&self, row: Row) -> Option<usize> {
+        self.rows.iter().position(|r| *r == row)
+    }
+}

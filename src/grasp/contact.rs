@@ -1,0 +1,280 @@
+//! One contact: where it touches, how it gives way, how it rubs, how its finger is commanded.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::stiffness::Stiffness;
+use crate::error::{ContactLabel, Error, Field};
+
+/// How the contact is held together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hold {
+    /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
+    #[default]
+    Unilateral,
+    /// The normal spring acts both ways and the contact never opens; friction is as usual. With zero friction this is
+    /// a guide that lets the object slip along itself.
+    KeptClosed,
+    /// Glued: normal and tangential springs act both ways and without limit.
+    Bonded,
+}
+
+/// A point contact with Coulomb friction between the object and an elastic finger.
+///
+/// Built step by step; what is not said has the default given with each method. Checked when the
+/// [`Grasp`](crate::grasp::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
+///
+/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact<const C: usize> {
+    pub(crate) name: Option<String>,
+    pub(crate) point: SVector<f64, C>,
+    pub(crate) normal: SVector<f64, C>,
+    pub(crate) tangent: Option<SVector<f64, C>>,
+    pub(crate) stiffness: Stiffness<C>,
+    pub(crate) friction: f64,
+    pub(crate) command: SVector<f64, C>,
+    pub(crate) clearance: f64,
+    pub(crate) hold: Hold,
+}
+
+impl<const C: usize> Contact<C> {
+    /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger pushes. The normal need
+    /// not have length one. Friction 0, command 0 and clearance 0 until said otherwise; a stiffness must be given.
+    pub fn new(point: impl Into<SVector<f64, C>>, normal: impl Into<SVector<f64, C>>) -> Self {
+        Self {
+            name: None,
+            point: point.into(),
+            normal: normal.into(),
+            tangent: None,
+            stiffness: Stiffness::default(),
+            friction: 0.0,
+            command: SVector::zeros(),
+            clearance: 0.0,
+            hold: Hold::Unilateral,
+        }
+    }
+
+    /// A name for messages and tables.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Direction of the first tangent; its part along the normal is dropped. In the plane it only chooses between the
+    /// two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the projection of the coordinate axis that
+    /// is farthest from the normal.
+    #[must_use]
+    pub fn tangent(mut self, tangent: impl Into<SVector<f64, C>>) -> Self {
+        self.tangent = Some(tangent.into());
+        self
+    }
+
+    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
+    /// rigid object (the default).
+    #[must_use]
+    pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.body_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Springs of the object, one for each axis of the contact frame.
+    #[must_use]
+    pub fn body_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
+        let finger = match self.stiffness {
+            Stiffness::BodyAndFinger { finger, .. } => finger,
+            Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
+        };
+        self.stiffness = Stiffness::BodyAndFinger { body: axes.into(), finger };
+        self
+    }
+
+    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the
+    /// default).
+    #[must_use]
+    pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Springs of the finger, one for each axis of the contact frame.
+    #[must_use]
+    pub fn finger_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
+        let body = match self.stiffness {
+            Stiffness::BodyAndFinger { body, .. } => body,
+            Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
+        };
+        self.stiffness = Stiffness::BodyAndFinger { body, finger: axes.into() };
+        self
+    }
+
+    /// Body and finger springs in series, given at once: normal and tangential, N/m, positive and finite.
+    #[must_use]
+    pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.series_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Series stiffness, one for each axis of the contact frame.
+    #[must_use]
+    pub fn series_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
+        self.stiffness = Stiffness::Series(axes.into());
+        self
+    }
+
+    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at all, whatever
+    /// tangential stiffness was given; with `f64::INFINITY` it never slides while it is closed.
+    #[must_use]
+    pub fn friction(mut self, mu: f64) -> Self {
+        self.friction = mu;
+        self
+    }
+
+    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive
+    /// normal part pushes into the object.
+    #[must_use]
+    pub fn command(mut self, u_f: impl Into<SVector<f64, C>>) -> Self {
+        self.command = u_f.into();
+        self
+    }
+
+    /// Clearance between finger and object before anything moves, m, >= 0: the finger must come this far along the
+    /// normal before it touches.
+    #[must_use]
+    pub fn clearance(mut self, gap0: f64) -> Self {
+        self.clearance = gap0;
+        self
+    }
+
+    /// The contact never opens; see [`Hold::KeptClosed`].
+    #[must_use]
+    pub fn kept_closed(mut self) -> Self {
+        self.hold = Hold::KeptClosed;
+        self
+    }
+
+    /// The contact is glued; see [`Hold::Bonded`].
+    #[must_use]
+    pub fn bonded(mut self) -> Self {
+        self.hold = Hold::Bonded;
+        self
+    }
+
+    pub(crate) fn label(&self, index: usize) -> ContactLabel {
+        ContactLabel { index, name: self.name.clone() }
+    }
+
+    /// The contact frame: columns n, t (and t₂), orthonormal.
+    pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
+        let fault =
+            |field, value, allowed| Error::Contact { contact: self.label(index), field, value, allowed };
+        let n = unit(&self.normal).ok_or_else(|| {
+            fault(Field::Normal, length_or_culprit(&self.normal), "of positive, finite length")
+        })?;
+        let mut frame: SMatrix<f64, C, C> = SMatrix::zeros();
+        frame.set_column(0, &n);
+        if C == 2 {
+            let mut t = SVector::zeros();
+            t[0] = n[1];
+            t[1] = -n[0];
+            if let Some(hint) = &self.tangent {
+                let side = hint.dot(&t);
+                if !side.is_finite() || side.abs() <= 1e-12 * hint.norm() {
+                    return Err(fault(
+                        Field::Tangent,
+                        length_or_culprit(hint),
+                        "finite and not along the normal",
+                    ));
+                }
+                t *= side.signum();
+            }
+            frame.set_column(1, &t);
+            return Ok(frame);
+        }
+        let hint = if let Some(hint) = &self.tangent {
+            unit(hint)
+                .ok_or_else(|| fault(Field::Tangent, length_or_culprit(hint), "of positive, finite length"))?
+        } else {
+            let mut axis = SVector::zeros();
+            axis[n.iamin()] = 1.0;
+            axis
+        };
+        // Twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
+        let flat = hint - n * n.dot(&hint);
+        let flat = flat - n * n.dot(&flat);
+        if flat.norm() <= 1e-12 {
+            return Err(fault(Field::Tangent, flat.norm(), "not along the normal"));
+        }
+        let t1 = flat.normalize();
+        let mut t2 = SVector::zeros();
+        for a in 0..C {
+            let (b, c) = ((a + 1) % C, (a + 2) % C);
+            t2[a] = n[b] * t1[c] - n[c] * t1[b];
+        }
+        frame.set_column(1, &t1);
+        frame.set_column(2, &t2);
+        Ok(frame)
+    }
+
+    /// Everything but the frame, checked number by number.
+    pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
+        let fault =
+            |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
+        if let Some(&value) = self.point.iter().find(|x| !x.is_finite()) {
+            return fault(Field::Point, value, "finite");
+        }
+        let not_positive = |k: &&f64| k.is_nan() || **k <= 0.0;
+        match &self.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => {
+                if let Some(&value) = body.iter().find(not_positive) {
+                    return fault(Field::BodyStiffness, value, "positive (infinite for a rigid body)");
+                }
+                if let Some(&value) = finger.iter().find(not_positive) {
+                    return fault(Field::FingerStiffness, value, "positive (infinite for a rigid finger)");
+                }
+            }
+            Stiffness::Series(k) => {
+                if let Some(&value) = k.iter().find(not_positive) {
+                    return fault(Field::SeriesStiffness, value, "positive and finite");
+                }
+            }
+        }
+        let series = self.stiffness.series();
+        let resisting = if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C };
+        if let Some(&value) = series.iter().take(resisting).find(|k| !k.is_finite() || !k.is_normal()) {
+            return fault(
+                Field::SeriesStiffness,
+                value,
+                "positive and finite (give a stiffness, and leave at most one side rigid)",
+            );
+        }
+        if self.friction.is_nan() || self.friction < 0.0 {
+            return fault(Field::Friction, self.friction, "zero or positive (infinite allowed)");
+        }
+        if let Some(&value) = self.command.iter().find(|x| !x.is_finite()) {
+            return fault(Field::Command, value, "finite");
+        }
+        if !self.clearance.is_finite() || self.clearance < 0.0 {
+            return fault(Field::Clearance, self.clearance, "zero or positive, and finite");
+        }
+        Ok(())
+    }
+}
+
+fn normal_and_tangential<const C: usize>(normal: f64, tangential: f64) -> SVector<f64, C> {
+    let mut axes = SVector::repeat(tangential);
+    axes[0] = normal;
+    axes
+}
+
+/// The unit vector along `v`, free of overflow; `None` for a zero or non-finite vector.
+fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+    let largest = v.amax();
+    if !(largest > 0.0 && v.iter().all(|x| x.is_finite())) {
+        return None;
+    }
+    let scaled = v / largest;
+    Some(scaled / scaled.norm())
+}
+
+/// What an error message shows of a bad vector: its non-finite component, or else its length.
+fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
+    v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
+}

@@ -1,0 +1,201 @@
+//! The question: contacts, stiffness, friction, wrench and twist, grasp.
+//!
+//! Written once for the plane and for space: `D` is the number of degrees of freedom of the object and `C` the number
+//! of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names in [`crate::planar`] and
+//! [`crate::spatial`].
+
+mod contact;
+mod rotation;
+mod stiffness;
+mod wrench;
+
+use nalgebra::{SMatrix, SVector};
+
+pub use contact::{Contact, Hold};
+pub(crate) use rotation::{displacement_of, wrench_of};
+pub use stiffness::Stiffness;
+pub use wrench::{Twist, Wrench};
+
+use crate::error::{Error, Field};
+use rotation::grasp_map;
+
+/// An object held by elastic fingers: a checked list of contacts.
+///
+/// The reference point of wrenches and twists is the origin of the coordinates in which the contact points are given.
+#[derive(Debug, Clone)]
+pub struct Grasp<const D: usize, const C: usize> {
+    contacts: Vec<Contact<C>>,
+    sites: Vec<Site<D, C>>,
+    /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a far away
+    /// reference point costs no digits.
+    origin: SVector<f64, C>,
+    /// Root mean square distance of the contact points from their centroid: inside, the unit of length of arms, so
+    /// that rotations and translations have comparable size whatever the user's unit.
+    length: f64,
+}
+
+/// What the arithmetic needs of one contact, in inside coordinates.
+#[derive(Debug, Clone)]
+pub(crate) struct Site<const D: usize, const C: usize> {
+    /// Grasp map G_i.
+    pub(crate) map: SMatrix<f64, D, C>,
+    /// Contact frame, columns n, t….
+    pub(crate) frame: SMatrix<f64, C, C>,
+    /// Series stiffness; zero along the tangents of a frictionless contact, which has no spring there.
+    pub(crate) k: SVector<f64, C>,
+    pub(crate) mu: f64,
+    pub(crate) hold: Hold,
+    /// Number of axes with a spring: 1 without friction, else `C`.
+    pub(crate) axes: usize,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Checks the contacts and lays out their frames.
+    ///
+    /// # Errors
+    /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that is out of range.
+    pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
+        const { assert!(D == C + C * (C - 1) / 2 && (C == 2 || C == 3)) };
+        let contacts: Vec<_> = contacts.into_iter().collect();
+        if contacts.is_empty() {
+            return Err(Error::EmptyGrasp);
+        }
+        for (index, contact) in contacts.iter().enumerate() {
+            contact.check(index)?;
+        }
+        let count = contacts.len() as f64;
+        let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
+        let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
+        // A single point has no size of its own; then any unit of length does.
+        let length = if spread > 0.0 && spread.is_finite() { spread } else { 1.0 };
+        let sites = contacts
+            .iter()
+            .enumerate()
+            .map(|(index, contact)| {
+                let frame = contact.frame(index)?;
+                let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
+                let axes = if frictionless { 1 } else { C };
+                let series = contact.stiffness.series();
+                Ok(Site {
+                    map: grasp_map(&((contact.point - origin) / length), &frame),
+                    frame,
+                    k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }),
+                    mu: contact.friction,
+                    hold: contact.hold,
+                    axes,
+                })
+            })
+            .collect::<Result<_, Error>>()?;
+        Ok(Self { contacts, sites, origin, length })
+    }
+
+    /// Number of contacts, at least 1.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a grasp is never empty")]
+    pub fn len(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// The contacts as they were given.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact<C>] {
+        &self.contacts
+    }
+
+    /// The contact frames, orthonormal columns n, t (and t₂).
+    #[must_use]
+    pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
+        self.sites.iter().map(|site| &site.frame)
+    }
+
+    /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m).
+    ///
+    /// # Errors
+    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not finite.
+    pub fn with_commands(mut self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
+        self.check_commands(commands, "commands", Field::Command)?;
+        for (contact, command) in self.contacts.iter_mut().zip(commands) {
+            contact.command = *command;
+        }
+        Ok(self)
+    }
+
+    pub(crate) fn check_commands(
+        &self,
+        commands: &[SVector<f64, C>],
+        what: &'static str,
+        field: Field,
+    ) -> Result<(), Error> {
+        if commands.len() != self.len() {
+            return Err(Error::Size { what, given: commands.len(), expected: self.len() });
+        }
+        for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
+            if let Some(&value) = command.iter().find(|x| !x.is_finite()) {
+                return Err(Error::Contact {
+                    contact: contact.label(index),
+                    field,
+                    value,
+                    allowed: "finite",
+                });
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn sites(&self) -> &[Site<D, C>] {
+        &self.sites
+    }
+
+    /// a_i: commanded displacements in the contact frames, the normal part less the clearance.
+    pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
+        self.contacts
+            .iter()
+            .map(|contact| {
+                let mut a = contact.command;
+                a[0] -= contact.clearance;
+                a
+            })
+            .collect()
+    }
+
+    /// A checked wrench, moved to the centroid and to the inside unit of length.
+    pub(crate) fn inside(&self, wrench: &Wrench<D>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+        let w = wrench.as_vector();
+        if let Some(component) = w.iter().position(|x| !x.is_finite()) {
+            return Err(Error::Wrench { what, component, value: w[component] });
+        }
+        Ok(self.inside_unchecked(wrench))
+    }
+
+    /// The same for a wrench that was checked before.
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+        let w = wrench.as_vector();
+        let force = SVector::<f64, C>::from_fn(|a, _| w[a]);
+        let carried = wrench_of::<D, C>(&self.origin, &force);
+        SVector::from_fn(|k, _| if k < C { w[k] } else { (w[k] - carried[k]) / self.length })
+    }
+
+    /// Root mean square distance of the contact points from their centroid.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// A wrench as the user sees it, from inside coordinates.
+    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D> {
+        let force = SVector::<f64, C>::from_fn(|a, _| w[a]);
+        let carried = wrench_of::<D, C>(&self.origin, &force);
+        Wrench::from_vector(SVector::from_fn(
+            |k, _| if k < C { w[k] } else { w[k] * self.length + carried[k] },
+        ))
+    }
+
+    /// A twist as the user sees it, from inside coordinates.
+    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D> {
+        let mut twist = SVector::from_fn(|k, _| if k < C { q[k] } else { q[k] / self.length });
+        let moved = displacement_of::<D, C>(&-self.origin, &twist);
+        for a in 0..C {
+            twist[a] = moved[a];
+        }
+        Twist::from_vector(twist)
+    }
+}

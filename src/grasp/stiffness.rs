@@ -1,0 +1,42 @@
+//! The springs of a contact: body and finger in series, axis by axis.
+
+use nalgebra::SVector;
+
+/// Stiffness of a contact along the axes of its frame (normal first), N/m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stiffness<const C: usize> {
+    /// Body and finger each with their own springs; `f64::INFINITY` means rigid.
+    BodyAndFinger {
+        /// Springs between the body's core and its surface.
+        body: SVector<f64, C>,
+        /// Springs between the finger's core and its surface.
+        finger: SVector<f64, C>,
+    },
+    /// Both in series; how they share the deformation is not said.
+    Series(SVector<f64, C>),
+}
+
+impl<const C: usize> Stiffness<C> {
+    /// Series stiffness of every axis: `1/k = 1/k_body + 1/k_finger`.
+    #[must_use]
+    pub fn series(&self) -> SVector<f64, C> {
+        match self {
+            Self::BodyAndFinger { body, finger } => body.zip_map(finger, in_series),
+            Self::Series(k) => *k,
+        }
+    }
+}
+
+impl<const C: usize> Default for Stiffness<C> {
+    /// Rigid on both sides; a grasp refuses it, since forces between rigid bodies are not determined.
+    fn default() -> Self {
+        let rigid = SVector::repeat(f64::INFINITY);
+        Self::BodyAndFinger { body: rigid, finger: rigid }
+    }
+}
+
+/// `a b / (a + b)`, without overflow and with an infinite side allowed.
+fn in_series(a: f64, b: f64) -> f64 {
+    let (soft, stiff) = if a < b { (a, b) } else { (b, a) };
+    if stiff.is_infinite() { soft } else { soft * (stiff / (soft + stiff)) }
+}

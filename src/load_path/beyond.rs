@@ -1,0 +1,120 @@
+//! The first step beyond the onset: does the equilibrium go on, and if not, is there any other?
+//!
+//! Whether it goes on is a complementarity problem in rates among the contacts that stand on an edge. If it has no
+//! solution this equilibrium ends here; whether another exists just beyond is found by trying every combination of
+//! contact states at `τ* + ε`, with ε infinitely small: a condition holds if its value at τ* is positive, or zero with
+//! a rate that is not negative.
+
+use nalgebra::SVector;
+
+use super::margin::ROUNDING;
+use crate::equilibrium::{
+    Cone, ContactState, Doubt, Effort, NoEquilibrium, Outcome, Rung, Settings, Settled, combinations,
+    for_each_combination, for_each_slack,
+};
+use crate::formulation::{Piece, Problem};
+use crate::grasp::{Grasp, Twist};
+
+/// What comes after the onset.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Beyond<const D: usize, const C: usize> {
+    /// The equilibrium goes on with these contacts sliding or open.
+    Continues(Box<Continuation<D, C>>),
+    /// No equilibrium exists just beyond: the onset is the limit load. Every combination of contact states was tried.
+    LimitLoad {
+        /// How many.
+        combinations: usize,
+    },
+    /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is
+    /// lost. A quasi-static analysis cannot say which.
+    Snap {
+        /// Combinations of contact states that hold just beyond.
+        others: usize,
+    },
+    /// This equilibrium ends here: the rates have no solution, for this reason. Whether others exist beyond was not
+    /// searched (too many contacts, or the round cone).
+    Ends(NoEquilibrium<D>),
+    /// Nothing can be said.
+    Undecided(Doubt),
+}
+
+/// How an equilibrium goes on past an event, per unit of load factor.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Continuation<const D: usize, const C: usize> {
+    /// What every contact does next. The direction of a sliding contact is that of its slip rate.
+    pub states: Vec<ContactState<C>>,
+    /// Rates of the contact forces in the contact frames, N.
+    pub force_rates: Vec<SVector<f64, C>>,
+    /// Rate of the object's twist.
+    pub twist_rate: Twist<D>,
+    /// By which rule it was found.
+    pub rule: Rung,
+}
+
+/// Reads the rates that were settled, and searches for others where there are none.
+pub(crate) fn just_beyond<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    here: &Problem<D, C>,
+    rates: &Problem<D, C>,
+    settled: Settled<D, C>,
+    effort: &Effort,
+    settings: &Settings,
+    cone: Cone,
+) -> Beyond<D, C> {
+    if let Settled::Found(found, rule) = settled {
+        let states = (0..grasp.len()).map(|i| grasp.contact_answer(rates, &found, cone, i).state).collect();
+        let twist_rate = grasp.outside(&found.twist);
+        return Beyond::Continues(Box::new(Continuation {
+            states,
+            force_rates: found.forces,
+            twist_rate,
+            rule,
+        }));
+    }
+    let searched = cone != Cone::Round && combinations(here) <= settings.most_states as f64;
+    if !matches!(settled, Settled::Undecided(_)) && searched {
+        return search_beyond(here, rates);
+    }
+    let load = grasp.wrench_outside(&rates.wrench);
+    match grasp.outcome(rates, &load, settled, effort, cone) {
+        Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
+        Outcome::Undecided(undecided) => Beyond::Undecided(undecided.doubt),
+        Outcome::Equilibrium(_) => Beyond::Undecided(Doubt::OnTheBoundary),
+    }
+}
+
+fn search_beyond<const D: usize, const C: usize>(
+    here: &Problem<D, C>,
+    rates: &Problem<D, C>,
+) -> Beyond<D, C> {
+    // The whole laws, driven at the rates.
+    let rates = &Problem { drives: rates.drives.clone(), wrench: rates.wrench, ..here.clone() };
+    let (mut others, mut tried) = (0, 0);
+    for_each_combination(here, |states| {
+        tried += 1;
+        let piece = Piece::new(here, &states);
+        let (Ok(now), Ok(next)) =
+            (piece.solve(&here.drives, &here.wrench), piece.solve(&rates.drives, &rates.wrench))
+        else {
+            return false;
+        };
+        let rounding = (ROUNDING * piece.growth()).min(1e-10);
+        let mut values = Vec::new();
+        for_each_slack(here, &states, &here.drives, &now.forces, &now.twist, |value, size| {
+            values.push((value, size));
+        });
+        let mut holds = true;
+        let mut at = 0;
+        for_each_slack(rates, &states, &rates.drives, &next.forces, &next.twist, |rate, rate_size| {
+            let (value, size) = values[at];
+            at += 1;
+            let zero = value.abs() <= rounding * size;
+            holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };
+        });
+        others += usize::from(holds);
+        false
+    });
+    if others > 0 { Beyond::Snap { others } } else { Beyond::LimitLoad { combinations: tried } }
+}

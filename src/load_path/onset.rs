@@ -1,0 +1,210 @@
+//! The onset of sliding, found directly.
+//!
+//! While everything rolls, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is
+//! the smallest τ at which a contact reaches the edge of its cone (a linear equation for each facet, a quadratic one
+//! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
+//! close on the way; it starts with F_t = 0 and rolls on if the rates lie in its cone.
+
+use nalgebra::SVector;
+
+use super::beyond::Beyond;
+use super::margin::ROUNDING;
+use super::ramp::Ramp;
+use super::walk::Walk;
+use crate::equilibrium::{
+    Cone, Equilibrium, Found, NoEquilibrium, Outcome, Rung, Settings, Settled, Undecided, polygonal, settle,
+};
+use crate::error::{Error, Field};
+use crate::formulation::{Polygon, Problem, State};
+use crate::grasp::{Grasp, Hold, Wrench};
+
+/// The answer to "at which load factor does the first contact leave rolling?"
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Onset<const D: usize, const C: usize> {
+    /// At this factor.
+    At(Box<OnsetEvent<D, C>>),
+    /// However far the load goes along this direction, everything keeps rolling.
+    Never,
+    /// At factor 0 something slides already: the equilibrium there.
+    AlreadySliding(Box<Equilibrium<D, C>>),
+    /// No equilibrium exists at factor 0.
+    NoBase(NoEquilibrium<D>),
+    /// No contact leaves rolling, but from this factor on nothing resists the load's direction: the reason.
+    GivesWay {
+        /// The factor up to which the grasp holds.
+        factor: f64,
+        /// Why it does not hold beyond.
+        reason: NoEquilibrium<D>,
+    },
+    /// Nothing can be said about the equilibrium at factor 0.
+    Undecided(Undecided),
+}
+
+impl<const D: usize, const C: usize> Onset<D, C> {
+    /// The event, if there is one.
+    #[must_use]
+    pub fn event(&self) -> Option<&OnsetEvent<D, C>> {
+        match self {
+            Self::At(event) => Some(event),
+            _ => None,
+        }
+    }
+
+    /// The load factor of the onset: infinite for never, `None` where there is no rolling equilibrium to start from.
+    #[must_use]
+    pub fn factor(&self) -> Option<f64> {
+        match self {
+            Self::At(event) => Some(event.factor),
+            Self::Never => Some(f64::INFINITY),
+            Self::GivesWay { factor, .. } => Some(*factor),
+            _ => None,
+        }
+    }
+}
+
+/// The first contact leaves rolling.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct OnsetEvent<const D: usize, const C: usize> {
+    /// Load factor τ.
+    pub factor: f64,
+    /// The load there.
+    pub load: Wrench<D>,
+    /// Which contacts leave, all at once.
+    pub leaving: Vec<Leaving<C>>,
+    /// The equilibrium there: everything rolls, the leaving contacts stand on the edge of their cone.
+    pub state: Equilibrium<D, C>,
+    /// What comes next.
+    pub beyond: Beyond<D, C>,
+    /// In space, when the event is for the round cone: the onset on the polygon of the settings, for comparison
+    /// (infinite for never; `None` where the polygon has no rolling equilibrium at factor 0).
+    pub polygon_factor: Option<f64>,
+}
+
+/// A contact that leaves rolling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Leaving<const C: usize> {
+    /// The contact.
+    pub contact: usize,
+    /// How it leaves.
+    pub how: Departure<C>,
+}
+
+/// How a contact leaves rolling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Departure<const C: usize> {
+    /// It slides.
+    Slides {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        direction: SVector<f64, C>,
+    },
+    /// It opens.
+    Opens,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The onset of sliding from a base load along a load direction, with default [`Settings`]: exact in the plane, on
+    /// the round cone in space. See [`Self::onset`].
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite.
+    pub fn onset_of_sliding(&self, base: Wrench<D>, direction: Wrench<D>) -> Result<Onset<D, C>, Error> {
+        self.onset(&Ramp::load(base, direction), &Settings::default())
+    }
+
+    /// The factor at which the first contact leaves rolling along a [`Ramp`], which contacts leave and how, the state
+    /// there and what comes next. No stepping and no bisection: a linear equation for each facet in the plane, a
+    /// quadratic one for each contact on the round cone in space.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the ramp is not finite or has the wrong number of
+    /// command changes.
+    pub fn onset(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
+        if C == 2 {
+            return self.onset_on_polygon(ramp, settings);
+        }
+        let on_polygon = self.onset_on_polygon(ramp, settings)?;
+        let mut onset = self.search_onset(ramp, settings, Cone::Round)?;
+        if let Onset::At(event) = &mut onset {
+            event.polygon_factor = on_polygon.factor();
+        }
+        Ok(onset)
+    }
+
+    /// The same on the polygonal cone of the settings (in the plane this is the exact cone).
+    ///
+    /// # Errors
+    /// As for [`Self::onset`].
+    pub fn onset_on_polygon(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
+        self.search_onset(ramp, settings, polygonal::<C>(settings))
+    }
+
+    fn search_onset(&self, ramp: &Ramp<D, C>, settings: &Settings, cone: Cone) -> Result<Onset<D, C>, Error> {
+        let (base, direction) =
+            (self.inside(&ramp.base, "base load")?, self.inside(&ramp.direction, "load direction")?);
+        let change = match &ramp.command_change {
+            Some(change) => {
+                self.check_commands(change, "command changes", Field::CommandChange)?;
+                change.clone()
+            }
+            None => vec![SVector::zeros(); self.len()],
+        };
+        let polygon = Polygon::new(&settings.cone);
+        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), base);
+        let (found, rule) = match self.rolling_base(&problem, ramp, settings, cone) {
+            Ok(base) => base,
+            Err(onset) => return Ok(*onset),
+        };
+        let mut walk =
+            Walk { grasp: self, ramp, settings, cone, rule, problem, change, direction, factor: 0.0 };
+        Ok(walk.run(found.states))
+    }
+
+    /// The equilibrium at factor 0 if nothing slides there.
+    fn rolling_base(
+        &self,
+        problem: &Problem<D, C>,
+        ramp: &Ramp<D, C>,
+        settings: &Settings,
+        cone: Cone,
+    ) -> Result<(Found<D, C>, Rung), Box<Onset<D, C>>> {
+        let slides = |found: &Found<D, C>| found.states.iter().any(|s| matches!(s, State::Sliding { .. }));
+        if cone == Cone::Round {
+            // A circumscribed polygon lets everything roll that rolls on the round cone, and a little more.
+            let polygon = Polygon::new(&settings.cone.circumscribed());
+            let (settled, _) = settle(&Problem { polygon: &polygon, ..problem.clone() }, settings);
+            if let Settled::Found(found, rule) = settled
+                && !slides(&found)
+                && self.inside_round_cones(&found)
+            {
+                return Ok((found, rule));
+            }
+        }
+        let (settled, effort) = settle(problem, settings);
+        match &settled {
+            Settled::Found(found, rule) if cone != Cone::Round && !slides(found) => {
+                return Ok((found.clone(), *rule));
+            }
+            _ => {}
+        }
+        Err(Box::new(match self.outcome(problem, &ramp.base, settled, &effort, polygonal::<C>(settings)) {
+            Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
+            Outcome::NoEquilibrium(none) => Onset::NoBase(none),
+            Outcome::Undecided(doubt) => Onset::Undecided(doubt),
+        }))
+    }
+
+    fn inside_round_cones(&self, found: &Found<D, C>) -> bool {
+        let largest = found.forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+        self.sites().iter().zip(&found.forces).all(|(site, f)| {
+            let friction = f.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x));
+            site.axes == 1
+                || site.hold == Hold::Bonded
+                || site.mu.is_infinite()
+                || friction <= site.mu * f[0] + ROUNDING * largest * (1.0 + site.mu)
+        })
+    }
+}

@@ -1,0 +1,41 @@
+//! A load, finger commands, or both, that change in proportion to one factor.
+
+use nalgebra::SVector;
+
+use crate::grasp::Wrench;
+
+/// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
+/// change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ramp<const D: usize, const C: usize> {
+    pub(crate) base: Wrench<D>,
+    pub(crate) direction: Wrench<D>,
+    pub(crate) command_change: Option<Vec<SVector<f64, C>>>,
+}
+
+impl<const D: usize, const C: usize> Ramp<D, C> {
+    /// The load changes, the fingers stay as commanded.
+    #[must_use]
+    pub fn load(base: Wrench<D>, direction: Wrench<D>) -> Self {
+        Self { base, direction, command_change: None }
+    }
+
+    /// The load stays, the finger commands change: one displacement a contact, each in its contact frame (m).
+    #[must_use]
+    pub fn commands(load: Wrench<D>, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        Self { base: load, direction: Wrench::ZERO, command_change: Some(change.into()) }
+    }
+
+    /// Finger commands change along with the load.
+    #[must_use]
+    pub fn with_commands(mut self, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        self.command_change = Some(change.into());
+        self
+    }
+
+    /// The load at a factor.
+    #[must_use]
+    pub fn load_at(&self, factor: f64) -> Wrench<D> {
+        self.base + self.direction * factor
+    }
+}

@@ -1,0 +1,41 @@
+//! Grasps in the plane: 3 degrees of freedom, 2 axes a contact. Lengths in m, forces in N, moments from x to y in N m.
+//!
+//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. Nothing is approximated: the planar
+//! friction cone is a polygonal one.
+
+/// A point contact in the plane; see [`crate::grasp::Contact`].
+pub type Contact = crate::grasp::Contact<2>;
+/// A planar grasp; see [`crate::grasp::Grasp`].
+pub type Grasp = crate::grasp::Grasp<3, 2>;
+/// Force (x, y) and moment; see [`crate::grasp::Wrench`].
+pub type Wrench = crate::grasp::Wrench<3>;
+/// Translation (x, y) and rotation; see [`crate::grasp::Twist`].
+pub type Twist = crate::grasp::Twist<3>;
+/// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
+pub type Outcome = crate::equilibrium::Outcome<3, 2>;
+/// An equilibrium; see [`crate::equilibrium::Equilibrium`].
+pub type Equilibrium = crate::equilibrium::Equilibrium<3, 2>;
+/// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
+pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<3>;
+/// How it is known that none exists; see [`crate::equilibrium::Proof`].
+pub type Proof = crate::equilibrium::Proof<3>;
+/// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
+pub type ContactAnswer = crate::equilibrium::ContactAnswer<2>;
+/// What a contact does; see [`crate::equilibrium::ContactState`].
+pub type ContactState = crate::equilibrium::ContactState<2>;
+/// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
+pub type Decomposition = crate::equilibrium::Decomposition<2>;
+/// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+pub type Ramp = crate::load_path::Ramp<3, 2>;
+/// When the first contact leaves rolling; see [`crate::load_path::Onset`].
+pub type Onset = crate::load_path::Onset<3, 2>;
+/// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
+pub type OnsetEvent = crate::load_path::OnsetEvent<3, 2>;
+/// A contact that leaves rolling; see [`crate::load_path::Leaving`].
+pub type Leaving = crate::load_path::Leaving<2>;
+/// How a contact leaves rolling; see [`crate::load_path::Departure`].
+pub type Departure = crate::load_path::Departure<2>;
+/// What comes after the onset; see [`crate::load_path::Beyond`].
+pub type Beyond = crate::load_path::Beyond<3, 2>;
+/// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
+pub type Continuation = crate::load_path::Continuation<3, 2>;

@@ -1,0 +1,40 @@
+//! Grasps in space: 6 degrees of freedom, 3 axes a contact. Lengths in m, forces in N, moments in N m, right-handed.
+//!
+//! The contact frame is (n, t₁, t₂) with n into the object and `t₂ = n × t₁`.
+
+/// A point contact in space; see [`crate::grasp::Contact`].
+pub type Contact = crate::grasp::Contact<3>;
+/// A spatial grasp; see [`crate::grasp::Grasp`].
+pub type Grasp = crate::grasp::Grasp<6, 3>;
+/// Force (x, y, z) and moment (x, y, z); see [`crate::grasp::Wrench`].
+pub type Wrench = crate::grasp::Wrench<6>;
+/// Translation (x, y, z) and rotation (x, y, z); see [`crate::grasp::Twist`].
+pub type Twist = crate::grasp::Twist<6>;
+/// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
+pub type Outcome = crate::equilibrium::Outcome<6, 3>;
+/// An equilibrium; see [`crate::equilibrium::Equilibrium`].
+pub type Equilibrium = crate::equilibrium::Equilibrium<6, 3>;
+/// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
+pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<6>;
+/// How it is known that none exists; see [`crate::equilibrium::Proof`].
+pub type Proof = crate::equilibrium::Proof<6>;
+/// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
+pub type ContactAnswer = crate::equilibrium::ContactAnswer<3>;
+/// What a contact does; see [`crate::equilibrium::ContactState`].
+pub type ContactState = crate::equilibrium::ContactState<3>;
+/// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
+pub type Decomposition = crate::equilibrium::Decomposition<3>;
+/// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+pub type Ramp = crate::load_path::Ramp<6, 3>;
+/// When the first contact leaves rolling; see [`crate::load_path::Onset`].
+pub type Onset = crate::load_path::Onset<6, 3>;
+/// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
+pub type OnsetEvent = crate::load_path::OnsetEvent<6, 3>;
+/// A contact that leaves rolling; see [`crate::load_path::Leaving`].
+pub type Leaving = crate::load_path::Leaving<3>;
+/// How a contact leaves rolling; see [`crate::load_path::Departure`].
+pub type Departure = crate::load_path::Departure<3>;
+/// What comes after the onset; see [`crate::load_path::Beyond`].
+pub type Beyond = crate::load_path::Beyond<6, 3>;
+/// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
+pub type Continuation = crate::load_path::Continuation<6, 3>;
