@@ -2,6 +2,18 @@
 
 use std::fmt;
 
+/// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
+/// violation look small. No unit of length or force brings a real grasp near this.
+pub(crate) const LARGEST: f64 = 1e50;
+
+/// How messages say so.
+pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
+
+/// Finite and at most [`LARGEST`] in size.
+pub(crate) fn is_moderate(x: f64) -> bool {
+    x.abs() <= LARGEST
+}
+
 /// What was wrong with a question, where, and what would have been allowed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -21,8 +33,8 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A component of a wrench is not a finite number.
-    #[error("{what}: component {component} is {value}, must be finite")]
+    /// A component of a wrench is not finite, or absurdly large.
+    #[error("{what}: component {component} is {value}, must be finite and at most 1e50 in size")]
     Wrench {
         /// Which wrench of the question.
         what: &'static str,

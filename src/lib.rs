@@ -8,6 +8,8 @@ pub mod formulation;
 pub mod grasp;
 pub mod lcp;
 pub mod load_path;
+#[cfg(feature = "plot")]
+pub mod picture;
 pub mod planar;
 pub mod spatial;
 

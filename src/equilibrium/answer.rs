@@ -146,7 +146,6 @@ impl ContactAnswer<2> {
 
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,

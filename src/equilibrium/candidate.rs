@@ -112,8 +112,8 @@ fn least_admissible_shift<const D: usize, const C: usize>(
 ) -> Option<SVector<f64, D>> {
     let (mut b, mut sizes) = (Vec::new(), Vec::new());
     for_each_slack(problem, states, &problem.drives, forces, twist, |value, size| {
-        b.push(value / size.max(f64::MIN_POSITIVE));
-        sizes.push(size.max(f64::MIN_POSITIVE));
+        b.push(value / size);
+        sizes.push(size);
     });
     let at_rest = vec![SVector::zeros(); problem.len()];
     let mut a = DMatrix::zeros(b.len(), motions.len());

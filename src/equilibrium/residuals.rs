@@ -6,6 +6,9 @@ use super::answer::{Cone, ContactAnswer, ContactState};
 use crate::formulation::Problem;
 use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
 
+/// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
+const SMALLEST: f64 = 1e-250;
+
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic.
 ///
 /// Forces are measured against the largest contact force or load of the scene, displacements of a contact against the
@@ -48,7 +51,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let mut r = Residuals { equilibrium: self.out_of_balance(load, answers), ..Residuals::default() };
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
         let force_size =
-            answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm())).max(f64::MIN_POSITIVE);
+            answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm())).max(SMALLEST);
         let drives = &problem.drives;
         for (i, (answer, site)) in answers.iter().zip(self.sites()).enumerate() {
             let point = self.contacts()[i].point;
@@ -65,7 +68,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 + compression.norm()
                 + g.abs()
                 + s.norm();
-            let size = size.max(f64::MIN_POSITIVE);
+            let size = size.max(SMALLEST);
             for a in 0..site.axes {
                 let jump = if a == 0 { g } else { -s[a] };
                 r.springs = r.springs.max((compression[a] - (drives[i][a] - moved[a] + jump)).abs() / size);
@@ -119,7 +122,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
         let moment = sum.iter().skip(C).map(|m| m * m).sum::<f64>().sqrt();
-        let relative = |residual: f64, size: f64| if residual == 0.0 { 0.0 } else { residual / size };
+        let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }
 }

@@ -13,6 +13,9 @@ use nalgebra::SVector;
 use crate::formulation::{Problem, State};
 use crate::grasp::Site;
 
+/// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
+const SMALLEST: f64 = 1e-250;
+
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,
 /// `largest` that of the largest force of the scene: a stiff contact's force is not known from its (cancelling)
 /// displacements but from equilibrium with the others, a soft one's the other way round.
@@ -22,7 +25,7 @@ pub(crate) fn force_size<const D: usize, const C: usize>(
     spans: f64,
     largest: f64,
 ) -> f64 {
-    force.norm() + largest.min(site.k.amax() * spans)
+    SMALLEST + force.norm() + largest.min(site.k.amax() * spans)
 }
 
 /// Calls `visit(value, size)` for every inequality `value >= 0`; rounding errors of the value are of the order of
@@ -43,7 +46,7 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
         let stretch = a - moved;
         let spans = a.norm() + moved.norm();
         let force_size = force_size(site, f, spans, largest);
-        let motion_size = spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
+        let motion_size = SMALLEST + spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
         let mu = problem.mu(contact);
         let mut facets_left_alone = |but: [Option<usize>; 2]| {
             for (j, h) in problem.normals(contact).iter().enumerate() {

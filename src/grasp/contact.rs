@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::stiffness::Stiffness;
-use crate::error::{ContactLabel, Error, Field};
+use crate::error::{ContactLabel, Error, Field, LARGEST, MODERATE, is_moderate};
 
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -157,6 +157,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
+    /// How tables and pictures call the contact: its name, or its place in the list.
+    #[must_use]
+    pub fn label_text(&self, index: usize) -> String {
+        self.name.clone().unwrap_or_else(|| format!("contact {index}"))
+    }
+
     pub(crate) fn label(&self, index: usize) -> ContactLabel {
         ContactLabel { index, name: self.name.clone() }
     }
@@ -217,42 +223,39 @@ impl<const C: usize> Contact<C> {
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
-        if let Some(&value) = self.point.iter().find(|x| !x.is_finite()) {
-            return fault(Field::Point, value, "finite");
+        let bad = |v: &SVector<f64, C>| v.iter().copied().find(|x| !is_moderate(*x));
+        if let Some(value) = bad(&self.point) {
+            return fault(Field::Point, value, MODERATE);
         }
-        let not_positive = |k: &&f64| k.is_nan() || **k <= 0.0;
-        match &self.stiffness {
+        let (field, sides) = match &self.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                if let Some(&value) = body.iter().find(not_positive) {
-                    return fault(Field::BodyStiffness, value, "positive (infinite for a rigid body)");
-                }
-                if let Some(&value) = finger.iter().find(not_positive) {
-                    return fault(Field::FingerStiffness, value, "positive (infinite for a rigid finger)");
-                }
+                ([Field::BodyStiffness, Field::FingerStiffness], [Some(body), Some(finger)])
             }
-            Stiffness::Series(k) => {
-                if let Some(&value) = k.iter().find(not_positive) {
-                    return fault(Field::SeriesStiffness, value, "positive and finite");
-                }
+            Stiffness::Series(k) => ([Field::SeriesStiffness; 2], [Some(k), None]),
+        };
+        for (field, k) in field.into_iter().zip(sides) {
+            if let Some(&value) = k.into_iter().flatten().find(|k| k.is_nan() || **k <= 0.0) {
+                return fault(field, value, "positive (infinite for a rigid side)");
             }
         }
         let series = self.stiffness.series();
         let resisting = if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C };
-        if let Some(&value) = series.iter().take(resisting).find(|k| !k.is_finite() || !k.is_normal()) {
+        let usable = |k: &&f64| (1.0 / LARGEST..=LARGEST).contains(*k);
+        if let Some(&value) = series.iter().take(resisting).find(|k| !usable(k)) {
             return fault(
                 Field::SeriesStiffness,
                 value,
-                "positive and finite (give a stiffness, and leave at most one side rigid)",
+                "from 1e-50 to 1e50 (give a stiffness, and leave at most one side rigid)",
             );
         }
-        if self.friction.is_nan() || self.friction < 0.0 {
-            return fault(Field::Friction, self.friction, "zero or positive (infinite allowed)");
+        if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
+            return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
-        if let Some(&value) = self.command.iter().find(|x| !x.is_finite()) {
-            return fault(Field::Command, value, "finite");
+        if let Some(value) = bad(&self.command) {
+            return fault(Field::Command, value, MODERATE);
         }
-        if !self.clearance.is_finite() || self.clearance < 0.0 {
-            return fault(Field::Clearance, self.clearance, "zero or positive, and finite");
+        if !(is_moderate(self.clearance) && self.clearance >= 0.0) {
+            return fault(Field::Clearance, self.clearance, "from 0 to 1e50");
         }
         Ok(())
     }

@@ -16,7 +16,7 @@ pub(crate) use rotation::{displacement_of, wrench_of};
 pub use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
-use crate::error::{Error, Field};
+use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 use rotation::grasp_map;
 
 /// An object held by elastic fingers: a checked list of contacts.
@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
         // A single point has no size of its own; then any unit of length does.
-        let length = if spread > 0.0 && spread.is_finite() { spread } else { 1.0 };
+        let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let sites = contacts
             .iter()
             .enumerate()
@@ -130,12 +130,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Err(Error::Size { what, given: commands.len(), expected: self.len() });
         }
         for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
-            if let Some(&value) = command.iter().find(|x| !x.is_finite()) {
+            if let Some(&value) = command.iter().find(|x| !is_moderate(**x)) {
                 return Err(Error::Contact {
                     contact: contact.label(index),
                     field,
                     value,
-                    allowed: "finite",
+                    allowed: MODERATE,
                 });
             }
         }
@@ -161,7 +161,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
     pub(crate) fn inside(&self, wrench: &Wrench<D>, what: &'static str) -> Result<SVector<f64, D>, Error> {
         let w = wrench.as_vector();
-        if let Some(component) = w.iter().position(|x| !x.is_finite()) {
+        if let Some(component) = w.iter().position(|x| !is_moderate(*x)) {
             return Err(Error::Wrench { what, component, value: w[component] });
         }
         Ok(self.inside_unchecked(wrench))

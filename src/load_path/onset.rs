@@ -84,7 +84,6 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
 
 /// A contact that leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Leaving<const C: usize> {
     /// The contact.
     pub contact: usize,
@@ -94,7 +93,6 @@ pub struct Leaving<const C: usize> {
 
 /// How a contact leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Departure<const C: usize> {
     /// It slides.
     Slides {

@@ -1,0 +1,194 @@
+//! A planar grasp: object, fingers, friction cones, contact forces, load.
+
+use nalgebra::Vector2;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION};
+use crate::planar::{ContactState, Equilibrium, Grasp};
+
+/// The outline of the object: corners in order, m. It is only drawn.
+pub type Outline<'a> = &'a [[f64; 2]];
+
+type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+const WIDTH: u32 = 860;
+const HEIGHT: u32 = 560;
+
+/// Draws a grasp with its contact forces inside their friction cones. The largest force gets a third of the picture's
+/// width; cones are as long as the forces they belong to would be at that size. The load acts at the origin.
+///
+/// # Errors
+/// [`PictureError`] if the back end fails.
+pub fn draw_grasp(
+    grasp: &Grasp,
+    state: &Equilibrium,
+    outline: Option<Outline>,
+    title: &str,
+) -> Result<String, PictureError> {
+    let mut svg = String::new();
+    Picture::new(grasp, state, outline).draw(&mut svg, title).map_err(PictureError::from_backend)?;
+    Ok(svg)
+}
+
+struct Picture<'a> {
+    grasp: &'a Grasp,
+    state: &'a Equilibrium,
+    outline: Vec<Vector2<f64>>,
+    /// Size of the scene, m.
+    span: f64,
+    /// m per N.
+    scale: f64,
+}
+
+impl<'a> Picture<'a> {
+    fn new(grasp: &'a Grasp, state: &'a Equilibrium, outline: Option<Outline>) -> Self {
+        let outline: Vec<_> = outline.unwrap_or_default().iter().map(|p| Vector2::from(*p)).collect();
+        let (low, high) = bounds(points(grasp).chain(outline.iter().copied()));
+        let span = (high - low).amax().max(f64::MIN_POSITIVE);
+        let load = force_of_load(state).norm();
+        let most = state.contacts.iter().map(|c| c.force.norm()).fold(load, f64::max);
+        let scale = if most > 0.0 { span / 3.0 / most } else { 0.0 };
+        Self { grasp, state, outline, span, scale }
+    }
+
+    fn draw(&self, svg: &mut String, title: &str) -> Drawn {
+        let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
+        root.fill(&WHITE)?;
+        let load_tip = force_of_load(self.state) * self.scale;
+        let everything =
+            points(self.grasp).chain(self.outline.iter().copied()).chain([load_tip, Vector2::zeros()]);
+        let (low, high) = bounds(everything);
+        let margin = Vector2::new(0.35, 0.25) * self.span;
+        let (low, high) = equal_aspect(low - margin, high + margin);
+        let mut chart = ChartBuilder::on(&root)
+            .caption(title, (FONT, 20))
+            .margin(12)
+            .x_label_area_size(40)
+            .y_label_area_size(56)
+            .build_cartesian_2d(low.x..high.x, low.y..high.y)?;
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .x_desc("x (m)")
+            .y_desc("y (m)")
+            .label_style((FONT, 13))
+            .draw()?;
+        if self.outline.len() > 2 {
+            let corners: Vec<_> = self.outline.iter().map(|p| (p.x, p.y)).collect();
+            chart.draw_series([Polygon::new(corners.clone(), GREY.mix(0.12))])?;
+            let closed = corners.iter().copied().chain(corners.first().copied());
+            chart.draw_series([PathElement::new(closed.collect::<Vec<_>>(), GREY.stroke_width(1))])?;
+        }
+        for contact in 0..self.grasp.len() {
+            self.draw_contact(&mut chart, contact)?;
+        }
+        if load_tip.norm() > 0.0 {
+            self.arrow(&mut chart, Vector2::zeros(), load_tip, VERMILION)?;
+            let size = force_of_load(self.state).norm();
+            self.label(
+                &mut chart,
+                load_tip + Vector2::new(0.02, 0.0) * self.span,
+                HPos::Left,
+                &format!("load {size:.4} N"),
+            )?;
+        }
+        root.present()?;
+        Ok(())
+    }
+
+    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Drawn {
+        let (contact, answer) = (&self.grasp.contacts()[index], &self.state.contacts[index]);
+        let Some(frame) = self.grasp.frames().nth(index) else { return Ok(()) };
+        let (p, n, t) = (contact.point, frame.column(0).into_owned(), frame.column(1).into_owned());
+        // The finger: a wedge behind the contact.
+        let finger = [p, p + (t * 0.35 - n) * (0.09 * self.span), p - (t * 0.35 + n) * (0.09 * self.span)];
+        chart.draw_series([Polygon::new(finger.map(|v| (v.x, v.y)).to_vec(), GREY.mix(0.55))])?;
+        let length = 1.15 * answer.normal_force() * self.scale;
+        let mu = contact.friction.min(1e3);
+        if mu > 0.0 && length > 0.0 {
+            let cone = [p, p + (n + t * mu) * length, p + (n - t * mu) * length];
+            chart.draw_series([Polygon::new(cone.map(|v| (v.x, v.y)).to_vec(), GREEN.mix(0.2))])?;
+            for edge in [cone[1], cone[2]] {
+                let line = [(p.x, p.y), (edge.x, edge.y)];
+                chart.draw_series([PathElement::new(line, GREEN.mix(0.8).stroke_width(1))])?;
+            }
+        }
+        self.arrow(chart, p, p + answer.force_world * self.scale, BLUE)?;
+        let word: &str = match answer.state {
+            ContactState::Separated => "separated",
+            ContactState::Sliding { .. } => "sliding",
+            ContactState::Frictionless => "frictionless",
+            ContactState::Rolling if answer.margin <= 1e-12 * answer.normal_force() => "about to slide",
+            ContactState::Rolling => "rolling",
+        };
+        let name = contact.label_text(index);
+        // Behind the finger, away from the object.
+        let at = p - n * (0.12 * self.span);
+        let side = if n.x > 0.3 {
+            HPos::Right
+        } else if n.x < -0.3 {
+            HPos::Left
+        } else {
+            HPos::Center
+        };
+        let force = format!("|F| = {:.4} N", answer.force.norm());
+        for (line, text) in [name.as_str(), word, &force].into_iter().enumerate() {
+            // Lines run downwards; a finger from above has them above itself.
+            let up = 0.05 * self.span * (1.0 - line as f64 - n.y);
+            self.label(chart, at + Vector2::new(0.0, up), side, text)?;
+        }
+        Ok(())
+    }
+
+    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Drawn {
+        let along = to - from;
+        if along.norm() == 0.0 {
+            return Ok(());
+        }
+        let head = along.normalize() * (0.03 * self.span).min(along.norm());
+        let across = Vector2::new(-head.y, head.x) * 0.4;
+        let neck = to - head;
+        chart.draw_series([PathElement::new([(from.x, from.y), (neck.x, neck.y)], color.stroke_width(3))])?;
+        let tip = [to, neck + across, neck - across].map(|v| (v.x, v.y)).to_vec();
+        chart.draw_series([Polygon::new(tip, color)])?;
+        Ok(())
+    }
+
+    #[expect(clippy::unused_self, reason = "reads like the other strokes")]
+    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Drawn {
+        let style = (FONT, 15).into_font().color(&BLACK).pos(Pos::new(side, VPos::Center));
+        chart.draw_series([Text::new(text.to_owned(), (at.x, at.y), style)])?;
+        Ok(())
+    }
+}
+
+fn points(grasp: &Grasp) -> impl Iterator<Item = Vector2<f64>> + '_ {
+    grasp.contacts().iter().map(|contact| contact.point)
+}
+
+fn force_of_load(state: &Equilibrium) -> Vector2<f64> {
+    let w = state.load.as_vector();
+    Vector2::new(w[0], w[1])
+}
+
+fn bounds(points: impl Iterator<Item = Vector2<f64>>) -> (Vector2<f64>, Vector2<f64>) {
+    points.fold((Vector2::repeat(f64::INFINITY), Vector2::repeat(f64::NEG_INFINITY)), |(low, high), p| {
+        (low.inf(&p), high.sup(&p))
+    })
+}
+
+/// Widens one of the ranges so that a metre is as long upwards as sideways.
+fn equal_aspect(low: Vector2<f64>, high: Vector2<f64>) -> (Vector2<f64>, Vector2<f64>) {
+    let wanted = f64::from(WIDTH - 80) / f64::from(HEIGHT - 94);
+    let size = high - low;
+    let grown = if size.x > wanted * size.y {
+        Vector2::new(size.x, size.x / wanted)
+    } else {
+        Vector2::new(size.y * wanted, size.y)
+    };
+    let middle = (low + high) / 2.0;
+    (middle - grown / 2.0, middle + grown / 2.0)
+}

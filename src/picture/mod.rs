@@ -1,0 +1,39 @@
+//! Grasps and load curves as SVG (feature `plot`).
+//!
+//! Every function returns the text of an SVG file; writing it somewhere is the caller's business.
+
+mod chart;
+mod grasp_picture;
+
+pub use chart::{Chart, Series, Stroke};
+pub use grasp_picture::{Outline, draw_grasp};
+
+use plotters::style::RGBColor;
+
+/// A picture could not be drawn.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the picture could not be drawn: {0}")]
+pub struct PictureError(String);
+
+impl PictureError {
+    fn from_backend(error: impl std::fmt::Display) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// Eight colours that remain distinct for colour-blind readers (Okabe & Ito 2008), black last.
+const PALETTE: [RGBColor; 8] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(160, 140, 20),
+    RGBColor(0, 0, 0),
+];
+const BLUE: RGBColor = PALETTE[0];
+const VERMILION: RGBColor = PALETTE[1];
+const GREEN: RGBColor = PALETTE[2];
+const GREY: RGBColor = RGBColor(110, 110, 110);
+const FONT: &str = "sans-serif";
