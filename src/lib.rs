@@ -12,6 +12,7 @@ pub mod load_path;
 pub mod picture;
 pub mod planar;
 pub mod spatial;
+pub mod sweep;
 
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};

@@ -15,6 +15,11 @@ const MOST_ROUNDING: f64 = 1e-10;
 /// but nothing may be concluded from its failure either.
 const DOUBTFUL: f64 = 1e-12;
 
+/// A rate of an inequality along a unit motion below this part of its size is rounding of zero.
+const UNFELT: f64 = 1e-12;
+/// Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
+const OUT_OF_BALANCE: f64 = 1e-11;
+
 /// A solution of the local problem.
 #[derive(Debug, Clone)]
 pub(crate) struct Found<const D: usize, const C: usize> {
@@ -55,47 +60,79 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
         return Verdict::Unbalanced;
     };
     let rounding = (ROUNDING * piece.growth()).min(MOST_ROUNDING);
-    let mut worst = violation(problem, &states, &state.forces, &state.twist);
+    let doubtful = (DOUBTFUL * piece.growth()).min(MOST_ROUNDING);
+    let (values, sizes) = slacks(problem, &states, &state.forces, &state.twist);
+    let mut worst = violation(&values, &sizes);
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
     if worst > rounding && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a whole family of solutions, and the one of least norm is not admissible: is another?
-        let motions: Vec<_> = free_motions.iter().chain(&neutral_motions).copied().collect();
-        if let Some(shift) =
-            least_admissible_shift(problem, &piece, &states, &state.forces, &state.twist, &motions)
-        {
-            state.twist += shift;
-            for (f, change) in state.forces.iter_mut().zip(piece.forces_along(problem, &shift)) {
-                *f += change;
+        let free = free_motions.iter().map(|v| (*v, vec![SVector::zeros(); problem.len()]));
+        let neutral = neutral_motions.iter().map(|v| (*v, piece.forces_along(problem, v)));
+        let motions: Vec<_> = free.chain(neutral).collect();
+        if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
+            for ((motion, along), tau) in motions.iter().zip(tau.iter()) {
+                state.twist += motion * *tau;
+                for (f, change) in state.forces.iter_mut().zip(along) {
+                    *f += change * *tau;
+                }
             }
-            worst = violation(problem, &states, &state.forces, &state.twist);
+            // Against the sizes of before: a shift so long that its own rounding shows is none.
+            worst = violation(&slacks(problem, &states, &state.forces, &state.twist).0, &sizes);
         }
     }
     if worst > rounding {
-        return Verdict::Violated { doubtful: worst <= (DOUBTFUL * piece.growth()).min(MOST_ROUNDING) };
+        return Verdict::Violated { doubtful: worst <= doubtful };
+    }
+    if out_of_balance(problem, &state.forces) > OUT_OF_BALANCE {
+        return Verdict::Violated { doubtful: true };
     }
     Verdict::Holds(Found { states, forces: state.forces, twist: state.twist, free_motions, neutral_motions })
 }
 
-/// The worst violation of an inequality, relative to its size.
-fn violation<const D: usize, const C: usize>(
+/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms.
+fn out_of_balance<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    forces: &[SVector<f64, C>],
+) -> f64 {
+    let mut sum = problem.wrench;
+    let mut size = sum.norm();
+    for (site, force) in problem.sites.iter().zip(forces) {
+        sum += site.map * force;
+        size += force.norm();
+    }
+    if size > 0.0 { sum.norm() / size } else { 0.0 }
+}
+
+/// Values and sizes of all inequalities.
+fn slacks<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State],
     forces: &[SVector<f64, C>],
     twist: &SVector<f64, D>,
-) -> f64 {
-    let mut worst = 0.0_f64;
+) -> (Vec<f64>, Vec<f64>) {
+    let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_slack(problem, states, &problem.drives, forces, twist, |value, size| {
-        if value.is_nan() {
-            worst = f64::INFINITY;
-        } else if value < 0.0 {
-            worst = worst.max(-value / size);
-        }
+        values.push(value);
+        sizes.push(size);
     });
+    (values, sizes)
+}
+
+/// The worst violation of an inequality, relative to its size.
+fn violation(values: &[f64], sizes: &[f64]) -> f64 {
+    let mut worst = 0.0_f64;
+    for (value, size) in values.iter().zip(sizes) {
+        if value.is_nan() {
+            return f64::INFINITY;
+        }
+        worst = worst.max(-value / size);
+    }
     worst
 }
 
-/// The smallest combination of motions (orthonormal, inside coordinates) that makes every inequality hold:
+/// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes
+/// every inequality hold:
 ///
 /// ```text
 /// min ½|τ|²  with  b + A τ >= 0      ⟺      0 <= λ ⟂ A Aᵀ λ + b >= 0,   τ = Aᵀλ
@@ -104,29 +141,25 @@ fn violation<const D: usize, const C: usize>(
 /// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
 fn least_admissible_shift<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
-    piece: &Piece<D, C>,
     states: &[State],
-    forces: &[SVector<f64, C>],
-    twist: &SVector<f64, D>,
-    motions: &[SVector<f64, D>],
-) -> Option<SVector<f64, D>> {
-    let (mut b, mut sizes) = (Vec::new(), Vec::new());
-    for_each_slack(problem, states, &problem.drives, forces, twist, |value, size| {
-        b.push(value / size);
-        sizes.push(size);
-    });
+    values: &[f64],
+    sizes: &[f64],
+    motions: &[(SVector<f64, D>, Vec<SVector<f64, C>>)],
+) -> Option<DVector<f64>> {
+    let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
     let at_rest = vec![SVector::zeros(); problem.len()];
     let mut a = DMatrix::zeros(b.len(), motions.len());
-    for (k, motion) in motions.iter().enumerate() {
-        let along = piece.forces_along(problem, motion);
+    for (k, (motion, along)) in motions.iter().enumerate() {
         let mut i = 0;
-        for_each_slack(problem, states, &at_rest, &along, motion, |value, _| {
-            a[(i, k)] = value / sizes[i];
+        for_each_slack(problem, states, &at_rest, along, motion, |rate, rate_size| {
+            // An inequality that the motion does not feel must not become one that a very long motion satisfies.
+            if rate.abs() > UNFELT * rate_size {
+                a[(i, k)] = rate / sizes[i];
+            }
             i += 1;
         });
     }
-    let lcp = Lcp::new(&a * a.transpose(), DVector::from_vec(b)).ok()?;
+    let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
     let Outcome::Solved(solution) = lcp.solve() else { return None };
-    let tau = a.tr_mul(&solution.z);
-    Some(motions.iter().zip(tau.iter()).fold(SVector::zeros(), |sum, (v, t)| sum + v * *t))
+    Some(a.tr_mul(&solution.z))
 }

@@ -157,6 +157,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
+    /// The contact point, m.
+    #[must_use]
+    pub fn point(&self) -> SVector<f64, C> {
+        self.point
+    }
+
     /// How tables and pictures call the contact: its name, or its place in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {

@@ -144,13 +144,51 @@ impl Chart {
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::MiddleLeft)
+            .position(self.emptiest_corner([x0, x1, y0, y1]))
             .background_style(WHITE.mix(0.85))
             .border_style(GREY.mix(0.4))
             .label_font((FONT, 14))
             .draw()?;
         root.present()?;
         Ok(())
+    }
+}
+
+/// Places for the legend, with the lower left corner of each in units of the plot.
+const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
+    (SeriesLabelPosition::UpperRight, 0.68, 1.0),
+    (SeriesLabelPosition::LowerRight, 0.68, 0.0),
+    (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
+    (SeriesLabelPosition::MiddleLeft, 0.0, 0.5),
+    (SeriesLabelPosition::MiddleRight, 0.68, 0.5),
+    (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
+];
+
+impl Chart {
+    /// Where the legend hides least of the curves.
+    fn emptiest_corner(&self, [x0, x1, y0, y1]: [f64; 4]) -> SeriesLabelPosition {
+        let height = 0.08 + 0.06 * self.series.len() as f64;
+        let hidden = |&(_, left, anchor): &(SeriesLabelPosition, f64, f64)| {
+            let bottom = anchor * (1.0 - height);
+            let mut count = 0;
+            for series in &self.series {
+                for pair in series.points.windows(2) {
+                    for k in 0..=20 {
+                        let s = f64::from(k) / 20.0;
+                        let x = (pair[0].0 + s * (pair[1].0 - pair[0].0) - x0) / (x1 - x0);
+                        let y = (pair[0].1 + s * (pair[1].1 - pair[0].1) - y0) / (y1 - y0);
+                        let inside =
+                            (left..left + 0.32).contains(&x) && (bottom..bottom + height).contains(&y);
+                        count += usize::from(inside);
+                    }
+                }
+            }
+            // Labels of marks stand at the top, that of a shaded area at the bottom right.
+            let marked = !self.marks.is_empty() && anchor == 1.0;
+            let shaded = self.shaded.is_some() && left > 0.0 && anchor == 0.0;
+            count + 10 * (usize::from(marked) + usize::from(shaded))
+        };
+        PLACES.iter().min_by_key(|place| hidden(place)).map_or(PLACES[0].0.clone(), |place| place.0.clone())
     }
 }
 

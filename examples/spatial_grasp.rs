@@ -1,0 +1,96 @@
+//! A bottle held by a thumb and three fingers in space: its onset of sliding on polygons of 4 … 64 facets, inscribed,
+//! balanced and circumscribed, and on the round cone.
+//!
+//! `cargo run --release --example spatial_grasp`
+
+mod support;
+
+use grasp_lcp::picture::{Chart, Stroke};
+use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
+use grasp_lcp::{Error, Fit, PolygonCone, Settings};
+
+/// Radius 35 mm, fingers at different heights, the thumb opposite; a rubber tip is softer than the glass.
+fn bottle() -> Result<Grasp, Error> {
+    let finger = |name: &str, degrees: f64, height: f64, squeeze: f64, mu: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Contact::new([0.035 * cos, 0.035 * sin, height], [-cos, -sin, 0.0])
+            .name(name)
+            .body_stiffness(2e5, 1e5)
+            .finger_stiffness(1500.0, 900.0)
+            .friction(mu)
+            .tangent([0.0, 0.0, 1.0])
+            .command([squeeze, 0.0, 0.0])
+    };
+    Grasp::new([
+        finger("thumb", 180.0, 0.002, 0.005, 0.8),
+        finger("index", 32.0, 0.020, 0.0030, 0.7),
+        finger("middle", 0.0, 0.000, 0.0030, 0.7),
+        finger("ring", -32.0, -0.020, 0.0030, 0.7),
+    ])
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let grasp = bottle()?;
+    // Poured from: the weight (N) hangs below and to the side, and turns the bottle as it grows.
+    let base = Wrench::ZERO;
+    let direction = Wrench::force_at([0.25, 0.1, -1.0], [0.01, -0.012, 0.02]);
+    let ramp = Ramp::load(base, direction);
+
+    let onset = grasp.onset(&ramp, &Settings::default())?;
+    let event = onset.event().ok_or("a finite onset")?;
+    println!("Onset on the round cone (a quadratic equation for each contact): {:.12} N", event.factor);
+    for leaving in &event.leaving {
+        let name = grasp.contacts()[leaving.contact].label_text(leaving.contact);
+        if let Departure::Slides { direction: d } = leaving.how {
+            println!("  {name} slides over the bottle along ({:+.4}, {:+.4}, {:+.4})", d[0], d[1], d[2]);
+        }
+    }
+    match &event.beyond {
+        Beyond::Continues(next) => {
+            println!("  beyond: the grasp holds on with {} contact(s) sliding", sliding(&next.states));
+        }
+        other => println!("  beyond: {other:?}"),
+    }
+
+    let half = grasp.solve(&(direction * (0.5 * event.factor)))?;
+    let Outcome::Equilibrium(state) = half else { return Err(format!("{half:?}").into()) };
+    println!("\nAt half of it: {} pivots, residual {:.0e}", state.work.pivots, state.residuals.worst());
+    println!("  contact   F_n (N)  |F_t| (N)  |F_t|/F_n");
+    for (i, c) in state.contacts.iter().enumerate() {
+        let name = grasp.contacts()[i].label_text(i);
+        println!(
+            "  {name:8} {:8.4} {:10.4} {:10.4}",
+            c.normal_force(),
+            c.friction_force(),
+            c.friction_used()
+        );
+    }
+
+    println!("\nOn polygons, relative to the round cone:");
+    println!("  facets   inscribed                 balanced                  circumscribed");
+    let fits =
+        [("inscribed", Fit::Inscribed), ("balanced", Fit::Balanced), ("circumscribed", Fit::Circumscribed)];
+    let mut errors = vec![Vec::new(); fits.len()];
+    for facets in [4, 6, 8, 12, 16, 24, 32, 48, 64] {
+        print!("  {facets:6}");
+        for (curve, (_, fit)) in errors.iter_mut().zip(fits) {
+            let settings = Settings::default().with_cone(PolygonCone::new(facets, fit)?);
+            let factor = grasp.onset_on_polygon(&ramp, &settings)?.factor().ok_or("holds without load")?;
+            let error = factor / event.factor - 1.0;
+            curve.push((f64::from(u32::try_from(facets)?), 100.0 * error));
+            print!("   {factor:.8} ({:+8.4} %)", 100.0 * error);
+        }
+        println!();
+    }
+    let mut chart =
+        Chart::new("Onset on a polygonal cone against the round cone", "facets", "error of the onset (%)");
+    for ((name, _), curve) in fits.into_iter().zip(errors) {
+        chart = chart.series(name, curve, Stroke::Line);
+    }
+    support::save("spatial_grasp_facets.svg", &chart.to_svg()?)?;
+    Ok(())
+}
+
+fn sliding(states: &[grasp_lcp::spatial::ContactState]) -> usize {
+    states.iter().filter(|s| matches!(s, grasp_lcp::spatial::ContactState::Sliding { .. })).count()
+}

@@ -1,0 +1,36 @@
+//! Many questions at once: answers in the order of the questions, the same bits for any number of threads.
+//!
+//! Every question is answered on its own by the same serial code; threads (feature `parallel`, rayon's global pool) only
+//! decide who does which. This is the only room that knows of threads.
+
+use crate::equilibrium::{Outcome, Settings};
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+use crate::load_path::{Onset, Ramp};
+
+/// `f` of every item, in order: in parallel with the feature `parallel`, one after the other without it.
+pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        items.par_iter().map(f).collect()
+    }
+    #[cfg(not(feature = "parallel"))]
+    {
+        items.iter().map(f).collect()
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The equilibria under many loads; an error in one does not stop the rest.
+    #[must_use]
+    pub fn solve_each(&self, loads: &[Wrench<D>], settings: &Settings) -> Vec<Result<Outcome<D, C>, Error>> {
+        map_in_order(loads, |load| self.solve_with(load, settings))
+    }
+
+    /// The onsets of sliding along many ramps; an error in one does not stop the rest.
+    #[must_use]
+    pub fn onset_each(&self, ramps: &[Ramp<D, C>], settings: &Settings) -> Vec<Result<Onset<D, C>, Error>> {
+        map_in_order(ramps, |ramp| self.onset(ramp, settings))
+    }
+}

@@ -1,0 +1,55 @@
+//! The same bits for any number of threads, and with or without threads.
+
+use grasp_lcp::Settings;
+use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
+
+fn grasp() -> Grasp {
+    let finger = |i: u8| {
+        let angle = f64::from(i) * 1.3;
+        let (sin, cos) = angle.sin_cos();
+        Contact::new([cos, sin, 0.2 * angle.sin()], [-cos, -sin, 0.1])
+            .series_stiffness(100.0 + 20.0 * angle, 70.0)
+            .friction(0.5)
+            .command([0.01 + 0.002 * sin, 0.0, 0.0])
+    };
+    Grasp::new((0..5).map(finger)).unwrap()
+}
+
+fn ramps() -> Vec<Ramp> {
+    (0..200)
+        .map(|i| {
+            let a = f64::from(i) * 0.7;
+            Ramp::load(
+                Wrench::ZERO,
+                Wrench::new([a.sin(), a.cos(), (1.7 * a).sin()], [0.0, 0.1, 0.2 * a.cos()]),
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn onsets_do_not_depend_on_who_computes_them() {
+    let (grasp, ramps, settings) = (grasp(), ramps(), Settings::default());
+    let one_by_one: Vec<String> =
+        ramps.iter().map(|ramp| format!("{:?}", grasp.onset(ramp, &settings).unwrap())).collect();
+    let swept = || grasp.onset_each(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
+    assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
+    // Debug prints floats so that they read back to the same bits.
+    assert!(swept().eq(one_by_one.iter().cloned()));
+    #[cfg(feature = "parallel")]
+    for threads in [1, 2, 3, 7] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let swept: Vec<String> = pool.install(|| swept().collect());
+        assert_eq!(swept, one_by_one, "{threads} threads");
+    }
+}
+
+#[test]
+fn answers_come_in_the_order_of_the_questions() {
+    let grasp = grasp();
+    let loads: Vec<_> = (0..50).map(|i| Wrench::force([0.0, 0.0, -0.01 * f64::from(i)])).collect();
+    let answers = grasp.solve_each(&loads, &Settings::default());
+    for (load, answer) in loads.iter().zip(answers) {
+        assert_eq!(answer.unwrap().equilibrium().expect("holds").load, *load);
+    }
+}
