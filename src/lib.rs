@@ -1,4 +1,79 @@
 //! Does the grasp hold?
+//!
+//! A multifingered hand holds an object. Each contact is a point with Coulomb friction; finger and object give way like
+//! springs; the fingers are commanded to move a little and a load pulls on the object. This crate says where the object
+//! goes, what the contact forces are, **at which load a contact starts to slide**, and whether an equilibrium exists
+//! beyond.
+//!
+//! ```
+//! use grasp_lcp::planar::{Contact, Grasp, Wrench};
+//!
+//! // The two-finger grasp of the paper: springs of 10 N/m, μ = 1/4, fingers pressed 0.1 m along their normals.
+//! let finger = |side: f64| {
+//!     Contact::new([4.0 * side, 1.8], [-8.0 * side, -1.0])
+//!         .body_stiffness(10.0, 10.0)
+//!         .finger_stiffness(10.0, 10.0)
+//!         .friction(0.25)
+//!         .command([0.1, 0.0125 * side])
+//! };
+//! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+//!
+//! let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+//! let exact = 65f64.sqrt() / 66.0;
+//! assert!((onset.factor().unwrap() - exact).abs() < 1e-15);
+//!
+//! let holds = grasp.solve(&Wrench::force([0.0, -0.1]))?;
+//! assert!(holds.equilibrium().is_some());
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+//!
+//! # The problem
+//!
+//! Contact i has a frame: the unit normal n into the object and one tangent t (two in space). To first order the body's
+//! displacement at the contact is `u_c = G_iᵀq`. With the series stiffness `1/k = 1/k_body + 1/k_finger` of each axis
+//!
+//! ```text
+//! F_n = k_n (a_n - n·u_c + g)        0 <= g  ⟂  F_n >= 0
+//! F_t = k_t (a_t - t·u_c - s)        |F_t| <= μ F_n,  slip s along F_t on the cone's edge, zero inside
+//! Σ G_i F_i + W = 0
+//! ```
+//!
+//! | symbol | meaning | unit | size |
+//! |---|---|---|---|
+//! | q | twist of the object: translation of the origin, rotation ([`grasp::Twist`]) | m, rad | d = 3 in the plane, 6 in space |
+//! | W | load on the object: force, moment about the origin ([`grasp::Wrench`]) | N, N m | d |
+//! | G_i | grasp map: contact force in its frame → wrench | 1, m | d × c |
+//! | k | series stiffness, axis by axis | N/m | c = 2 in the plane, 3 in space |
+//! | a_i | commanded finger displacement in the contact frame, the normal part less the clearance | m | c |
+//! | F_i | force on the object in the contact frame; F_n > 0 pushes | N | c |
+//! | g, s | gap between the surfaces; slip of the finger over the body | m | 1, c - 1 |
+//! | μ | coefficient of friction, each contact its own | | 1 |
+//!
+//! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`; friction drags the body
+//! along with the finger, so F_t and the slip s point the same way. Units are SI in the docs; any consistent ones will do.
+//!
+//! # The map
+//!
+//! | module | room |
+//! |---|---|
+//! | [`planar`], [`spatial`] | the names to start from |
+//! | [`grasp`] | the question: contacts, stiffness, friction, wrench and twist |
+//! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
+//! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
+//! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
+//! | [`load_path`] | onset of sliding, what comes just beyond it |
+//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
+//! | `picture` | grasps and load curves as SVG (feature `plot`) |
+//!
+//! # Answers
+//!
+//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never
+//! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
+//! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
+//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all.
+//!
+//! The model is that of "Position Control for Multifingered Robot Hand", which solves the rolling case as a quadratic
+//! program; `paper-notes.md` in the repository tells what is taken from it, its misprints, and where this crate goes on.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
