@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
+use super::only_lemke;
 use super::slack::for_each_slack;
 use crate::formulation::{Law, Piece, Problem, State};
 use crate::lcp::{Lcp, Outcome};
@@ -160,6 +161,6 @@ fn least_admissible_shift<const D: usize, const C: usize>(
         });
     }
     let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
-    let Outcome::Solved(solution) = lcp.solve() else { return None };
+    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
     Some(a.tr_mul(&solution.z))
 }

@@ -28,6 +28,7 @@ pub(crate) use slack::{for_each_slack, force_size};
 use crate::error::Error;
 use crate::formulation::{LeftOut, Polygon, Problem, State, Why};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
+use crate::lcp;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load, with default [`Settings`].
@@ -271,4 +272,9 @@ fn same<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D
 /// The cone that the pivoting works on.
 pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Cone {
     if C == 2 { Cone::Planar } else { Cone::Polygon(settings.cone) }
+}
+
+/// For problems on which Lemke's method cannot fail (positive semidefinite and solvable): one path, nothing after it.
+pub(crate) fn only_lemke() -> lcp::Settings {
+    lcp::Settings { retries: 0, enumerate_up_to: 0, ..lcp::Settings::default() }
 }

@@ -34,6 +34,12 @@ pub(crate) struct Effort {
     pub(crate) combinations: usize,
 }
 
+/// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
+/// the first, and most scenes that another path solves are solved by the second or third.
+const OTHER_PATHS: usize = 3;
+/// The same where there are too many contacts for that.
+const OTHER_PATHS_AT_MOST: usize = 16;
+
 /// How the ladder ended.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled<const D: usize, const C: usize> {
@@ -100,7 +106,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     if let Some(motion) = separating_motion(problem) {
         return (Settled::Separating(motion), effort);
     }
-    if combinations(problem) <= settings.most_states as f64 {
+    if enumerable(problem, settings) {
         let search = search(problem, true);
         effort.combinations = search.tried;
         let settled = match search.found.into_iter().next() {
@@ -111,6 +117,11 @@ pub(crate) fn settle<const D: usize, const C: usize>(
         return (settled, effort);
     }
     (Settled::Undecided(doubt), effort)
+}
+
+/// Few enough contacts to try every combination of their states.
+fn enumerable<const D: usize, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> bool {
+    combinations(problem) <= settings.most_states as f64
 }
 
 /// One rung: Lemke proposes states, the piece with these states is solved and checked.
@@ -124,7 +135,13 @@ fn climb<const D: usize, const C: usize>(
 ) -> Option<Found<D, C>> {
     let form = form?;
     effort.rows = effort.rows.max(form.rows.len());
-    let lcp_settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
+    // Bases are better enumerated as contact states, where each costs one d x d system and is checked as physics.
+    let lcp_settings = lcp::Settings {
+        max_pivots: settings.max_pivots,
+        retries: if enumerable(problem, settings) { OTHER_PATHS } else { OTHER_PATHS_AT_MOST },
+        enumerate_up_to: 0,
+        ..lcp::Settings::default()
+    };
     match form.lcp.solve_with(&lcp_settings) {
         Outcome::Solved(solution) => {
             effort.pivots += solution.pivots;

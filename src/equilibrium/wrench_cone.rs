@@ -12,6 +12,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
+use super::only_lemke;
 use crate::formulation::{Law, Problem};
 use crate::lcp::{Lcp, Outcome};
 
@@ -34,7 +35,7 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     let gamma = DMatrix::from_fn(D, generators.len(), |d, k| generators[k][d]);
     let w = problem.wrench / load;
     let lcp = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&DVector::from_column_slice(w.as_slice()))).ok()?;
-    let Outcome::Solved(solution) = lcp.solve() else { return None };
+    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
     let r = generators.iter().zip(solution.z.iter()).fold(w, |sum, (g, beta)| sum + g * *beta);
     let size = r.norm();
     let v = r / size;

@@ -11,6 +11,11 @@ use nalgebra::{SMatrix, SVector};
 /// geometry comes as close as contacts that are parallel to 1e-12.
 const DEPENDENT: f64 = 1e-13;
 
+/// Entries of a row are known to this part of the row's size: a normal computed as (cos π/2, sin π/2) has a first
+/// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so that a soft spring is
+/// still seen across a direction in which stiff ones have none.
+const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
+
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
 /// triangular `r x r`, Π permutes columns.
 #[derive(Debug, Clone)]
@@ -30,6 +35,10 @@ impl<const D: usize> Orthogonal<D> {
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
         let mut full: [f64; D] = std::array::from_fn(|j| column(&rows, j, j).sqrt());
+        let mut noise: [f64; D] = std::array::from_fn(|j| {
+            rows.iter().filter(|row| row[j] != 0.0).map(SVector::norm_squared).sum::<f64>().sqrt()
+                * ENTRY_NOISE
+        });
         let mut rank = 0;
         while rank < D {
             let k = rank;
@@ -37,7 +46,7 @@ impl<const D: usize> Orthogonal<D> {
             let mut best = None;
             for j in k..D {
                 let left = column(&rows, j, j).sqrt();
-                if left > DEPENDENT * full[j] && best.is_none_or(|(_, most)| left > most) {
+                if left > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left > most) {
                     best = Some((j, left));
                 }
             }
@@ -48,6 +57,7 @@ impl<const D: usize> Orthogonal<D> {
             r.swap_columns(k, pivot);
             order.swap(k, pivot);
             full.swap(k, pivot);
+            noise.swap(k, pivot);
             // Second pass against the finished columns: the first was their own step of elimination.
             for l in 0..k {
                 let again = column(&rows, l, k);
@@ -57,7 +67,7 @@ impl<const D: usize> Orthogonal<D> {
                 }
             }
             let norm = column(&rows, k, k).sqrt();
-            if norm <= DEPENDENT * full[k] {
+            if norm <= (DEPENDENT * full[k]).max(noise[k]) {
                 // What seemed to be left was noise after all: never a pivot again.
                 full[k] = f64::INFINITY;
                 continue;

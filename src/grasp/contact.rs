@@ -241,7 +241,12 @@ impl<const C: usize> Contact<C> {
         };
         for (field, k) in field.into_iter().zip(sides) {
             if let Some(&value) = k.into_iter().flatten().find(|k| k.is_nan() || **k <= 0.0) {
-                return fault(field, value, "positive (infinite for a rigid side)");
+                let series = field == Field::SeriesStiffness;
+                return fault(
+                    field,
+                    value,
+                    if series { "positive and finite" } else { "positive (infinite for a rigid side)" },
+                );
             }
         }
         let series = self.stiffness.series();

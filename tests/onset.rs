@@ -1,0 +1,186 @@
+//! The onset of sliding in all its endings: never, at once, already, no base, gives way, after a contact closes, along
+//! commands, all contacts together.
+
+use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
+use grasp_lcp::{Settings, spatial};
+
+fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
+    grasp.onset_of_sliding(base, direction).expect("valid loads")
+}
+
+/// Fingers at ±1 pressing inwards by `a`: N = k a each.
+fn pinch(k: f64, kt: f64, mu: f64, a: f64) -> Grasp {
+    Grasp::new(
+        [-1.0, 1.0].map(|x| {
+            Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0])
+        }),
+    )
+    .unwrap()
+}
+
+/// Pushing along the pinch line loads one finger and relieves the other until it opens at w = 2 N, unless friction is
+/// infinite or the contacts are bonded: then nothing ever slides, but the relieved finger still opens unless bonded.
+#[test]
+fn never_and_opening() {
+    let sideways = Wrench::force([1.0, 0.0]);
+    let grasp = pinch(10.0, 5.0, 0.5, 0.1);
+    let Onset::At(event) = onset(&grasp, Wrench::ZERO, sideways) else { panic!("opens") };
+    // N_left = k (a - q), N_right = k (a + q), 2 k q = w: the left one opens at w = 2 k a.
+    assert!((event.factor - 2.0).abs() < 1e-14);
+    assert_eq!(event.leaving[0].contact, 0);
+    assert_eq!(event.leaving[0].how, Departure::Opens);
+    let bonded = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded())).unwrap();
+    assert!(matches!(onset(&bonded, Wrench::ZERO, Wrench::new([3.0, -2.0], 1.0)), Onset::Never));
+    let sticky = Grasp::new(grasp.contacts().iter().map(|c| c.clone().friction(f64::INFINITY))).unwrap();
+    assert!(matches!(onset(&sticky, Wrench::ZERO, Wrench::force([0.0, -1.0])), Onset::Never));
+    let Onset::At(event) = onset(&sticky, Wrench::ZERO, sideways) else { panic!("opens") };
+    assert!((event.factor - 2.0).abs() < 1e-14);
+    // A load that presses straight onto both never uses friction up: rolling rates stay inside the cone.
+    let on_two_feet = Grasp::new(
+        [-1.0, 1.0].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 5.0).friction(0.5)),
+    )
+    .unwrap();
+    assert!(matches!(onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
+}
+
+/// From no force at all the rates decide: |F_t'| <= μ F_n' or not, whatever the size of the load.
+#[test]
+fn at_once_from_rest() {
+    let on_two_feet = Grasp::new(
+        [-1.0, 1.0].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 5.0).friction(0.5)),
+    )
+    .unwrap();
+    let Onset::At(event) = onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.6, -1.0])) else {
+        panic!("0.6 > μ: no equilibrium for any size")
+    };
+    assert_eq!(event.factor, 0.0);
+    assert_eq!(event.leaving.len(), 2);
+    assert!(!matches!(event.beyond, Beyond::Continues(_)), "{:?}", event.beyond);
+}
+
+#[test]
+fn already_sliding_and_no_base() {
+    // A spring along the incline takes what friction cannot: the feet slide at the base load.
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(100.0, 50.0).friction(0.2);
+    let stop = Contact::new([-2.0, 0.0], [1.0, 0.0]).series_stiffness(10.0, 10.0);
+    let grasp = Grasp::new([foot(-1.0), foot(1.0), stop]).unwrap();
+    let base = Wrench::force([-1.0, -1.0]);
+    let Onset::AlreadySliding(state) = onset(&grasp, base, Wrench::force([0.0, -1.0])) else {
+        panic!("slides")
+    };
+    assert!(matches!(state.contacts[0].state, ContactState::Sliding { .. }));
+    assert!(matches!(onset(&grasp, Wrench::force([0.0, 1.0]), base), Onset::NoBase(_)));
+}
+
+/// A load direction that works on a free motion is not carried from the start: the motion is the reason.
+#[test]
+fn gives_way() {
+    let finger = |x: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(10.0, 5.0)
+            .friction(0.5)
+            .command([0.1, 0.0, 0.0])
+    };
+    let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
+    let twist = spatial::Wrench::new([0.0, 0.0, -1.0], [0.3, 0.0, 0.0]);
+    let outcome = grasp.onset_of_sliding(spatial::Wrench::ZERO, twist).unwrap();
+    let spatial::Onset::GivesWay { factor, reason } = outcome else { panic!("{outcome:?}") };
+    assert_eq!(factor, 0.0);
+    assert!(matches!(reason.proof, spatial::Proof::FreeMotion { work, .. } if work > 0.0));
+}
+
+/// A block on two springs (k each, at ±1) sinks by w/2k. A third support waits below its middle with clearance c: it
+/// touches at w = 2 k c with F_t = 0 although the block has meanwhile been pushed sideways by b w / 2 kt, and from then on all
+/// three share. With horizontal load b w: T_i' = b/3 each after contact (equal kt), N_i' = 1/3 each. The outer ones carry
+/// N = k c + δ, T = b k c + b δ (δ = (w - 2kc)/3): ratio b throughout. The middle one N = δ, T = b δ: the same ratio,
+/// though it began without force. So nothing slides while b < μ, and b > μ slides at once.
+#[test]
+fn a_contact_closes_on_the_way_without_tangential_force() {
+    let (k, kt, mu, c) = (20.0, 9.0, 0.5, 0.03);
+    let foot = |x: f64, gap: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(k, kt).friction(mu).clearance(gap)
+    };
+    // One more: a guide that resists the sideways load with a known limit: an elastic stop far softer, without friction.
+    let grasp = Grasp::new([foot(-1.0, 0.0), foot(1.0, 0.0), foot(0.0, c)]).unwrap();
+    assert!(matches!(onset(&grasp, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
+    // Now pre-press the outer feet by a moment-free base and load sideways only after the middle has closed:
+    // base w₀ = 4 k c presses the middle with δ₀ = 2kc/3. One-shot from rest it carries no tangential force.
+    let base = Wrench::force([0.0, -4.0 * k * c]);
+    let Onset::At(event) = onset(&grasp, base, Wrench::force([1.0, 0.0])) else { panic!("finite") };
+    // T_i = τ/3 each; the moment of the horizontal load at height 0 is zero, so N_middle stays 2kc/3 and goes first.
+    let exact = 3.0 * mu * 2.0 * k * c / 3.0;
+    assert!((event.factor - exact).abs() < 1e-14 * exact, "{} {exact}", event.factor);
+    assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [2]);
+    assert!(matches!(&event.beyond, Beyond::Continues(next) if next.states[0] == ContactState::Rolling));
+}
+
+/// The same three feet under a base load that went sideways before the middle one touches, and then along (b, -1) with
+/// b > μ: the outer feet would reach their limit at (h + bτ) = μ (w₀ + τ), but the middle one closes before that, at
+/// w₀ + τ = 2kc, and slides the moment it touches, since T'/N' = b. Started with the slip of a contact that had stuck from
+/// the beginning, it would have come down with T = kt (h + bτ)/2kt instead of zero.
+#[test]
+fn a_contact_that_slides_the_moment_it_closes() {
+    let (k, kt, mu, c, h, b, w0) = (20.0, 9.0, 0.5, 0.03, 0.4, 0.6, 1.0);
+    let foot = |x: f64, gap: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(k, kt).friction(mu).clearance(gap)
+    };
+    let grasp = Grasp::new([foot(-1.0, 0.0), foot(1.0, 0.0), foot(0.0, c)]).unwrap();
+    let closing = 2.0 * k * c - w0;
+    assert!(closing > 0.0 && closing < (mu * w0 - h) / (b - mu));
+    let Onset::At(event) = onset(&grasp, Wrench::force([h, -w0]), Wrench::force([b, -1.0])) else {
+        panic!("finite")
+    };
+    assert!((event.factor - closing).abs() < 1e-14, "{} {closing}", event.factor);
+    assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [2]);
+    assert_eq!(event.state.contacts[2].state, ContactState::Separated);
+    assert!(event.state.contacts[2].gap < 1e-15);
+}
+
+/// Releasing the squeeze of a loaded pinch: N = k (a - τ), T = w/2: slides at τ = a - w/(2 μ k). With load and command
+/// together: T = w(1 + τ)/2, N = k (a - τ): τ = (μ k a - w/2) / (w/2 + μ k).
+#[test]
+fn along_commands_and_both_at_once() {
+    let (k, kt, mu, a, w) = (30.0, 11.0, 0.4, 0.05, 0.6);
+    let grasp = pinch(k, kt, mu, a);
+    let load = Wrench::force([0.0, -w]);
+    let release = vec![[-1.0, 0.0].into(); 2];
+    let settings = Settings::default();
+    let alone = grasp.onset(&Ramp::commands(load, release.clone()), &settings).unwrap();
+    assert!((alone.factor().unwrap() - (a - w / (2.0 * mu * k))).abs() < 1e-15);
+    let both = grasp.onset(&Ramp::load(load, load).with_commands(release), &settings).unwrap();
+    assert!((both.factor().unwrap() - (mu * k * a - w / 2.0) / (w / 2.0 + mu * k)).abs() < 1e-15);
+    // At the onset the state is the equilibrium of the commands there.
+    let event = both.event().unwrap();
+    assert!(event.state.residuals.worst() < 1e-15);
+    let there = event.factor;
+    let moved = grasp.clone().with_commands(&[[a - there, 0.0].into(); 2]).unwrap();
+    let again = moved.solve(&event.load).unwrap();
+    let again = again.equilibrium().expect("on the edge");
+    for (x, y) in again.contacts.iter().zip(&event.state.contacts) {
+        assert!((x.force - y.force).norm() < 1e-14);
+        assert!((x.body_core - y.body_core).norm() < 1e-15);
+        assert!((x.finger_surface.is_none()) && y.finger_surface.is_none());
+    }
+}
+
+/// Rings of identical contacts under a torque about their axis leave together, at one factor.
+#[test]
+fn rings_leave_together() {
+    for n in [2_u32, 3, 5, 8, 17, 64] {
+        let finger = |i: u32| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
+            Contact::new([cos, sin], [-cos, -sin])
+                .series_stiffness(10.0, 4.0)
+                .friction(0.3)
+                .command([0.1, 0.0])
+        };
+        let ring = Grasp::new((0..n).map(finger)).unwrap();
+        let Onset::At(event) = onset(&ring, Wrench::ZERO, Wrench::new([0.0, 0.0], 1.0)) else {
+            panic!("finite")
+        };
+        let exact = f64::from(n) * 0.3;
+        assert!((event.factor - exact).abs() < 1e-13 * exact, "{n}: {}", event.factor);
+        assert_eq!(event.leaving.len(), n as usize);
+        assert!(!matches!(event.beyond, Beyond::Continues(_)), "friction is exhausted: {:?}", event.beyond);
+    }
+}
