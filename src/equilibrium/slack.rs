@@ -44,7 +44,8 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
         let (a, f) = (&drives[contact], &forces[contact]);
         let moved = site.map.tr_mul(twist);
         let stretch = a - moved;
-        let spans = a.norm() + moved.norm();
+        // Translation and rotation may cancel at a contact; their rounding does not.
+        let spans = a.norm() + site.map.norm() * twist.norm();
         let force_size = force_size(site, f, spans, largest);
         let motion_size = SMALLEST + spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
         let mu = problem.mu(contact);

@@ -112,7 +112,9 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (moved, moving) = (site.map.tr_mul(&twist), site.map.tr_mul(&rate.twist));
-            let (span, span_rate) = (drives[i].norm() + moved.norm(), self.change[i].norm() + moving.norm());
+            let reach = site.map.norm();
+            let span = drives[i].norm() + reach * twist.norm();
+            let span_rate = self.change[i].norm() + reach * rate.twist.norm();
             lines.push(Line {
                 force: forces[i],
                 rate: rate.forces[i],
