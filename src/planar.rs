@@ -39,3 +39,13 @@ pub type Departure = crate::load_path::Departure<2>;
 pub type Beyond = crate::load_path::Beyond<3, 2>;
 /// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
 pub type Continuation = crate::load_path::Continuation<3, 2>;
+/// One leg of a load program; see [`crate::load_path::Leg`].
+pub type Leg = crate::load_path::Leg<3, 2>;
+/// Something changes on a load path; see [`crate::load_path::Event`].
+pub type Event = crate::load_path::Event<3, 2>;
+/// What a contact does from an event on; see [`crate::load_path::Change`].
+pub type Change = crate::load_path::Change<2>;
+/// How a load path ends; see [`crate::load_path::PathEnd`].
+pub type PathEnd = crate::load_path::PathEnd<3, 2>;
+/// A load program being followed; see [`crate::load_path::LoadPath`].
+pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3, 2>;

@@ -38,3 +38,13 @@ pub type Departure = crate::load_path::Departure<3>;
 pub type Beyond = crate::load_path::Beyond<6, 3>;
 /// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
 pub type Continuation = crate::load_path::Continuation<6, 3>;
+/// One leg of a load program; see [`crate::load_path::Leg`].
+pub type Leg = crate::load_path::Leg<6, 3>;
+/// Something changes on a load path; see [`crate::load_path::Event`].
+pub type Event = crate::load_path::Event<6, 3>;
+/// What a contact does from an event on; see [`crate::load_path::Change`].
+pub type Change = crate::load_path::Change<3>;
+/// How a load path ends; see [`crate::load_path::PathEnd`].
+pub type PathEnd = crate::load_path::PathEnd<6, 3>;
+/// A load program being followed; see [`crate::load_path::LoadPath`].
+pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 6, 3>;

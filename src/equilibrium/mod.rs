@@ -10,6 +10,8 @@ mod settle;
 mod slack;
 mod wrench_cone;
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 pub use answer::{
@@ -20,10 +22,10 @@ pub use residuals::Residuals;
 pub use settings::Settings;
 pub use settle::{Doubt, Rung};
 
-pub(crate) use candidate::Found;
+pub(crate) use candidate::{Found, Verdict, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search};
 pub(crate) use settle::{Effort, Settled, settle};
-pub(crate) use slack::{for_each_slack, force_size};
+pub(crate) use slack::{for_each_slack, force_size, largest_force, span};
 
 use crate::error::Error;
 use crate::formulation::{LeftOut, Polygon, Problem, State, Why};
@@ -46,8 +48,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
-        let polygon = Polygon::new(&settings.cone);
-        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
         let (settled, effort) = settle(&problem, settings);
         Ok(self.outcome(&problem, load, settled, &effort, polygonal::<C>(settings)))
     }
@@ -61,8 +63,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
     /// finite.
     pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
-        let polygon = Polygon::new(&settings.cone);
-        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
         let combinations = combinations(&problem);
         if combinations > settings.most_states as f64 {
             return Err(Error::TooManyStates {
@@ -157,7 +159,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             work: WorkDone {
                 pivots: effort.pivots,
                 rows_made: effort.rows,
-                rows_left_out: self.left_out(effort, cone, rule == Rung::EverythingRolls),
+                rows_left_out: self.left_out(
+                    effort,
+                    cone,
+                    matches!(rule, Rung::EverythingRolls | Rung::EverythingTouchingRolls),
+                ),
                 combinations: effort.combinations,
             },
             cone,

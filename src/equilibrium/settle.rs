@@ -17,12 +17,17 @@ use crate::lcp::{self, Basis, Outcome};
 pub enum Rung {
     /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
     EverythingRolls,
+    /// Everything that touches rolls: with the contacts open that would pull, the rest satisfies every condition stuck. No
+    /// complementarity problem was made.
+    EverythingTouchingRolls,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,
     /// The first combination of contact states that satisfies every condition.
     Enumeration,
+    /// Following a load path: the states come from the path's history.
+    LoadPath,
 }
 
 /// What it took.
@@ -83,8 +88,11 @@ pub(crate) fn settle<const D: usize, const C: usize>(
             return (settled, effort);
         }
     };
-    if let Verdict::Holds(found) = try_states(problem, unjumped) {
+    if let Verdict::Holds(found) = try_states(problem, unjumped.clone()) {
         return (Settled::Found(found, Rung::EverythingRolls), effort);
+    }
+    if let Some(found) = touching_contacts_roll(problem, unjumped, &state.forces) {
+        return (Settled::Found(found, Rung::EverythingTouchingRolls), effort);
     }
     let mut doubt = Doubt::RayWithoutProof;
     let kinematic = kinematic_form(problem, &trial, &state);
@@ -117,6 +125,40 @@ pub(crate) fn settle<const D: usize, const C: usize>(
         return (settled, effort);
     }
     (Settled::Undecided(doubt), effort)
+}
+
+/// Opens what pulls and closes what penetrates while everything closed sticks, until neither is left, and accepts the
+/// result if it satisfies every condition. A finger far out of reach is thus no reason to return another equilibrium
+/// than without it.
+fn touching_contacts_roll<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    mut states: Vec<State>,
+    forces: &[SVector<f64, C>],
+) -> Option<Found<D, C>> {
+    let mut forces = forces.to_vec();
+    let mut twist = SVector::zeros();
+    // Every contact usually changes once; the bound ends those that would go in circles.
+    for _ in 0..states.len() + 2 {
+        let mut settled = true;
+        for i in (0..states.len()).filter(|&i| problem.may_open(i)) {
+            let next = match states[i] {
+                State::Rolling if forces[i][0] < 0.0 => State::Open,
+                State::Open if (problem.drives[i] - problem.sites[i].map.tr_mul(&twist))[0] > 0.0 => {
+                    State::Rolling
+                }
+                same => same,
+            };
+            settled &= next == states[i];
+            states[i] = next;
+        }
+        if settled {
+            let Verdict::Holds(found) = try_states(problem, states) else { return None };
+            return Some(found);
+        }
+        let solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
+        (forces, twist) = (solved.forces, solved.twist);
+    }
+    None
 }
 
 /// Few enough contacts to try every combination of their states.

@@ -16,6 +16,34 @@ use crate::grasp::Site;
 /// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
 const SMALLEST: f64 = 1e-250;
 
+/// Size of the displacements at a contact: translation and rotation may cancel there, their rounding does not.
+pub(crate) fn span<const D: usize, const C: usize>(
+    site: &Site<D, C>,
+    drive: &SVector<f64, C>,
+    twist: &SVector<f64, D>,
+) -> f64 {
+    drive.norm() + site.map.norm() * twist.norm()
+}
+
+/// Size of the largest force of a scene. Where a statically determinate grasp carries none at all, the forces that come
+/// out are the rounding of those that the softest spring could have had from displacements of this size.
+pub(crate) fn largest_force<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    drives: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+    load: f64,
+    forces: impl Iterator<Item = f64>,
+) -> f64 {
+    let softest = sites
+        .iter()
+        .zip(drives)
+        .map(|(site, a)| {
+            site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k)) * span(site, a, twist)
+        })
+        .fold(f64::INFINITY, f64::min);
+    forces.fold(load.max(softest), f64::max)
+}
+
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,
 /// `largest` that of the largest force of the scene: a stiff contact's force is not known from its (cancelling)
 /// displacements but from equilibrium with the others, a soft one's the other way round.
@@ -38,14 +66,14 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
     twist: &SVector<f64, D>,
     mut visit: impl FnMut(f64, f64),
 ) {
-    let largest = forces.iter().fold(problem.wrench.norm(), |most, f| most.max(f.norm()));
+    let sizes = forces.iter().map(nalgebra::Matrix::norm);
+    let largest = largest_force(problem.sites, drives, twist, problem.wrench.norm(), sizes);
     for (contact, state) in states.iter().enumerate() {
         let site = &problem.sites[contact];
         let (a, f) = (&drives[contact], &forces[contact]);
         let moved = site.map.tr_mul(twist);
         let stretch = a - moved;
-        // Translation and rotation may cancel at a contact; their rounding does not.
-        let spans = a.norm() + site.map.norm() * twist.norm();
+        let spans = span(site, a, twist);
         let force_size = force_size(site, f, spans, largest);
         let motion_size = SMALLEST + spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
         let mu = problem.mu(contact);

@@ -24,18 +24,16 @@ struct Jump<const D: usize, const C: usize> {
     /// Qᵀ applied to both.
     row_seen: SVector<f64, D>,
     column_seen: SVector<f64, D>,
+    w_unit: f64,
+    z_unit: f64,
 }
 
-/// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
-/// overflows.
-pub(crate) fn kinematic_form<const D: usize, const C: usize>(
+/// Every row that the contacts need, on the trial state in which every contact sticks.
+fn jumps<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
-    state: &PieceState<D, C>,
-) -> Option<Form> {
-    let mut form_rows = Vec::new();
-    let (mut z_unit, mut w_unit) = (Vec::new(), Vec::new());
-    let mut jumps: Vec<Jump<D, C>> = Vec::new();
+) -> Vec<(Row, Jump<D, C>)> {
+    let mut jumps = Vec::new();
     let mut first_spring = 0;
     for contact in 0..problem.len() {
         let springs = trial.springs[first_spring..].iter().take_while(|s| s.contact == contact).count();
@@ -44,12 +42,10 @@ pub(crate) fn kinematic_form<const D: usize, const C: usize>(
             (0..springs).fold(SVector::zeros(), |sum, a| sum + trial.right.row(first_spring + a) * v[a])
         };
         let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
-            let (w, z) = (row.norm(), column.norm());
-            let (row, column) = (row / w, column / z);
-            jumps.push(Jump { contact, row, column, row_seen: seen(&row), column_seen: seen(&column) });
-            form_rows.push(meaning);
-            w_unit.push(w);
-            z_unit.push(1.0 / z);
+            let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
+            let (row, column) = (row / w_unit, column * z_unit);
+            let (row_seen, column_seen) = (seen(&row), seen(&column));
+            jumps.push((meaning, Jump { contact, row, column, row_seen, column_seen, w_unit, z_unit }));
         };
         let mut normal = SVector::<f64, C>::zeros();
         normal[0] = root[0];
@@ -62,6 +58,17 @@ pub(crate) fn kinematic_form<const D: usize, const C: usize>(
         }
         first_spring += springs;
     }
+    jumps
+}
+
+/// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
+/// overflows.
+pub(crate) fn kinematic_form<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    trial: &Piece<D, C>,
+    state: &PieceState<D, C>,
+) -> Option<Form> {
+    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, trial).into_iter().unzip();
     if jumps.is_empty() {
         return None;
     }
@@ -77,7 +84,9 @@ pub(crate) fn kinematic_form<const D: usize, const C: usize>(
         let force = &state.forces[jump.contact];
         (0..site.axes).map(|a| jump.row[a] * force[a] / site.k[a].sqrt()).sum()
     });
-    Some(Form { lcp: Lcp::new(m, q).ok()?, rows: form_rows, z_unit, w_unit })
+    let z_unit = jumps.iter().map(|jump| jump.z_unit).collect();
+    let w_unit = jumps.iter().map(|jump| jump.w_unit).collect();
+    Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 
 /// The contact states of a complementary basis.

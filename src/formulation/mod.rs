@@ -18,6 +18,8 @@ pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use piece::{Piece, least_forces};
 pub(crate) use problem::{Law, Problem, State};
 
+use std::sync::Arc;
+
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 
@@ -29,8 +31,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn kinematic_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Polygon::new(cone);
-        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let polygon = Arc::new(Polygon::new(cone));
+        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
         let states: Vec<State> = (0..self.len()).map(|i| problem.unjumped(i)).collect();
         let trial = Piece::new(&problem, &states);
         let Ok(state) = trial.solve(&problem.drives, &problem.wrench) else { return Ok(None) };
@@ -43,8 +45,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn force_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Polygon::new(cone);
-        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), self.inside(load, "load")?);
+        let polygon = Arc::new(Polygon::new(cone));
+        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
         Ok(force_form(&problem))
     }
 }

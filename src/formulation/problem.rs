@@ -4,6 +4,8 @@
 //! in rates (what happens next, on the path) a contact inside its cone is bonded, one on an edge has only that edge,
 //! one at the apex has the whole cone again, an open one is absent.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::cone::Polygon;
@@ -43,7 +45,7 @@ pub(crate) enum State {
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) sites: &'g [Site<D, C>],
-    pub(crate) polygon: &'g Polygon<C>,
+    pub(crate) polygon: Arc<Polygon<C>>,
     pub(crate) laws: Vec<Law<C>>,
     /// Commanded displacement less clearance and less the slip so far.
     pub(crate) drives: Vec<SVector<f64, C>>,
@@ -58,7 +60,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
     /// Every contact with its whole law.
     pub(crate) fn at_rest(
         sites: &'g [Site<D, C>],
-        polygon: &'g Polygon<C>,
+        polygon: Arc<Polygon<C>>,
         drives: Vec<SVector<f64, C>>,
         wrench: SVector<f64, D>,
     ) -> Self {

@@ -1,11 +1,21 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it.
 
 mod beyond;
+mod energy;
+mod event;
+mod leg;
 mod margin;
+mod node;
 mod onset;
+mod path;
 mod ramp;
+mod segment;
 mod walk;
 
 pub use beyond::{Beyond, Continuation};
+pub use energy::Energy;
+pub use event::{Change, Event, Loss, PathEnd};
+pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
+pub use path::LoadPath;
 pub use ramp::Ramp;

@@ -5,11 +5,14 @@
 //! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
 //! close on the way; it starts with F_t = 0 and rolls on if the rates lie in its cone.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::beyond::Beyond;
 use super::margin::ROUNDING;
 use super::ramp::Ramp;
+use super::segment::Segment;
 use super::walk::Walk;
 use crate::equilibrium::{
     Cone, Equilibrium, Found, NoEquilibrium, Outcome, Rung, Settings, Settled, Undecided, polygonal, settle,
@@ -150,14 +153,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
             None => vec![SVector::zeros(); self.len()],
         };
-        let polygon = Polygon::new(&settings.cone);
-        let problem = Problem::at_rest(self.sites(), &polygon, self.drives(), base);
+        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), base);
         let (found, rule) = match self.rolling_base(&problem, ramp, settings, cone) {
             Ok(base) => base,
             Err(onset) => return Ok(*onset),
         };
-        let mut walk =
-            Walk { grasp: self, ramp, settings, cone, rule, problem, change, direction, factor: 0.0 };
+        let segment = Segment { grasp: self, cone, problem, change, direction };
+        let mut walk = Walk { segment, ramp, settings, rule, factor: 0.0 };
         Ok(walk.run(found.states))
     }
 
@@ -172,8 +175,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let slides = |found: &Found<D, C>| found.states.iter().any(|s| matches!(s, State::Sliding { .. }));
         if cone == Cone::Round {
             // A circumscribed polygon lets everything roll that rolls on the round cone, and a little more.
-            let polygon = Polygon::new(&settings.cone.circumscribed());
-            let (settled, _) = settle(&Problem { polygon: &polygon, ..problem.clone() }, settings);
+            let polygon = Arc::new(Polygon::new(&settings.cone.circumscribed()));
+            let (settled, _) = settle(&Problem { polygon, ..problem.clone() }, settings);
             if let Settled::Found(found, rule) = settled
                 && !slides(&found)
                 && self.inside_round_cones(&found)

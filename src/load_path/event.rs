@@ -1,0 +1,130 @@
+//! What happens on a load path.
+
+use nalgebra::SVector;
+
+use super::beyond::Beyond;
+use crate::equilibrium::{Equilibrium, Outcome};
+use crate::grasp::{Twist, Wrench};
+
+/// Something changes: one or more contacts, at one load.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Event<const D: usize, const C: usize> {
+    /// The leg, from 0.
+    pub leg: usize,
+    /// How much of the leg has been gone, from 0 to 1, exact up to rounding.
+    pub fraction: f64,
+    /// The load there.
+    pub load: Wrench<D>,
+    /// What changes, contact by contact. Symmetric grasps change several at once.
+    pub changes: Vec<(usize, Change<C>)>,
+    /// The equilibrium there. Its states are those before the event.
+    pub state: Equilibrium<D, C>,
+    /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
+    /// along them.
+    pub free_motions: Vec<Twist<D>>,
+    /// Other ways in which the contacts on an edge could go on, if all were tried (few of them): the continuation is not
+    /// unique unless this is `Some(0)`. The path prefers that what slides goes on sliding, then that everything sticks,
+    /// then what Lemke's method finds.
+    pub other_continuations: Option<usize>,
+}
+
+/// What a contact does from an event on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Change<const C: usize> {
+    /// A rolling contact starts to slide.
+    Slides {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        direction: SVector<f64, C>,
+    },
+    /// A sliding contact sticks.
+    Sticks,
+    /// A sliding contact slides back.
+    Reverses {
+        /// Its new direction.
+        direction: SVector<f64, C>,
+    },
+    /// A sliding contact turns to another edge of its cone (space).
+    Turns {
+        /// Its new direction.
+        direction: SVector<f64, C>,
+    },
+    /// A closed contact opens.
+    Opens,
+    /// An open contact closes and sticks; it starts with F_t = 0.
+    Closes,
+    /// An open contact closes and slides from the start.
+    ClosesSliding {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        direction: SVector<f64, C>,
+    },
+}
+
+/// How a load path ends.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum PathEnd<const D: usize, const C: usize> {
+    /// All legs were followed to their end.
+    Completed,
+    /// No equilibrium exists just beyond: a limit load.
+    LimitLoad(Loss<D>),
+    /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost.
+    Snap(Loss<D>),
+    /// This equilibrium ends; whether others exist was not searched (too many contacts).
+    Ends(Loss<D>),
+    /// Nothing resists the load from here on; the motion it drives.
+    GivesWay {
+        /// The leg.
+        leg: usize,
+        /// How much of the leg has been gone.
+        fraction: f64,
+        /// The free motion on which the load works.
+        motion: Twist<D>,
+    },
+    /// There is no equilibrium to start from.
+    NoStart(Box<Outcome<D, C>>),
+    /// Rounding keeps the path from being followed further.
+    Undecided {
+        /// The leg.
+        leg: usize,
+        /// How much of the leg has been gone.
+        fraction: f64,
+    },
+}
+
+impl<const D: usize, const C: usize> PathEnd<D, C> {
+    /// Where equilibrium was lost, if it was.
+    #[must_use]
+    pub fn loss(&self) -> Option<&Loss<D>> {
+        match self {
+            Self::LimitLoad(loss) | Self::Snap(loss) | Self::Ends(loss) => Some(loss),
+            _ => None,
+        }
+    }
+
+    pub(super) fn from_beyond(beyond: &Beyond<D, C>, loss: Loss<D>) -> Self {
+        match beyond {
+            Beyond::LimitLoad { .. } => Self::LimitLoad(loss),
+            Beyond::Snap { .. } => Self::Snap(loss),
+            Beyond::Ends(_) => Self::Ends(loss),
+            _ => Self::Undecided { leg: loss.leg, fraction: loss.fraction },
+        }
+    }
+}
+
+/// Where an equilibrium cannot be continued.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Loss<const D: usize> {
+    /// The leg.
+    pub leg: usize,
+    /// How much of the leg has been gone.
+    pub fraction: f64,
+    /// The load there.
+    pub load: Wrench<D>,
+    /// The contacts that stand on the edge of their cone there.
+    pub contacts: Vec<usize>,
+    /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
+    /// `None` if those states do not determine one.
+    pub motion: Option<Twist<D>>,
+}

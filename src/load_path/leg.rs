@@ -1,0 +1,102 @@
+//! Load programs: legs along which load and finger commands change linearly.
+
+use nalgebra::SVector;
+
+use crate::error::{Error, Field};
+use crate::grasp::{Grasp, Wrench};
+
+/// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
+///
+/// A squeeze is a leg of commands, loading and unloading are legs of the load; what is not mentioned stays as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leg<const D: usize, const C: usize> {
+    load: Goal<Wrench<D>>,
+    commands: Goal<Vec<SVector<f64, C>>>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Goal<T> {
+    Stay,
+    By(T),
+    To(T),
+}
+
+impl<const D: usize, const C: usize> Leg<D, C> {
+    const STAY: Self = Self { load: Goal::Stay, commands: Goal::Stay };
+
+    /// The load changes by this much.
+    #[must_use]
+    pub fn load_by(change: Wrench<D>) -> Self {
+        Self { load: Goal::By(change), ..Self::STAY }
+    }
+
+    /// The load changes to this.
+    #[must_use]
+    pub fn load_to(load: Wrench<D>) -> Self {
+        Self { load: Goal::To(load), ..Self::STAY }
+    }
+
+    /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
+    #[must_use]
+    pub fn commands_by(change: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        Self { commands: Goal::By(change.into()), ..Self::STAY }
+    }
+
+    /// The finger commands change to these: one displacement a contact, each in its contact frame (m).
+    #[must_use]
+    pub fn commands_to(commands: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        Self { commands: Goal::To(commands.into()), ..Self::STAY }
+    }
+
+    /// Meanwhile the load changes by this much.
+    #[must_use]
+    pub fn and_load_by(self, change: Wrench<D>) -> Self {
+        Self { load: Goal::By(change), ..self }
+    }
+
+    /// Meanwhile the load changes to this.
+    #[must_use]
+    pub fn and_load_to(self, load: Wrench<D>) -> Self {
+        Self { load: Goal::To(load), ..self }
+    }
+
+    /// Meanwhile the finger commands change by this much.
+    #[must_use]
+    pub fn and_commands_by(self, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        Self { commands: Goal::By(change.into()), ..self }
+    }
+
+    /// Meanwhile the finger commands change to these.
+    #[must_use]
+    pub fn and_commands_to(self, commands: impl Into<Vec<SVector<f64, C>>>) -> Self {
+        Self { commands: Goal::To(commands.into()), ..self }
+    }
+
+    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+        if let Goal::By(load) | Goal::To(load) = &self.load {
+            grasp.inside(load, "load of a leg")?;
+        }
+        if let Goal::By(commands) | Goal::To(commands) = &self.commands {
+            grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
+        }
+        Ok(())
+    }
+
+    /// Load at the end of the leg.
+    pub(super) fn load_after(&self, load: &Wrench<D>) -> Wrench<D> {
+        match &self.load {
+            Goal::Stay => *load,
+            Goal::By(change) => *load + *change,
+            Goal::To(goal) => *goal,
+        }
+    }
+
+    /// Commands at the end of the leg.
+    pub(super) fn commands_after(&self, commands: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
+        match &self.commands {
+            Goal::Stay => commands.to_vec(),
+            Goal::By(change) => commands.iter().zip(change).map(|(u, du)| u + du).collect(),
+            Goal::To(goal) => goal.clone(),
+        }
+    }
+}

@@ -1,0 +1,343 @@
+//! The load path: every event of a load program with its exact load, with slip memory.
+//!
+//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test.
+//! At an event the contacts that stand on an edge of their cone, at its apex or at a closed gap form a small
+//! complementarity problem in rates; its solution is the next straight piece, and its failure the end of the path.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::energy::Energy;
+use super::event::{Event, PathEnd};
+use super::leg::Leg;
+use super::node::Node;
+use super::segment::{Here, Segment, Standing};
+use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung, Settings, Settled, polygonal, settle};
+use crate::error::Error;
+use crate::formulation::{Polygon, Problem, State};
+use crate::grasp::{Grasp, Wrench};
+
+/// Zero steps in a row that are still events of one node and not rounding that goes in circles.
+const MOST_STALLS: usize = 64;
+
+/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Leg, PathEnd, Wrench};
+///
+/// // A block of two springs in parallel, the second slides first: pulled, the stiffness halves on the way.
+/// let foot = |x: f64, mu: f64| {
+///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu).command([0.1, 0.0])
+/// };
+/// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
+/// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
+/// let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
+/// let events: Vec<_> = path.by_ref().collect();
+/// assert_eq!(events[0].changes[0].0, 1);
+/// assert!(matches!(path.end(), Some(PathEnd::Completed)));
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+pub struct LoadPath<'g, const D: usize, const C: usize> {
+    pub(super) grasp: &'g Grasp<D, C>,
+    pub(super) settings: Settings,
+    legs: Vec<Leg<D, C>>,
+    pub(super) leg: usize,
+    pub(super) factor: f64,
+    /// Load at the beginning and at the end of the present leg.
+    load: [Wrench<D>; 2],
+    /// Finger commands at the beginning and at the end of the present leg.
+    commands: [Vec<SVector<f64, C>>; 2],
+    pub(super) segment: Segment<'g, D, C>,
+    pub(super) node: Node<D, C>,
+    /// What stands on an edge here and has not been decided yet; `None` on the way.
+    arrived: Option<Standing<C>>,
+    here: Option<Here<D, C>>,
+    pieces: Vec<Stretch<'g, D, C>>,
+    energy: Vec<Energy>,
+    stalls: usize,
+    end: Option<PathEnd<D, C>>,
+}
+
+/// One straight piece of the path.
+struct Stretch<'g, const D: usize, const C: usize> {
+    leg: usize,
+    from: f64,
+    to: f64,
+    problem: Problem<'g, D, C>,
+    change: Vec<SVector<f64, C>>,
+    direction: SVector<f64, D>,
+    load: [Wrench<D>; 2],
+    states: Vec<State>,
+    /// At `from`, with rates.
+    here: Here<D, C>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, on the exact cone
+    /// in the plane and on the default polygonal one in space. See [`LoadPath`].
+    ///
+    /// # Errors
+    /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the load or a leg is malformed.
+    pub fn follow(&self, start: Wrench<D>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
+        self.follow_with(start, legs, &Settings::default())
+    }
+
+    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp.
+    ///
+    /// # Errors
+    /// As for [`Self::follow`].
+    pub fn follow_with(
+        &self,
+        start: Wrench<D>,
+        legs: &[Leg<D, C>],
+        settings: &Settings,
+    ) -> Result<LoadPath<'_, D, C>, Error> {
+        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let problem =
+            Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(&start, "start load")?);
+        for leg in legs {
+            leg.check(self)?;
+        }
+        let (settled, effort) = settle(&problem, settings);
+        let n = self.len();
+        let (mut end, mut node) = (None, Node::new(vec![State::Open; n], SVector::zeros()));
+        if let Settled::Found(found, _) = &settled {
+            node = Node::new(found.states.clone(), found.twist);
+        } else {
+            let outcome = self.outcome(&problem, &start, settled.clone(), &effort, polygonal::<C>(settings));
+            end = Some(PathEnd::NoStart(Box::new(outcome)));
+        }
+        let cone = polygonal::<C>(settings);
+        let commands: Vec<_> = self.contacts().iter().map(|c| c.command).collect();
+        let segment = Segment {
+            grasp: self,
+            cone,
+            problem,
+            change: vec![SVector::zeros(); n],
+            direction: SVector::zeros(),
+        };
+        let mut path = LoadPath {
+            grasp: self,
+            settings: settings.clone(),
+            legs: legs.to_vec(),
+            leg: 0,
+            factor: 0.0,
+            load: [start; 2],
+            commands: [commands.clone(), commands],
+            segment,
+            node,
+            arrived: None,
+            here: None,
+            pieces: Vec::new(),
+            energy: Vec::new(),
+            stalls: 0,
+            end,
+        };
+        if path.end.is_none() {
+            path.node.stand_at_start(&path.segment);
+            path.begin_leg();
+        }
+        Ok(path)
+    }
+}
+
+impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
+    /// How the path ended; `None` while there is more to follow.
+    #[must_use]
+    pub fn end(&self) -> Option<&PathEnd<D, C>> {
+        self.end.as_ref()
+    }
+
+    /// Follows the path to its end and returns the events on the way.
+    pub fn run(&mut self) -> Vec<Event<D, C>> {
+        self.by_ref().collect()
+    }
+
+    /// Appends legs to the program; a completed path goes on.
+    ///
+    /// # Errors
+    /// As for [`Grasp::follow`].
+    pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
+        for leg in legs {
+            leg.check(self.grasp)?;
+        }
+        let completed = matches!(self.end, Some(PathEnd::Completed));
+        self.legs.extend_from_slice(legs);
+        if completed && !legs.is_empty() {
+            self.end = None;
+            self.begin_leg();
+        }
+        Ok(())
+    }
+
+    /// Energies of every leg that was entered, up to where the path has been followed.
+    #[must_use]
+    pub fn energies(&self) -> &[Energy] {
+        &self.energy
+    }
+
+    /// The equilibrium at a fraction (0 to 1) of a leg that the path has passed; `None` beyond. Where an event lies
+    /// exactly there, the state before it.
+    #[must_use]
+    pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<D, C>> {
+        let on = |s: &&Stretch<D, C>| s.leg == leg && fraction >= s.from && fraction <= s.to;
+        self.pieces.iter().find(on).map(|stretch| self.state_on(stretch, fraction))
+    }
+
+    /// Where the path stands: leg, fraction and the equilibrium there; `None` before its first piece.
+    #[must_use]
+    pub fn position(&self) -> Option<(usize, f64, Equilibrium<D, C>)> {
+        self.pieces.last().map(|last| (last.leg, last.to, self.state_on(last, last.to)))
+    }
+
+    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Equilibrium<D, C> {
+        let segment = Segment {
+            grasp: self.grasp,
+            cone: self.segment.cone,
+            problem: stretch.problem.clone(),
+            change: stretch.change.clone(),
+            direction: stretch.direction,
+        };
+        let step = fraction - stretch.from;
+        let found = Found {
+            states: stretch.states.clone(),
+            forces: stretch.here.lines.iter().map(|line| line.force + line.rate * step).collect(),
+            twist: stretch.here.twist + stretch.here.twist_rate * step,
+            free_motions: stretch.here.free_motions.clone(),
+            neutral_motions: stretch.here.neutral_motions.clone(),
+        };
+        let load = stretch.load[0] + (stretch.load[1] - stretch.load[0]) * fraction;
+        let problem = segment.problem_at(fraction);
+        let cone: Cone = self.segment.cone;
+        self.grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone)
+    }
+
+    /// Sets out on the present leg, or completes the path.
+    fn begin_leg(&mut self) {
+        let Some(leg) = self.legs.get(self.leg) else {
+            self.end = Some(PathEnd::Completed);
+            return;
+        };
+        let (load, commands) = (self.load[1], self.commands[1].clone());
+        self.load = [load, leg.load_after(&load)];
+        self.commands = [commands.clone(), leg.commands_after(&commands)];
+        self.segment.direction =
+            self.grasp.inside_unchecked(&self.load[1]) - self.grasp.inside_unchecked(&self.load[0]);
+        self.segment.change =
+            self.commands[1].iter().zip(&self.commands[0]).map(|(to, from)| to - from).collect();
+        // Counted anew from the goal of the last leg, so that rounding does not add up over many legs.
+        self.segment.problem.wrench = self.grasp.inside_unchecked(&load);
+        for (i, contact) in self.grasp.contacts().iter().enumerate() {
+            let mut a = commands[i];
+            a[0] -= contact.clearance;
+            self.segment.problem.drives[i] = a - self.segment.problem.slips[i];
+        }
+        self.factor = 0.0;
+        self.energy.push(Energy::default());
+        self.arrived = Some(Vec::new());
+    }
+
+    /// Decides how the path goes on from here; an event if a contact changes its state.
+    fn decide(&mut self, arrived: &Standing<C>) -> Option<Event<D, C>> {
+        let before = self.pieces.last().map(|last| self.state_on(last, last.to));
+        match self.node.go_on(&mut self.segment, self.leg, self.factor, self.load, arrived, &self.settings) {
+            Err(end) => {
+                self.end = Some(end);
+                None
+            }
+            Ok(onward) => {
+                let free = self.here.as_ref().map_or(0, |here| here.free_motions.len());
+                let set_free = onward.here.free_motions.len() > free;
+                let free_motions = onward.here.free_motions.iter().map(|v| self.grasp.outside(v)).collect();
+                self.here = Some(onward.here);
+                if onward.changes.is_empty() && !(set_free && before.is_some()) {
+                    return None;
+                }
+                let load = self.load[0] + (self.load[1] - self.load[0]) * self.factor;
+                let state = before.or_else(|| self.present_state())?;
+                Some(Event {
+                    leg: self.leg,
+                    fraction: self.factor,
+                    load,
+                    changes: onward.changes,
+                    state,
+                    free_motions,
+                    other_continuations: onward.other_continuations,
+                })
+            }
+        }
+    }
+
+    fn present_state(&self) -> Option<Equilibrium<D, C>> {
+        self.here.as_ref().map(|here| self.state_on(&self.stretch(here.clone(), self.factor), self.factor))
+    }
+
+    fn stretch(&self, here: Here<D, C>, to: f64) -> Stretch<'g, D, C> {
+        Stretch {
+            leg: self.leg,
+            from: self.factor,
+            to,
+            problem: self.segment.problem.clone(),
+            change: self.segment.change.clone(),
+            direction: self.segment.direction,
+            load: self.load,
+            states: self.node.states.clone(),
+            here,
+        }
+    }
+
+    /// Goes along the present piece to its end: the next edge, or the end of the leg.
+    fn advance(&mut self) {
+        let Some(here) = self.here.clone() else { return };
+        let rest = 1.0 - self.factor;
+        let exits = self.segment.first_exits(&self.node.states, &here);
+        let (step, standing, leg_done) = match exits {
+            Some((step, standing)) if step < rest => (step, standing, false),
+            // What is reached together with the end of the leg stands there when the next one begins.
+            Some((step, standing))
+                if standing.iter().any(|(_, e)| e.iter().any(|e| step - rest <= e.uncertainty)) =>
+            {
+                (rest, standing, true)
+            }
+            _ => (rest, Vec::new(), true),
+        };
+        let to = if leg_done { 1.0 } else { self.factor + step };
+        self.stalls = if to > self.factor { 0 } else { self.stalls + 1 };
+        if self.stalls > MOST_STALLS {
+            self.end = Some(PathEnd::Undecided { leg: self.leg, fraction: self.factor });
+            return;
+        }
+        let stretch = self.stretch(here.clone(), to);
+        if let Some(energy) = self.energy.last_mut() {
+            energy.add(&self.segment, &self.node.states, &here, self.factor, step);
+        }
+        self.pieces.push(stretch);
+        self.node.arrive(&mut self.segment, &here, to, step);
+        self.factor = to;
+        if leg_done {
+            self.node.stand(&self.segment, &standing);
+            self.leg += 1;
+            self.begin_leg();
+        } else {
+            self.arrived = Some(standing);
+        }
+    }
+}
+
+impl<const D: usize, const C: usize> Iterator for LoadPath<'_, D, C> {
+    type Item = Event<D, C>;
+
+    fn next(&mut self) -> Option<Event<D, C>> {
+        while self.end.is_none() {
+            if let Some(arrived) = self.arrived.take() {
+                if let Some(event) = self.decide(&arrived) {
+                    return Some(event);
+                }
+            } else {
+                self.advance();
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,183 @@
+//! One straight stretch of a load program: load and finger commands are affine in a factor, and so is everything else as
+//! long as every contact keeps its state.
+
+use nalgebra::{Matrix, SVector};
+
+use super::margin::{Exit, Line, ROUNDING, polygon_exits, round_exit};
+use crate::equilibrium::{Cone, NoEquilibrium, Proof, force_size, largest_force, span};
+use crate::formulation::{Law, Piece, Problem, State};
+use crate::grasp::Grasp;
+
+/// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
+pub(super) struct Segment<'g, const D: usize, const C: usize> {
+    pub(super) grasp: &'g Grasp<D, C>,
+    pub(super) cone: Cone,
+    /// At factor 0; its drives count from the slip so far.
+    pub(super) problem: Problem<'g, D, C>,
+    /// Rates of the drives.
+    pub(super) change: Vec<SVector<f64, C>>,
+    /// Rate of the load.
+    pub(super) direction: SVector<f64, D>,
+}
+
+/// The state at a factor and its rates.
+#[derive(Debug, Clone)]
+pub(super) struct Here<const D: usize, const C: usize> {
+    pub(super) lines: Vec<Line<C>>,
+    pub(super) twist: SVector<f64, D>,
+    pub(super) twist_rate: SVector<f64, D>,
+    /// Motions that stretch no spring in these states.
+    pub(super) free_motions: Vec<SVector<f64, D>>,
+    pub(super) neutral_motions: Vec<SVector<f64, D>>,
+    /// Gap of every contact, its rate, and the sizes that the rounding of both is measured against.
+    pub(super) gaps: Vec<[f64; 4]>,
+}
+
+/// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
+pub(super) type Standing<const C: usize> = Vec<(usize, Vec<Exit<C>>)>;
+
+impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
+    /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is that nearest to
+    /// `near`: nothing drives the object along them.
+    pub(super) fn look(
+        &self,
+        states: &[State],
+        factor: f64,
+        near: Option<&SVector<f64, D>>,
+    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
+        let piece = Piece::new(&self.problem, states);
+        let unbalanced = |motion: Option<SVector<f64, D>>| {
+            let v = motion.unwrap_or_else(SVector::zeros);
+            let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
+            NoEquilibrium { proof }
+        };
+        let base =
+            piece.solve(&self.problem.drives, &self.problem.wrench).map_err(|u| unbalanced(u.motion))?;
+        let rate = piece.solve(&self.change, &self.direction).map_err(|u| unbalanced(u.motion))?;
+        let mut twist = base.twist + rate.twist * factor;
+        let drives = self.drives(factor);
+        let mut forces: Vec<_> =
+            base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect();
+        let neutral_motions = piece.neutral_motions();
+        if let Some(near) = near {
+            for v in piece.free_motions() {
+                twist += v * v.dot(&(near - twist));
+            }
+            for v in &neutral_motions {
+                let shift = v * v.dot(&(near - twist));
+                twist += shift;
+                for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
+                    *f += change;
+                }
+            }
+        }
+        let load = self.problem.wrench + self.direction * factor;
+        let sites = self.grasp.sites();
+        let most = largest_force(sites, &drives, &twist, load.norm(), forces.iter().map(Matrix::norm));
+        let rates = rate.forces.iter().map(Matrix::norm);
+        let most_rate = largest_force(sites, &self.change, &rate.twist, self.direction.norm(), rates);
+        let mut lines = Vec::new();
+        let mut gaps = Vec::new();
+        for (i, site) in self.grasp.sites().iter().enumerate() {
+            let (moved, moving) = (site.map.tr_mul(&twist), site.map.tr_mul(&rate.twist));
+            let (span, span_rate) =
+                (span(site, &drives[i], &twist), span(site, &self.change[i], &rate.twist));
+            lines.push(Line {
+                force: forces[i],
+                rate: rate.forces[i],
+                force_size: force_size(site, &forces[i], span, most),
+                rate_size: force_size(site, &rate.forces[i], span_rate, most_rate),
+            });
+            gaps.push([moved[0] - drives[i][0], moving[0] - self.change[i][0], span, span_rate]);
+        }
+        Ok(Here {
+            lines,
+            twist,
+            twist_rate: rate.twist,
+            free_motions: piece.free_motions().to_vec(),
+            neutral_motions,
+            gaps,
+        })
+    }
+
+    /// The drives at a factor.
+    pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, C>> {
+        self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor).collect()
+    }
+
+    /// The local problem at a factor.
+    pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, D, C> {
+        let wrench = self.problem.wrench + self.direction * factor;
+        Problem { drives: self.drives(factor), wrench, ..self.problem.clone() }
+    }
+
+    /// A contact closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
+    pub(super) fn close(&mut self, contact: usize, factor: f64, twist: &SVector<f64, D>) {
+        let stretch = self.drives(factor)[contact] - self.grasp.sites()[contact].map.tr_mul(twist);
+        for axis in 1..self.grasp.sites()[contact].axes {
+            self.problem.slips[contact][axis] += stretch[axis];
+            self.problem.drives[contact][axis] -= stretch[axis];
+        }
+    }
+
+    pub(super) fn exits(&self, contact: usize, here: &Here<D, C>) -> Vec<Exit<C>> {
+        if self.problem.laws[contact] == Law::Bonded {
+            return Vec::new();
+        }
+        if self.cone == Cone::Round {
+            round_exit(&self.problem, contact, &here.lines[contact]).into_iter().collect()
+        } else {
+            polygon_exits(&self.problem, contact, &here.lines[contact])
+        }
+    }
+
+    /// Where an open contact closes.
+    fn closing(gap: &[f64; 4]) -> Option<Exit<C>> {
+        let [gap, rate, span, span_rate] = *gap;
+        (rate < -ROUNDING * span_rate).then(|| {
+            let step = (gap / -rate).max(0.0);
+            Exit { step, uncertainty: ROUNDING * (span + step * span_rate) / -rate, facet: SVector::zeros() }
+        })
+    }
+
+    pub(super) fn ways_out(&self, contact: usize, state: State, here: &Here<D, C>) -> Vec<Exit<C>> {
+        match state {
+            State::Rolling => self.exits(contact, here),
+            State::Open => Self::closing(&here.gaps[contact]).into_iter().collect(),
+            // The facets on which it slides stay reached.
+            State::Sliding { first, second } => {
+                let normals = self.problem.normals(contact);
+                let mut exits = self.exits(contact, here);
+                exits.retain(|e| e.facet != normals[first] && second.is_none_or(|s| e.facet != normals[s]));
+                exits
+            }
+        }
+    }
+
+    /// The smallest step to an edge, an apex or a closed gap, and everything that reaches one there.
+    pub(super) fn first_exits(&self, states: &[State], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
+        let ways: Standing<C> =
+            states.iter().enumerate().map(|(i, &state)| (i, self.ways_out(i, state, here))).collect();
+        let first =
+            ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;
+        // Symmetric grasps reach several edges at once: equal up to the rounding of both.
+        let tied = |exit: &Exit<C>| exit.step - first.step <= exit.uncertainty + first.uncertainty;
+        let together = ways
+            .into_iter()
+            .map(|(i, exits)| (i, exits.into_iter().filter(tied).collect::<Vec<_>>()))
+            .filter(|(_, exits)| !exits.is_empty())
+            .collect();
+        Some((first.step, together))
+    }
+
+    /// The same grasp driven at the rates of this stretch, with these laws.
+    pub(super) fn rates(&self, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
+        Problem {
+            laws,
+            drives: self.change.clone(),
+            slips: vec![SVector::zeros(); self.grasp.len()],
+            wrench: self.direction,
+            ..self.problem.clone()
+        }
+    }
+}
