@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::residuals::Residuals;
 use super::settle::{Doubt, Rung};
-use crate::formulation::{LeftOut, PolygonCone};
+use crate::formulation::{LeftOut, PolygonCone, State};
 use crate::grasp::{Twist, Wrench};
 
 /// How a question for an equilibrium ends.
@@ -58,6 +58,8 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub work: WorkDone,
     /// The friction cone the answer is for.
     pub cone: Cone,
+    /// The states as a complementary basis.
+    pub(crate) states: Vec<State>,
 }
 
 /// The friction cone an answer is for.

@@ -32,6 +32,10 @@ use crate::formulation::{LeftOut, Polygon, Problem, State, Why};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
 use crate::lcp;
 
+/// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
+/// more than the working precision come near this.
+pub(crate) const ACCURATE: f64 = 1e-10;
+
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load, with default [`Settings`].
     ///
@@ -85,7 +89,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 &effort,
                 polygonal::<C>(settings),
             );
-            if !list.iter().any(|known| same(known, &equilibrium)) {
+            let accurate = equilibrium.residuals.worst() <= ACCURATE;
+            if accurate && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
         }
@@ -104,7 +109,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let motion_and_work = |v: &SVector<f64, D>| (self.outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
-                Outcome::Equilibrium(Box::new(self.equilibrium(problem, load, &found, rule, effort, cone)))
+                let equilibrium = self.equilibrium(problem, load, &found, rule, effort, cone);
+                if equilibrium.residuals.worst() <= ACCURATE {
+                    Outcome::Equilibrium(Box::new(equilibrium))
+                } else {
+                    Outcome::Undecided(Undecided { doubt: Doubt::Inaccurate, work: equilibrium.work })
+                }
             }
             Settled::FreeMotion(v) => {
                 let (motion, work) = motion_and_work(&v);
@@ -167,6 +177,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 combinations: effort.combinations,
             },
             cone,
+            states: found.states.clone(),
         }
     }
 

@@ -68,6 +68,9 @@ pub enum Doubt {
     /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
     /// boundary of what the grasp can hold, as far as the working precision can tell.
     OnTheBoundary,
+    /// Contact states were found, but the numbers of the scene lie so far apart (arms or stiffnesses by more than the working
+    /// precision) that forces and twist cannot be written down accurately: their residuals exceed 1e-10.
+    Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
 }
@@ -138,23 +141,24 @@ fn touching_contacts_roll<const D: usize, const C: usize>(
     let mut forces = forces.to_vec();
     let mut twist = SVector::zeros();
     // Every contact usually changes once; the bound ends those that would go in circles.
-    for _ in 0..states.len() + 2 {
-        let mut settled = true;
+    for _ in 0..2 * states.len() + 2 {
+        // The contact that is farthest on the wrong side, in metres: one at a time, since a far finger's pull makes others
+        // pull that will not when it has let go.
+        let mut farthest = (0.0, None);
         for i in (0..states.len()).filter(|&i| problem.may_open(i)) {
-            let next = match states[i] {
-                State::Rolling if forces[i][0] < 0.0 => State::Open,
-                State::Open if (problem.drives[i] - problem.sites[i].map.tr_mul(&twist))[0] > 0.0 => {
-                    State::Rolling
-                }
-                same => same,
+            let (wrong, next) = match states[i] {
+                State::Open => ((problem.drives[i] - problem.sites[i].map.tr_mul(&twist))[0], State::Rolling),
+                _ => (-forces[i][0] / problem.sites[i].k[0], State::Open),
             };
-            settled &= next == states[i];
-            states[i] = next;
+            if wrong > farthest.0 {
+                farthest = (wrong, Some((i, next)));
+            }
         }
-        if settled {
+        let Some((i, next)) = farthest.1 else {
             let Verdict::Holds(found) = try_states(problem, states) else { return None };
             return Some(found);
-        }
+        };
+        states[i] = next;
         let solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
         (forces, twist) = (solved.forces, solved.twist);
     }

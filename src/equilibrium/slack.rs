@@ -25,8 +25,12 @@ pub(crate) fn span<const D: usize, const C: usize>(
     drive.norm() + site.map.norm() * twist.norm()
 }
 
-/// Size of the largest force of a scene. Where a statically determinate grasp carries none at all, the forces that come
-/// out are the rounding of those that the softest spring could have had from displacements of this size.
+/// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
+/// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This
+/// part of those counts as a force, so that noise is not measured against itself.
+const NO_FORCE: f64 = 1e-25;
+
+/// Size of the largest force of a scene.
 pub(crate) fn largest_force<const D: usize, const C: usize>(
     sites: &[Site<D, C>],
     drives: &[SVector<f64, C>],
@@ -41,7 +45,7 @@ pub(crate) fn largest_force<const D: usize, const C: usize>(
             site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k)) * span(site, a, twist)
         })
         .fold(f64::INFINITY, f64::min);
-    forces.fold(load.max(softest), f64::max)
+    forces.fold(load.max(NO_FORCE * softest), f64::max)
 }
 
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,

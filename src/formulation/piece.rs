@@ -200,11 +200,7 @@ fn push_springs<const D: usize, const C: usize>(
         State::Sliding { first, second } => {
             let normals = problem.normals(contact);
             let h = normals[first];
-            let stretched = site.k.component_mul(&h);
-            let pull = match second {
-                Some(second) => corner(&h, &normals[second]),
-                None => stretched / h.dot(&stretched),
-            };
+            let pull = edge_direction(problem, contact, first, second);
             let root = site.k[0].sqrt();
             // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
             let balance = (1.0 + problem.mu(contact) * pull.norm()).sqrt();
@@ -224,6 +220,23 @@ fn push_springs<const D: usize, const C: usize>(
             }
         }
     }
+}
+
+/// The tangential force of a sliding contact for μ F_n = 1: the corner between two facets; on one facet the point
+/// `K_t h / (h·K_t h)` from which the springs across the slip count.
+pub(crate) fn edge_direction<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    first: usize,
+    second: Option<usize>,
+) -> SVector<f64, C> {
+    let normals = problem.normals(contact);
+    let h = normals[first];
+    if let Some(second) = second {
+        return corner(&h, &normals[second]);
+    }
+    let stretched = problem.sites[contact].k.component_mul(&h);
+    stretched / h.dot(&stretched)
 }
 
 /// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.

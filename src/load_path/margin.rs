@@ -96,10 +96,17 @@ pub(crate) fn round_exit<const D: usize, const C: usize>(
     let c1 = n0 * n1 - t0.dot(&t1);
     let c2 = n1 * n1 - t1.norm_squared();
     let discriminant = c1 * c1 - c0 * c2;
-    if discriminant.is_nan() || discriminant < 0.0 {
-        return None;
-    }
+    // Without a root the step is not a number.
     let step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
+    // A line through the apex has a double root there, which costs half the digits, and beyond it runs on in the other half
+    // of the cone, F_n < 0: the linear root of F_n is the exit then.
+    if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
+        let missed = (t0 + t1 * apex.step).norm();
+        let through = missed <= ROUNDING * (line.force_size + apex.step * line.rate_size);
+        if through || step.is_nan() || step <= 0.0 || step > apex.step {
+            return Some(apex);
+        }
+    }
     if !(step > 0.0 && step.is_finite()) {
         return None;
     }

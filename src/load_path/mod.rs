@@ -8,8 +8,10 @@ mod margin;
 mod node;
 mod onset;
 mod path;
+mod questions;
 mod ramp;
 mod segment;
+mod sensitivity;
 mod walk;
 
 pub use beyond::{Beyond, Continuation};
@@ -18,4 +20,6 @@ pub use event::{Change, Event, Loss, PathEnd};
 pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use path::LoadPath;
+pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
+pub use sensitivity::{Derivative, OnsetGradient, Parameter, Response};

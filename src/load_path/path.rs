@@ -13,7 +13,9 @@ use super::event::{Event, PathEnd};
 use super::leg::Leg;
 use super::node::Node;
 use super::segment::{Here, Segment, Standing};
-use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung, Settings, Settled, polygonal, settle};
+use crate::equilibrium::{
+    ACCURATE, Cone, Effort, Equilibrium, Found, Rung, Settings, Settled, polygonal, settle,
+};
 use crate::error::Error;
 use crate::formulation::{Polygon, Problem, State};
 use crate::grasp::{Grasp, Wrench};
@@ -256,6 +258,10 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                 }
                 let load = self.load[0] + (self.load[1] - self.load[0]) * self.factor;
                 let state = before.or_else(|| self.present_state())?;
+                if state.residuals.worst() > ACCURATE {
+                    self.end = Some(PathEnd::Undecided { leg: self.leg, fraction: self.factor });
+                    return None;
+                }
                 Some(Event {
                     leg: self.leg,
                     fraction: self.factor,

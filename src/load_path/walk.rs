@@ -8,7 +8,7 @@ use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
 use crate::equilibrium::{
-    ContactState, Doubt, Effort, Found, Rung, Settings, Settled, Undecided, WorkDone, settle,
+    ACCURATE, ContactState, Doubt, Effort, Found, Rung, Settings, Settled, Undecided, WorkDone, settle,
 };
 use crate::formulation::{Law, Problem, State};
 
@@ -154,6 +154,9 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             &Effort::default(),
             self.segment.cone,
         );
+        if state.residuals.worst() > ACCURATE {
+            return Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work });
+        }
         Onset::At(Box::new(OnsetEvent {
             factor: self.factor,
             load,

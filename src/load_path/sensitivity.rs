@@ -1,0 +1,296 @@
+//! Exact derivatives of an equilibrium in its present states, and of the onset of sliding.
+//!
+//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i depending on stiffness, friction and state, so a small
+//! change of any datum p leads to one more solve on the same piece:
+//!
+//! ```text
+//! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
+//! friction     sliding:  f = F_n p (the unit edge p)             rolling: 0
+//! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a less its part across the facet
+//! ```
+//!
+//! The stretches v are taken as F/k, so that no difference of large displacements is needed.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::onset::OnsetEvent;
+use super::ramp::Ramp;
+use crate::equilibrium::{Cone, Equilibrium, Settings};
+use crate::formulation::{Piece, Polygon, Problem, State, edge_direction};
+use crate::grasp::{Grasp, Twist, Wrench};
+
+/// One datum of a grasp or its load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// Coefficient of friction of a contact.
+    Friction {
+        /// The contact.
+        contact: usize,
+    },
+    /// Series stiffness of a contact, N/m.
+    Stiffness {
+        /// The contact.
+        contact: usize,
+        /// The axis of its frame: 0 normal, then the tangents.
+        axis: usize,
+    },
+    /// Finger command of a contact, m.
+    Command {
+        /// The contact.
+        contact: usize,
+        /// The axis of its frame: 0 normal, then the tangents.
+        axis: usize,
+    },
+    /// Component of the load: forces first, then moments about the origin.
+    Load {
+        /// The component.
+        component: usize,
+    },
+}
+
+/// Derivatives of an equilibrium by one parameter, as long as every contact keeps its state.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Derivative<const D: usize, const C: usize> {
+    /// Of the twist.
+    pub twist: Twist<D>,
+    /// Of the contact forces in the contact frames.
+    pub forces: Vec<SVector<f64, C>>,
+}
+
+/// Response of an equilibrium to the finger commands, as long as every contact keeps its state: the matrices of position
+/// control. Columns: the commands, contact by contact, axis by axis (m).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Response {
+    /// dq/da, `d x (n c)`: twist about the origin, translation first.
+    pub twist: DMatrix<f64>,
+    /// dF/da, `(n c) x (n c)`, N/m: contact forces in the contact frames.
+    pub forces: DMatrix<f64>,
+}
+
+/// Derivatives of the load factor at which one contact leaves rolling.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct OnsetGradient<const D: usize, const C: usize> {
+    /// The leaving contact. Where several leave together the onset is the least of their factors: its one-sided derivative along
+    /// a change of the data is the least of theirs.
+    pub contact: usize,
+    /// By every contact's coefficient of friction.
+    pub friction: Vec<f64>,
+    /// By every contact's series stiffness, axis by axis, m/N.
+    pub stiffness: Vec<SVector<f64, C>>,
+    /// By every contact's command, axis by axis, 1/m.
+    pub command: Vec<SVector<f64, C>>,
+    /// By the components of the base load; those by the load direction are the factor times these.
+    pub base_load: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state. `None` if an index is
+    /// out of range, or if the change has no equilibrium in these states (a load on a free motion).
+    #[must_use]
+    pub fn sensitivity(&self, equilibrium: &Equilibrium<D, C>, by: Parameter) -> Option<Derivative<D, C>> {
+        let local = Local::new(self, equilibrium)?;
+        let (twist, forces) = local.derivative(by)?;
+        Some(Derivative { twist: self.outside(&twist), forces })
+    }
+
+    /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state.
+    #[must_use]
+    pub fn response(&self, equilibrium: &Equilibrium<D, C>) -> Option<Response> {
+        let local = Local::new(self, equilibrium)?;
+        let size = self.len() * C;
+        let mut response = Response { twist: DMatrix::zeros(D, size), forces: DMatrix::zeros(size, size) };
+        for contact in 0..self.len() {
+            for axis in 0..C {
+                let column = contact * C + axis;
+                let (twist, forces) = local.derivative(Parameter::Command { contact, axis })?;
+                response.twist.column_mut(column).copy_from(self.outside(&twist).as_vector());
+                for (i, force) in forces.iter().enumerate() {
+                    for a in 0..C {
+                        response.forces[(i * C + a, column)] = force[a];
+                    }
+                }
+            }
+        }
+        Some(response)
+    }
+
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact. Empty if the onset was reached
+    /// after a contact had closed on the way (the history then enters, too).
+    #[must_use]
+    pub fn onset_gradients(&self, ramp: &Ramp<D, C>, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
+        let Some(local) = Local::new(self, &event.state) else { return Vec::new() };
+        let at_rest = |i: usize| event.state.contacts[i].slip.norm() == 0.0;
+        if (0..self.len())
+            .any(|i| local.states[i] == State::Rolling && local.problem.sites[i].axes == C && !at_rest(i))
+        {
+            return Vec::new();
+        }
+        let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
+        let Ok(rates) = local.piece.solve(&change, &self.inside_unchecked(&ramp.direction)) else {
+            return Vec::new();
+        };
+        let one = |contact| self.onset_gradient(&local, event.state.cone, contact, &rates.forces[contact]);
+        event.leaving.iter().filter_map(|leaving| one(leaving.contact)).collect()
+    }
+
+    fn onset_gradient(
+        &self,
+        local: &Local<D, C>,
+        cone: Cone,
+        contact: usize,
+        rate: &SVector<f64, C>,
+    ) -> Option<OnsetGradient<D, C>> {
+        let (site, force) = (&self.sites()[contact], &local.forces[contact]);
+        // The margin that vanishes: μ F_n - h·F_t, or F_n alone where there is no friction or no limit to it.
+        let (mu, h) = if site.mu == 0.0 || site.mu.is_infinite() {
+            (f64::INFINITY, SVector::zeros())
+        } else if cone == Cone::Round {
+            let mut t = *force;
+            t[0] = 0.0;
+            (site.mu, t.normalize())
+        } else {
+            let normals = local.problem.normals(contact);
+            (site.mu, *normals.iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force)))?)
+        };
+        let margin = |f: &SVector<f64, C>| if mu.is_finite() { mu * f[0] - h.dot(f) } else { f[0] };
+        let slope = margin(rate);
+        let by = |parameter| -> Option<f64> {
+            let (_, forces) = local.derivative(parameter)?;
+            let own =
+                matches!(parameter, Parameter::Friction { contact: i } if i == contact && mu.is_finite());
+            Some(-(margin(&forces[contact]) + if own { force[0] } else { 0.0 }) / slope)
+        };
+        let n = self.len();
+        let mut gradient = OnsetGradient {
+            contact,
+            friction: Vec::with_capacity(n),
+            stiffness: vec![SVector::zeros(); n],
+            command: vec![SVector::zeros(); n],
+            base_load: SVector::zeros(),
+        };
+        for i in 0..n {
+            gradient.friction.push(by(Parameter::Friction { contact: i })?);
+            for axis in 0..C {
+                gradient.stiffness[i][axis] = by(Parameter::Stiffness { contact: i, axis })?;
+                gradient.command[i][axis] = by(Parameter::Command { contact: i, axis })?;
+            }
+        }
+        for component in 0..D {
+            // A load on a free motion is not carried at all: the onset does not depend on what cannot be.
+            gradient.base_load[component] = by(Parameter::Load { component }).unwrap_or(f64::NAN);
+        }
+        Some(gradient)
+    }
+}
+
+impl Response {
+    /// The smallest commands (least squares over all contacts and axes, m) that move the object by a twist, in the order of the
+    /// columns; `None` if the fingers cannot produce it in the present states.
+    #[must_use]
+    pub fn smallest_command<const D: usize>(&self, wanted: &Twist<D>) -> Option<DVector<f64>> {
+        let wanted = DVector::from_column_slice(wanted.as_vector().as_slice());
+        if wanted.len() != self.twist.nrows() {
+            return None;
+        }
+        let svd = self.twist.clone().svd(true, true);
+        let cut = 1e-12 * svd.singular_values.max();
+        let command = svd.solve(&wanted, cut).ok()?;
+        let missed = (&self.twist * &command - &wanted).norm();
+        (missed <= 1e-9 * wanted.norm()).then_some(command)
+    }
+}
+
+/// An equilibrium with its piece.
+struct Local<'g, const D: usize, const C: usize> {
+    grasp: &'g Grasp<D, C>,
+    problem: Problem<'g, D, C>,
+    states: Vec<State>,
+    forces: Vec<SVector<f64, C>>,
+    piece: Piece<D, C>,
+}
+
+impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
+    fn new(grasp: &'g Grasp<D, C>, equilibrium: &Equilibrium<D, C>) -> Option<Self> {
+        if equilibrium.contacts.len() != grasp.len() {
+            return None;
+        }
+        let polygon = match equilibrium.cone {
+            Cone::Polygon(cone) => Polygon::new(&cone),
+            _ => Polygon::new(&Settings::default().cone),
+        };
+        let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), grasp.drives(), SVector::zeros());
+        let states = equilibrium.states.clone();
+        let piece = Piece::new(&problem, &states);
+        let forces = equilibrium.contacts.iter().map(|c| c.force).collect();
+        Some(Self { grasp, problem, states, forces, piece })
+    }
+
+    fn derivative(&self, by: Parameter) -> Option<(SVector<f64, D>, Vec<SVector<f64, C>>)> {
+        let n = self.problem.len();
+        let mut drives = vec![SVector::zeros(); n];
+        let mut wrench = SVector::zeros();
+        let mut direct: Option<(usize, SVector<f64, C>)> = None;
+        match by {
+            Parameter::Friction { contact } if contact < n => {
+                direct = Some((contact, self.by_friction(contact)));
+            }
+            Parameter::Stiffness { contact, axis } if contact < n && axis < C => {
+                direct = Some((contact, self.by_stiffness(contact, axis)));
+            }
+            Parameter::Command { contact, axis } if contact < n && axis < C => drives[contact][axis] = 1.0,
+            Parameter::Load { component } if component < D => {
+                let mut unit = SVector::<f64, D>::zeros();
+                unit[component] = 1.0;
+                wrench = self.grasp.inside_unchecked(&Wrench::from_vector(unit));
+            }
+            _ => return None,
+        }
+        if let Some((contact, f)) = direct {
+            wrench += self.problem.sites[contact].map * f;
+        }
+        let mut solved = self.piece.solve(&drives, &wrench).ok()?;
+        if let Some((contact, f)) = direct {
+            solved.forces[contact] += f;
+        }
+        Some((solved.twist, solved.forces))
+    }
+
+    /// (∂K/∂μ) v of one contact.
+    fn by_friction(&self, contact: usize) -> SVector<f64, C> {
+        match self.states[contact] {
+            State::Sliding { first, second } => {
+                edge_direction(&self.problem, contact, first, second) * self.forces[contact][0]
+            }
+            _ => SVector::zeros(),
+        }
+    }
+
+    /// (∂K/∂k) v of one contact along one axis.
+    fn by_stiffness(&self, contact: usize, axis: usize) -> SVector<f64, C> {
+        let (site, force) = (&self.problem.sites[contact], &self.forces[contact]);
+        let mut f = SVector::zeros();
+        if axis >= site.axes || self.states[contact] == State::Open {
+            return f;
+        }
+        let stretch = force[axis] / site.k[axis];
+        let State::Sliding { first, second } = self.states[contact] else {
+            f[axis] = stretch;
+            return f;
+        };
+        if axis == 0 {
+            f = edge_direction(&self.problem, contact, first, second) * (site.mu * stretch);
+            f[0] = stretch;
+        } else if second.is_none() {
+            // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n.
+            let h = self.problem.normals(contact)[first];
+            f = edge_direction(&self.problem, contact, first, None) * (-h[axis] * stretch);
+            f[axis] += stretch;
+        }
+        f
+    }
+}

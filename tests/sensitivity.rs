@@ -1,0 +1,249 @@
+//! Exact derivatives of equilibria and onsets against central differences of the solver itself, whose steps of 1e-5 leave an
+//! error of about 1e-10: an independent answer, since the derivatives come from one linear solve on the final piece.
+
+use grasp_lcp::equilibrium::Equilibrium;
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::{Onset, Parameter, Ramp};
+use grasp_lcp::{Settings, planar, spatial};
+use nalgebra::SVector;
+
+const TOLERANCE: f64 = 1e-7;
+
+/// A small generator, so that the scenes are the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    /// Uniform in [-1, 1).
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 33).unwrap()) / f64::from(1_u32 << 30) - 1.0
+    }
+}
+
+#[derive(Clone)]
+struct Scene<const D: usize, const C: usize> {
+    point: Vec<SVector<f64, C>>,
+    normal: Vec<SVector<f64, C>>,
+    stiffness: Vec<SVector<f64, C>>,
+    friction: Vec<f64>,
+    command: Vec<SVector<f64, C>>,
+    load: SVector<f64, D>,
+    direction: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Scene<D, C> {
+    fn random(dice: &mut Dice, contacts: usize) -> Self {
+        let mut vector = || SVector::<f64, C>::from_fn(|_, _| dice.next());
+        let directions: Vec<_> = (0..contacts).map(|_| vector().normalize()).collect();
+        let normal = directions.iter().map(|d| -d + vector() * 0.3).collect();
+        let stiffness = (0..contacts).map(|_| vector().map(|x| 10f64.powf(1.0 + 0.5 * x))).collect();
+        let command = (0..contacts)
+            .map(|_| {
+                let mut a = vector() * 0.02;
+                a[0] = 0.1;
+                a
+            })
+            .collect();
+        let mut wrench = |size: f64| SVector::<f64, D>::from_fn(|_, _| size * dice.next());
+        let (load, direction) = (wrench(0.3), wrench(0.5));
+        let friction = (0..contacts).map(|_| 0.4 + 0.35 * dice.next()).collect();
+        Self { point: directions, normal, stiffness, friction, command, load, direction }
+    }
+
+    fn grasp(&self) -> Grasp<D, C> {
+        Grasp::new((0..self.point.len()).map(|i| {
+            Contact::new(self.point[i], self.normal[i])
+                .series_stiffness_axes(self.stiffness[i])
+                .friction(self.friction[i])
+                .command(self.command[i])
+        }))
+        .unwrap()
+    }
+
+    fn solve(&self) -> Option<Equilibrium<D, C>> {
+        let outcome = self.grasp().solve(&Wrench::from_vector(self.load)).unwrap();
+        outcome.equilibrium().cloned()
+    }
+
+    fn onset(&self) -> Option<(f64, Vec<usize>)> {
+        let ramp = Ramp::load(Wrench::from_vector(self.load), Wrench::from_vector(self.direction));
+        let Onset::At(event) = self.grasp().onset(&ramp, &Settings::default()).unwrap() else { return None };
+        Some((event.factor, event.leaving.iter().map(|l| l.contact).collect()))
+    }
+
+    fn moved(&self, by: Parameter, step: f64) -> Self {
+        let mut scene = self.clone();
+        match by {
+            Parameter::Friction { contact } => scene.friction[contact] += step,
+            Parameter::Stiffness { contact, axis } => scene.stiffness[contact][axis] += step,
+            Parameter::Command { contact, axis } => scene.command[contact][axis] += step,
+            Parameter::Load { component } => scene.load[component] += step,
+        }
+        scene
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let contacts = 0..self.point.len();
+        let mut list: Vec<_> = contacts.clone().map(|contact| Parameter::Friction { contact }).collect();
+        for contact in contacts {
+            list.extend((0..C).map(|axis| Parameter::Stiffness { contact, axis }));
+            list.extend((0..C).map(|axis| Parameter::Command { contact, axis }));
+        }
+        list.extend((0..D).map(|component| Parameter::Load { component }));
+        list
+    }
+
+    fn step(by: Parameter) -> f64 {
+        if let Parameter::Stiffness { .. } = by { 1e-4 } else { 1e-6 }
+    }
+}
+
+fn states<const D: usize, const C: usize>(e: &Equilibrium<D, C>) -> Vec<u8> {
+    let word = |c: &grasp_lcp::equilibrium::ContactAnswer<C>| {
+        use grasp_lcp::equilibrium::ContactState::{Frictionless, Rolling, Separated, Sliding};
+        match c.state {
+            Separated => 0,
+            Rolling => 1,
+            Sliding { .. } => 2,
+            Frictionless => 3,
+        }
+    };
+    e.contacts.iter().map(word).collect()
+}
+
+/// Compares on random scenes; how many derivatives were compared in scenes with sliding contacts.
+fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
+    let (mut dice, mut sliding) = (Dice(seed), 0);
+    for _ in 0..scenes {
+        let scene = Scene::<D, C>::random(&mut dice, contacts);
+        let Some(here) = scene.solve() else { continue };
+        if !here.free_motions.is_empty() {
+            continue;
+        }
+        let grasp = scene.grasp();
+        for by in scene.parameters() {
+            let step = Scene::<D, C>::step(by);
+            let (Some(up), Some(down)) = (scene.moved(by, step).solve(), scene.moved(by, -step).solve())
+            else {
+                continue;
+            };
+            if states(&up) != states(&here) || states(&down) != states(&here) {
+                continue;
+            }
+            let exact = grasp.sensitivity(&here, by).expect("a regular piece");
+            let scale = |x: f64| TOLERANCE * (1.0 + x.abs());
+            for (i, force) in exact.forces.iter().enumerate() {
+                let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * step);
+                // A difference that jumps belongs to another edge of the polygon or another equilibrium.
+                if (up.contacts[i].force - here.contacts[i].force).norm() > 1e-3 {
+                    continue;
+                }
+                assert!(
+                    (difference - force).norm() < scale(force.norm()),
+                    "{by:?} contact {i}: {difference} {force}"
+                );
+            }
+            sliding += usize::from(states(&here).contains(&2));
+        }
+    }
+    sliding
+}
+
+#[test]
+fn equilibria_in_the_plane() {
+    assert!(compare_equilibria::<3, 2>(1, 150, 4) > 300);
+}
+
+#[test]
+fn equilibria_in_space() {
+    assert!(compare_equilibria::<6, 3>(2, 60, 6) > 300);
+}
+
+fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
+    let (mut dice, mut compared) = (Dice(seed), 0);
+    for _ in 0..scenes {
+        let mut scene = Scene::<D, C>::random(&mut dice, contacts);
+        scene.load *= 0.1;
+        let Some((factor, leaving)) = scene.onset() else { continue };
+        if factor == 0.0 {
+            continue;
+        }
+        let grasp = scene.grasp();
+        let ramp = Ramp::load(Wrench::from_vector(scene.load), Wrench::from_vector(scene.direction));
+        let onset = grasp.onset(&ramp, &Settings::default()).unwrap();
+        let gradients = grasp.onset_gradients(&ramp, onset.event().unwrap());
+        let [gradient] = &gradients[..] else { continue };
+        for by in scene.parameters() {
+            let step = 0.1 * Scene::<D, C>::step(by);
+            let (Some(up), Some(down)) = (scene.moved(by, step).onset(), scene.moved(by, -step).onset())
+            else {
+                continue;
+            };
+            if up.1 != leaving || down.1 != leaving {
+                continue;
+            }
+            let exact = match by {
+                Parameter::Friction { contact } => gradient.friction[contact],
+                Parameter::Stiffness { contact, axis } => gradient.stiffness[contact][axis],
+                Parameter::Command { contact, axis } => gradient.command[contact][axis],
+                Parameter::Load { component } => gradient.base_load[component],
+            };
+            let difference = (up.0 - down.0) / (2.0 * step);
+            assert!(
+                (difference - exact).abs() < TOLERANCE * (1.0 + exact.abs()) * (1.0 + factor),
+                "{by:?} at {factor}: {difference} {exact}"
+            );
+            compared += 1;
+        }
+    }
+    compared
+}
+
+#[test]
+fn onsets_in_the_plane() {
+    assert!(compare_onsets::<3, 2>(3, 300, 3) > 500);
+}
+
+#[test]
+fn onsets_on_the_round_cone() {
+    assert!(compare_onsets::<6, 3>(4, 1500, 4) > 500);
+}
+
+/// A symmetric pinch by hand: N = k a, so dN/da = k/2 for one command alone (the other spring gives way as much), the object
+/// moves by half the command, and the smallest commands that move it by x are ±x on the two fingers.
+#[test]
+fn position_control_of_a_pinch() {
+    let (k, kt) = (30.0, 10.0);
+    let grasp = planar::Grasp::new([-1.0, 1.0].map(|x| {
+        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(0.5).command([0.1, 0.0])
+    }))
+    .unwrap();
+    let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
+    let response = grasp.response(outcome.equilibrium().unwrap()).unwrap();
+    assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15, "finger 1 pushes the object along x");
+    assert!((response.twist[(0, 2)] + 0.5).abs() < 1e-15);
+    assert!((response.forces[(0, 0)] - k / 2.0).abs() < 1e-13);
+    assert!((response.forces[(2, 0)] - k / 2.0).abs() < 1e-13);
+    let wanted = planar::Twist::from_vector([0.01, 0.0, 0.0]);
+    let command = response.smallest_command(&wanted).expect("reachable");
+    for (got, want) in command.iter().zip([0.01, 0.0, -0.01, 0.0]) {
+        assert!((got - want).abs() < 1e-15, "{command}");
+    }
+    // A spatial pinch cannot turn the object about its line.
+    let pinch = spatial::Grasp::new([-1.0, 1.0].map(|x| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(k, kt)
+            .friction(0.5)
+            .command([0.1, 0.0, 0.0])
+    }))
+    .unwrap();
+    let outcome = pinch.solve(&spatial::Wrench::ZERO).unwrap();
+    let response = pinch.response(outcome.equilibrium().unwrap()).unwrap();
+    let turn = |axis: usize| {
+        let mut q = SVector::<f64, 6>::zeros();
+        q[axis] = 0.01;
+        spatial::Twist::from_vector(q)
+    };
+    assert!(response.smallest_command(&turn(3)).is_none());
+    assert!(response.smallest_command(&turn(4)).is_some());
+}
