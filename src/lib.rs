@@ -61,7 +61,7 @@
 //! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
-//! | [`load_path`] | onset of sliding, what comes just beyond it |
+//! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory; sensitivities |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
 //! | `picture` | grasps and load curves as SVG (feature `plot`) |
 //!

@@ -94,7 +94,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     if let Verdict::Holds(found) = try_states(problem, unjumped.clone()) {
         return (Settled::Found(found, Rung::EverythingRolls), effort);
     }
-    if let Some(found) = touching_contacts_roll(problem, unjumped, &state.forces) {
+    if let Some(found) = touching_contacts_roll(problem, unjumped) {
         return (Settled::Found(found, Rung::EverythingTouchingRolls), effort);
     }
     let mut doubt = Doubt::RayWithoutProof;
@@ -136,31 +136,28 @@ pub(crate) fn settle<const D: usize, const C: usize>(
 fn touching_contacts_roll<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State>,
-    forces: &[SVector<f64, C>],
 ) -> Option<Found<D, C>> {
-    let mut forces = forces.to_vec();
-    let mut twist = SVector::zeros();
     // Every contact usually changes once; the bound ends those that would go in circles.
     for _ in 0..2 * states.len() + 2 {
-        // The contact that is farthest on the wrong side, in metres: one at a time, since a far finger's pull makes others
-        // pull that will not when it has let go.
-        let mut farthest = (0.0, None);
-        for i in (0..states.len()).filter(|&i| problem.may_open(i)) {
-            let (wrong, next) = match states[i] {
-                State::Open => ((problem.drives[i] - problem.sites[i].map.tr_mul(&twist))[0], State::Rolling),
-                _ => (-forces[i][0] / problem.sites[i].k[0], State::Open),
+        let solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
+        // One at a time, since what pulls makes others pull that will not when it has let go: first the one that is farthest
+        // from the object before anything moves.
+        let reach = |i: usize| problem.drives[i][0];
+        let closed = |i: &usize| problem.may_open(*i) && states[*i] != State::Open;
+        let pulls = (0..states.len()).filter(closed).filter(|&i| solved.forces[i][0] < 0.0);
+        let (i, next) = if let Some(i) = pulls.min_by(|&i, &j| reach(i).total_cmp(&reach(j))) {
+            (i, State::Open)
+        } else {
+            let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
+            let open = |i: &usize| problem.may_open(*i) && states[*i] == State::Open;
+            let penetrates = (0..states.len()).filter(open).filter(|&i| depth(i) > 0.0);
+            let Some(i) = penetrates.max_by(|&i, &j| depth(i).total_cmp(&depth(j))) else {
+                let Verdict::Holds(found) = try_states(problem, states) else { return None };
+                return Some(found);
             };
-            if wrong > farthest.0 {
-                farthest = (wrong, Some((i, next)));
-            }
-        }
-        let Some((i, next)) = farthest.1 else {
-            let Verdict::Holds(found) = try_states(problem, states) else { return None };
-            return Some(found);
+            (i, State::Rolling)
         };
         states[i] = next;
-        let solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
-        (forces, twist) = (solved.forces, solved.twist);
     }
     None
 }

@@ -44,6 +44,21 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     proved.then_some(v)
 }
 
+/// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more, by any forces in any state:
+/// no admissible contact force works against the motion, the load does not work against it and its rate works along it.
+pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    motion: &SVector<f64, D>,
+    rate: &SVector<f64, D>,
+) -> bool {
+    let slack = 1e-12;
+    generators(problem).is_some_and(|generators| {
+        generators.iter().all(|g| g.dot(motion) >= -slack)
+            && problem.wrench.dot(motion) >= -slack * problem.wrench.norm()
+            && rate.dot(motion) > CLEAR * rate.norm()
+    })
+}
+
 /// Unit wrenches that generate the friction wrench cone; `None` where the law is not a cone of forces at rest.
 fn generators<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<Vec<SVector<f64, D>>> {
     let mut list = Vec::new();

@@ -163,6 +163,24 @@ impl<const C: usize> Contact<C> {
         self.point
     }
 
+    /// Series stiffness along the axes of the contact frame, N/m.
+    #[must_use]
+    pub fn series_stiffness_of_axes(&self) -> SVector<f64, C> {
+        self.stiffness.series()
+    }
+
+    /// Coefficient of friction.
+    #[must_use]
+    pub fn friction_coefficient(&self) -> f64 {
+        self.friction
+    }
+
+    /// Commanded displacement of the finger's core in the contact frame, m.
+    #[must_use]
+    pub fn commanded(&self) -> SVector<f64, C> {
+        self.command
+    }
+
     /// How tables and pictures call the contact: its name, or its place in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {

@@ -97,7 +97,17 @@ pub(crate) fn round_exit<const D: usize, const C: usize>(
     let c2 = n1 * n1 - t1.norm_squared();
     let discriminant = c1 * c1 - c0 * c2;
     // Without a root the step is not a number.
-    let step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
+    let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
+    // Close to a double root the discriminant cancels. The margin itself, μF_n - |F_t|, is concave and does not: Newton's
+    // method on it gives back the digits.
+    for _ in 0..3 {
+        let at = t0 + t1 * step;
+        let slope = n1 - leaves(&at).dot(&t1);
+        let better = step - (n0 + n1 * step - at.norm()) / slope;
+        if slope < 0.0 && better > 0.0 && better.is_finite() {
+            step = better;
+        }
+    }
     // A line through the apex has a double root there, which costs half the digits, and beyond it runs on in the other half
     // of the cone, F_n < 0: the linear root of F_n is the exit then.
     if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
@@ -112,6 +122,10 @@ pub(crate) fn round_exit<const D: usize, const C: usize>(
     }
     let facet = leaves(&(t0 + t1 * step));
     let closing = facet.dot(&t1) - n1;
-    let uncertainty = ROUNDING * weight * (line.force_size + step * line.rate_size) / closing.abs();
+    if closing <= ROUNDING * line.rate_size * weight {
+        // The line touches the cone and stays inside, or its rates are rounding of zero.
+        return None;
+    }
+    let uncertainty = ROUNDING * weight * (line.force_size + step * line.rate_size) / closing;
     Some(Exit { step, uncertainty, facet })
 }

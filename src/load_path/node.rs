@@ -7,7 +7,8 @@ use super::event::{Change, Loss, PathEnd};
 use super::margin::ROUNDING;
 use super::segment::{Here, Segment, Standing};
 use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, search, settle, try_states,
+    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, search,
+    separates_from_here_on, settle, try_states,
 };
 use crate::formulation::{Law, Piece, Problem, State};
 use crate::grasp::{Hold, Wrench};
@@ -131,7 +132,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         self.stand(segment, arrived);
         let rates = segment.rates(self.laws(segment));
         // At the apex there is no telling: every state is as good a guess.
-        let guess = if self.at_apex.contains(&true) {
+        let guess = if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
             Verdict::Unbalanced
         } else {
             try_states(&rates, self.guess(&rates))
@@ -144,16 +145,19 @@ impl<const D: usize, const C: usize> Node<D, C> {
             if let Settled::FreeMotion(v) = settled {
                 return Err(PathEnd::GivesWay { leg, fraction: factor, motion: segment.grasp.outside(&v) });
             }
+            let motion = leaving_motion(&rates, &self.guess(&rates));
+            let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
             let loss = Loss {
                 leg,
                 fraction: factor,
                 load: load[0] + (load[1] - load[0]) * factor,
-                contacts: (0..self.states.len())
-                    .filter(|&i| matches!(rates.laws[i], Law::Edge(_) | Law::Cone { .. }))
-                    .collect(),
-                motion: leaving_motion(&rates, &self.guess(&rates)).map(|v| segment.grasp.outside(&v)),
+                contacts: (0..self.states.len()).filter(stands).collect(),
+                motion: motion.map(|v| segment.grasp.outside(&v)),
             };
             let problem = segment.problem_at(factor);
+            if motion.is_some_and(|v| separates_from_here_on(&problem, &v, &rates.wrench)) {
+                return Err(PathEnd::LimitLoad(loss));
+            }
             let beyond =
                 just_beyond(segment.grasp, &problem, &rates, settled, &effort, settings, segment.cone);
             return Err(PathEnd::from_beyond(&beyond, loss));
@@ -173,7 +177,8 @@ impl<const D: usize, const C: usize> Node<D, C> {
             .map(|i| {
                 let whole = &segment.problem.laws[i];
                 let closed = self.states[i] != State::Open;
-                if *whole == Law::Bonded {
+                let has_edges = segment.problem.may_open(i) || !segment.problem.normals(i).is_empty();
+                if *whole == Law::Bonded || !has_edges {
                     Law::Bonded
                 } else if self.at_apex[i] {
                     whole.clone()
@@ -289,16 +294,22 @@ impl<const D: usize, const C: usize> Node<D, C> {
     }
 }
 
-/// How many other solutions the rates have.
+/// How many other solutions the rates have: other forces, or other motions than one along what is free anyway.
 fn others<const D: usize, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> usize {
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
-    let mut distinct: Vec<Vec<SVector<f64, C>>> = vec![found.forces.clone()];
+    let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
     for other in search(rates, false).found {
-        let same = |known: &Vec<SVector<f64, C>>| {
-            known.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= 1e-9 * size)
+        let same = |known: &Found<D, C>| {
+            let mut apart = known.twist - other.twist;
+            for v in known.free_motions.iter().chain(&other.free_motions) {
+                apart -= v * v.dot(&apart);
+            }
+            let travel = known.twist.norm().max(other.twist.norm());
+            apart.norm() <= 1e-9 * travel
+                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= 1e-9 * size)
         };
         if !distinct.iter().any(same) {
-            distinct.push(other.forces);
+            distinct.push(other);
         }
     }
     distinct.len() - 1

@@ -298,14 +298,13 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         let Some(here) = self.here.clone() else { return };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &here);
+        // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
+        let at_the_end = |standing: &Standing<C>| {
+            standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
+        };
         let (step, standing, leg_done) = match exits {
+            Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
             Some((step, standing)) if step < rest => (step, standing, false),
-            // What is reached together with the end of the leg stands there when the next one begins.
-            Some((step, standing))
-                if standing.iter().any(|(_, e)| e.iter().any(|e| step - rest <= e.uncertainty)) =>
-            {
-                (rest, standing, true)
-            }
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
