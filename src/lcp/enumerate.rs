@@ -3,7 +3,7 @@
 use super::certificate::least_violation;
 use super::dictionary::largest;
 use super::outcome::Solution;
-use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, loses_q, residuals_from, slack_and_terms};
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::workspace::ZERO;
@@ -94,6 +94,9 @@ fn solution_at(
         return None;
     }
     if alpha.iter().any(|i| w[*i] > settings.residual_tolerance * terms[*i]) {
+        return None;
+    }
+    if loses_q(lcp.q.as_slice(), terms.as_slice()) {
         return None;
     }
     let mut degenerate = false;

@@ -38,6 +38,16 @@ impl Residuals {
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
 
+/// q counts as lost in the terms of M z below this part of them in every row: some hundred thousand roundings. A singular basis
+/// whose determinant came out as 1e-16 instead of zero gives a z of 1e14 that satisfies 0 ≤ z ⟂ M z ≥ 0 and, to rounding,
+/// any q; problems of condition 1e10 stay clear of it.
+const LOST: f64 = 1e-11;
+
+/// Whether a point solves the problem with q = 0 just as well, as far as rounding can tell: then it says nothing about q.
+pub(crate) fn loses_q(q: &[f64], terms: &[f64]) -> bool {
+    q.iter().any(|q| *q != 0.0) && q.iter().zip(terms).all(|(q, a)| q.abs() <= LOST * a)
+}
+
 /// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
 pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
     w.copy_from_slice(q);

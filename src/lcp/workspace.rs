@@ -8,7 +8,7 @@ use super::enumerate;
 use super::lemke::{End, Path, generic};
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray, Solution};
 use super::principal;
-use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, loses_q, residuals_from, slack_and_terms};
 use super::settings::Settings;
 use nalgebra::DVector;
 
@@ -354,7 +354,7 @@ impl Workspace {
         self.point.z.clear();
         self.point.z.resize(lcp.len(), 0.0);
         let residuals = self.point.evaluate(lcp);
-        self.conclude(residuals, settings)
+        self.conclude(lcp, residuals, settings)
     }
 
     /// The point of the complementary basis in the dictionary, refined against the M and q given. `None` if it solves
@@ -413,7 +413,7 @@ impl Workspace {
         if self.settle_pairs(settings) {
             residuals = self.point.evaluate(lcp);
         }
-        self.conclude(residuals, settings)
+        self.conclude(lcp, residuals, settings)
     }
 
     /// Where z_i is basic but w_i is not zero although the residuals are small, z_i has no share in any row that
@@ -485,13 +485,16 @@ impl Workspace {
     }
 
     /// Says "solved" only if the residuals do.
-    fn conclude(&mut self, residuals: Residuals, settings: &Settings) -> Option<Outcome> {
+    fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Outcome> {
         let pivots = self.path.pivots;
         if residuals == Residuals::UNUSABLE {
             return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow });
         }
         if !residuals.within(settings.residual_tolerance) {
             return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::Residual(residuals) });
+        }
+        if loses_q(lcp.q.as_slice(), &self.point.terms) {
+            return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::SingularBasis });
         }
         self.degenerate = false;
         for (i, w) in self.point.w.iter_mut().enumerate() {
