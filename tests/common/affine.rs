@@ -1,0 +1,223 @@
+//! Affine functions of three unknowns with exact coefficients, and linear algebra on them.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+pub(crate) type Rational = BigRational;
+
+/// A value within this many bits of the size of its terms is close to zero: 2^-29 = 1.9e-9.
+const CLOSE_BITS: u64 = 29;
+
+/// `slope·q + constant`; in integers, `slope·N + constant d` for `q = N/d`.
+#[derive(Debug, Clone)]
+pub(crate) struct Affine<T> {
+    pub(crate) slope: [T; 3],
+    pub(crate) constant: T,
+}
+
+impl<T> Affine<T> {
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = &T> {
+        self.slope.iter().chain([&self.constant])
+    }
+}
+
+impl<T> Affine<T>
+where
+    T: Clone,
+    for<'a> &'a T: std::ops::Add<Output = T> + std::ops::Mul<Output = T>,
+{
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self {
+            slope: std::array::from_fn(|k| &self.slope[k] + &other.slope[k]),
+            constant: &self.constant + &other.constant,
+        }
+    }
+
+    pub(crate) fn scaled(&self, factor: &T) -> Self {
+        Self { slope: self.slope.each_ref().map(|s| s * factor), constant: &self.constant * factor }
+    }
+}
+
+impl Affine<Rational> {
+    pub(crate) fn times(&self, scale: &BigInt) -> Affine<BigInt> {
+        Affine {
+            slope: self.slope.each_ref().map(|s| times(s, scale)),
+            constant: times(&self.constant, scale),
+        }
+    }
+
+    pub(crate) fn at(&self, q: &[Rational; 3]) -> Rational {
+        dot(&self.slope, q) + &self.constant
+    }
+
+    /// How far below zero, relative to the size of the terms.
+    pub(crate) fn missed(&self, q: &[Rational; 3]) -> f64 {
+        let size =
+            self.slope.iter().zip(q).map(|(s, x)| (s * x).abs()).fold(self.constant.abs(), |sum, x| sum + x);
+        let value = self.at(q);
+        if value.is_negative() { float(&(-value / size)) } else { 0.0 }
+    }
+}
+
+impl Affine<BigInt> {
+    pub(crate) fn rational(&self) -> Affine<Rational> {
+        let whole = |x: &BigInt| Rational::from_integer(x.clone());
+        Affine { slope: self.slope.each_ref().map(whole), constant: whole(&self.constant) }
+    }
+
+    /// The value at N/d times d (d > 0), and whether it is small compared with its terms.
+    pub(crate) fn value_and_closeness(&self, n: &[BigInt; 3], d: &BigInt) -> (BigInt, bool) {
+        let terms =
+            [&self.slope[0] * &n[0], &self.slope[1] * &n[1], &self.slope[2] * &n[2], &self.constant * d];
+        let size = terms.iter().map(BigInt::bits).max().unwrap_or(0);
+        let value: BigInt = terms.iter().sum();
+        let close = value.bits() + CLOSE_BITS <= size;
+        (value, close)
+    }
+}
+
+/// The solution N/d of `rows = 0` with d > 0, or `None` if the rows are dependent.
+pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<([BigInt; 3], BigInt)> {
+    let [a, b, c] = rows.each_ref().map(|row| &row.slope);
+    let cross = |u: &[BigInt; 3], v: &[BigInt; 3]| -> [BigInt; 3] {
+        std::array::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            &u[i] * &v[j] - &u[j] * &v[i]
+        })
+    };
+    let (bc, ca, ab) = (cross(b, c), cross(c, a), cross(a, b));
+    let det: BigInt = (0..3).map(|k| &a[k] * &bc[k]).sum();
+    if det.is_zero() {
+        return None;
+    }
+    let flip = det.is_negative();
+    let numerators = std::array::from_fn(|k| {
+        let n = &bc[k] * &rows[0].constant + &ca[k] * &rows[1].constant + &ab[k] * &rows[2].constant;
+        if flip { n } else { -n }
+    });
+    Some((numerators, det.abs()))
+}
+
+/// What elimination leaves of three rows that do not contradict each other.
+pub(crate) struct Consistent {
+    /// Independent rows that say the same.
+    pub(crate) rows: Vec<Affine<Rational>>,
+    /// Where they all vanish.
+    pub(crate) point: [Rational; 3],
+    /// A basis of the directions along which they stay zero.
+    pub(crate) directions: Vec<[Rational; 3]>,
+}
+
+/// The rows contradict each other.
+pub(crate) struct Contradiction {
+    /// By less than 1e-9 of their terms.
+    pub(crate) narrow: bool,
+}
+
+pub(crate) fn eliminate(rows: &[Affine<BigInt>; 3]) -> Result<Consistent, Contradiction> {
+    let sized = |row: &Affine<BigInt>| (row.rational(), row.constant.abs().to_f64().unwrap_or(f64::INFINITY));
+    let mut left: Vec<(Affine<Rational>, f64)> = rows.iter().map(sized).collect();
+    let mut reduced: Vec<Affine<Rational>> = Vec::new();
+    let mut pivots = Vec::new();
+    for column in 0..3 {
+        let Some(at) = left.iter().position(|(row, _)| !row.slope[column].is_zero()) else { continue };
+        let (row, size) = left.swap_remove(at);
+        let size = size / float(&row.slope[column]).abs();
+        let row = row.scaled(&row.slope[column].recip());
+        for (other, other_size) in &mut left {
+            *other_size += size * float(&other.slope[column]).abs();
+        }
+        for other in left.iter_mut().map(|(other, _)| other).chain(&mut reduced) {
+            *other = other.plus(&row.scaled(&-other.slope[column].clone()));
+        }
+        reduced.push(row);
+        pivots.push(column);
+    }
+    if left.iter().any(|(row, _)| !row.constant.is_zero()) {
+        let narrow = left.iter().all(|(row, size)| float(&row.constant).abs() <= 1e-9 * size);
+        return Err(Contradiction { narrow });
+    }
+    let mut point: [Rational; 3] = std::array::from_fn(|_| Rational::zero());
+    for (row, &column) in reduced.iter().zip(&pivots) {
+        point[column] = -&row.constant;
+    }
+    let free = (0..3).filter(|column| !pivots.contains(column));
+    let directions = free.map(|column| {
+        let mut direction: [Rational; 3] = std::array::from_fn(|_| Rational::zero());
+        direction[column] = Rational::one();
+        for (row, &pivot) in reduced.iter().zip(&pivots) {
+            direction[pivot] = -&row.slope[column];
+        }
+        direction
+    });
+    let directions = directions.collect();
+    Ok(Consistent { rows: reduced, point, directions })
+}
+
+/// Fourier-Motzkin: is there an x with `along·x + constant >= 0` for every pair?
+pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns: usize) -> bool {
+    for _ in 0..unknowns {
+        let (mut below, mut above, mut rest) = (Vec::new(), Vec::new(), Vec::new());
+        for (mut along, constant) in conditions {
+            let factor = along.pop().expect("one coefficient an unknown");
+            if factor.is_zero() {
+                rest.push((along, constant));
+                continue;
+            }
+            let size = factor.abs();
+            let along = along.into_iter().map(|x| x / &size).collect();
+            let bound: (Vec<Rational>, Rational) = (along, constant / size);
+            if factor.is_positive() { below.push(bound) } else { above.push(bound) }
+        }
+        for (a, c) in &below {
+            for (b, d) in &above {
+                rest.push((a.iter().zip(b).map(|(x, y)| x + y).collect(), c + d));
+            }
+        }
+        conditions = rest;
+    }
+    conditions.iter().all(|(_, constant)| !constant.is_negative())
+}
+
+/// The nearest point (rad and m alike) at which the independent rows vanish.
+pub(crate) fn project(rows: &[Affine<Rational>], q: &[Rational; 3]) -> [Rational; 3] {
+    // Gram-Schmidt, one row after the other: moving along a row's part orthogonal to those before keeps them at zero.
+    let mut directions: Vec<[Rational; 3]> = Vec::new();
+    let mut q = q.clone();
+    for row in rows {
+        let mut direction = row.slope.clone();
+        for known in &directions {
+            let part = dot(&direction, known) / dot(known, known);
+            direction = std::array::from_fn(|k| &direction[k] - &known[k] * &part);
+        }
+        let step = row.at(&q) / dot(&row.slope, &direction);
+        q = std::array::from_fn(|k| &q[k] - &direction[k] * &step);
+        directions.push(direction);
+    }
+    q
+}
+
+pub(crate) fn dot(a: &[Rational; 3], b: &[Rational; 3]) -> Rational {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+pub(crate) fn rational(x: f64) -> Rational {
+    Rational::from_float(x).expect("a finite number")
+}
+
+pub(crate) fn float(x: &Rational) -> f64 {
+    x.to_f64().expect("a rational number has a nearest floating point number")
+}
+
+pub(crate) fn times(x: &Rational, scale: &BigInt) -> BigInt {
+    (x * scale).to_integer()
+}
+
+/// The least common multiple of the denominators.
+pub(crate) fn common_denominator<'a>(numbers: impl Iterator<Item = &'a Rational>) -> BigInt {
+    numbers.fold(BigInt::one(), |all, x| {
+        let more = Rational::new(x.denom().clone(), all.clone());
+        all * more.numer()
+    })
+}

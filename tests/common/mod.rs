@@ -1,0 +1,11 @@
+//! What several test files share. Each file uses its own part of it.
+#![allow(dead_code, reason = "no test file uses all of it")]
+
+mod affine;
+pub(crate) mod exact;
+pub(crate) mod ramps;
+pub(crate) mod random;
+pub(crate) mod rolling;
+pub(crate) mod scene;
+pub(crate) mod transform;
+pub(crate) mod valid;
