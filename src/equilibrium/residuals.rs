@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::answer::{Cone, ContactAnswer, ContactState};
 use crate::formulation::Problem;
-use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
+use crate::grasp::{Grasp, Hold, Site, Twist, Wrench, displacement_of, wrench_of};
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
@@ -16,7 +16,7 @@ const SMALLEST: f64 = 1e-250;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Residuals {
-    /// `|Σ F_i + W|` over the sum of the sizes of its terms; the same for moments; the larger of both.
+    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from its command; the same for moments; the larger of both.
     pub equilibrium: f64,
     /// `|F/k - (a - u_c + g - s)|` axis by axis: the contact springs.
     pub springs: f64,
@@ -48,7 +48,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         answers: &[ContactAnswer<C>],
         cone: Cone,
     ) -> Residuals {
-        let mut r = Residuals { equilibrium: self.out_of_balance(load, answers), ..Residuals::default() };
+        let mut r =
+            Residuals { equilibrium: self.out_of_balance(problem, load, answers), ..Residuals::default() };
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
         let force_size =
             answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm())).max(SMALLEST);
@@ -107,7 +108,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         r
     }
 
-    fn out_of_balance(&self, load: &Wrench<D>, answers: &[ContactAnswer<C>]) -> f64 {
+    fn out_of_balance(&self, problem: &Problem<D, C>, load: &Wrench<D>, answers: &[ContactAnswer<C>]) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
         for k in 0..D {
@@ -118,6 +119,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
         }
+        // Where nothing carries anything, forces are the rounding of what the springs could do: the softest of the scene.
+        let could = |(site, a): (&Site<D, C>, &SVector<f64, C>)| {
+            site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k)) * a.norm()
+        };
+        force_size += self.sites().iter().zip(&problem.drives).map(could).fold(f64::INFINITY, f64::min);
         // A moment counts against the moments, and against the forces at the distance of the contacts.
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();

@@ -15,6 +15,9 @@ use crate::equilibrium::{
 use crate::formulation::{Piece, Problem};
 use crate::grasp::{Grasp, Twist};
 
+/// A state that holds for less than this part of the way that brought the load here is taken to end at the event.
+const FLEETING: f64 = 1e-9;
+
 /// What comes after the onset.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -91,6 +94,12 @@ fn search_beyond<const D: usize, const C: usize>(
 ) -> Beyond<D, C> {
     // The whole laws, driven at the rates.
     let rates = &Problem { drives: rates.drives.clone(), wrench: rates.wrench, ..here.clone() };
+    // A step of the load factor that makes up the whole load, or all the commands.
+    let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
+    let load_way = here.wrench.norm() / rates.wrench.norm();
+    let command_way = total(&here.drives) / total(&rates.drives);
+    let way = load_way.min(command_way);
+    let way = if way.is_finite() { way } else { 0.0 };
     let (mut others, mut tried) = (0, 0);
     for_each_combination(here, |states| {
         tried += 1;
@@ -110,7 +119,9 @@ fn search_beyond<const D: usize, const C: usize>(
         for_each_slack(rates, &states, &rates.drives, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            let zero = value.abs() <= rounding * size;
+            // Also what would be gone within the uncertainty of the load factor itself.
+            let fleeting = rate < 0.0 && value <= FLEETING * way * -rate;
+            let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };
         });
         others += usize::from(holds);

@@ -68,7 +68,8 @@ pub enum PathEnd<const D: usize, const C: usize> {
     Completed,
     /// No equilibrium exists just beyond: a limit load.
     LimitLoad(Loss<D>),
-    /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost.
+    /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
+    /// with infinite friction loses its normal force while it still holds a tangential one.
     Snap(Loss<D>),
     /// This equilibrium ends; whether others exist was not searched (too many contacts).
     Ends(Loss<D>),

@@ -26,6 +26,8 @@ pub(super) struct Node<const D: usize, const C: usize> {
     standing: Vec<Vec<usize>>,
     /// Closed without force, or open without a gap: only the rates tell what comes.
     at_apex: Vec<bool>,
+    /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
+    holds: Vec<bool>,
     twist: SVector<f64, D>,
 }
 
@@ -44,13 +46,14 @@ impl<const D: usize, const C: usize> Node<D, C> {
             directions: vec![None; n],
             standing: vec![Vec::new(); n],
             at_apex: vec![false; n],
+            holds: vec![false; n],
             twist,
         }
     }
 
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
     /// say.
-    pub(super) fn stand_at_start(&mut self, segment: &Segment<D, C>) {
+    pub(super) fn stand_at_start(&mut self, segment: &mut Segment<'_, D, C>) {
         let Ok(here) = segment.look(&self.states, 0.0, Some(&self.twist)) else { return };
         for (i, line) in here.lines.iter().enumerate() {
             let site = &segment.grasp.sites()[i];
@@ -63,6 +66,15 @@ impl<const D: usize, const C: usize> Node<D, C> {
                 continue;
             }
             self.at_apex[i] = line.force.norm() <= ROUNDING * line.force_size;
+            if matches!(self.states[i], State::Sliding { .. }) {
+                // What slipped from rest to here is memory from now on.
+                let stretch = segment.problem.drives[i] - site.map.tr_mul(&here.twist);
+                for axis in 1..C {
+                    let slip = stretch[axis] - line.force[axis] / site.k[axis];
+                    segment.problem.slips[i][axis] += slip;
+                    segment.problem.drives[i][axis] -= slip;
+                }
+            }
             for (j, h) in segment.problem.normals(i).iter().enumerate() {
                 let size = line.force_size * (site.mu + h.norm());
                 if site.mu * line.force[0] - h.dot(&line.force) <= ROUNDING * size {
@@ -108,6 +120,8 @@ impl<const D: usize, const C: usize> Node<D, C> {
             if here.lines[i].force.norm() > 0.0 && force.norm() <= 1e-12 * here.lines[i].force_size {
                 self.at_apex[i] = self.states[i] != State::Open;
             }
+            let friction = force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f));
+            self.holds[i] = site.mu.is_infinite() && friction > 1e-12 * here.lines[i].force_size;
             if matches!(self.states[i], State::Sliding { .. }) {
                 let stretch = drives[i] - site.map.tr_mul(&self.twist);
                 for axis in 1..C {
@@ -141,27 +155,35 @@ impl<const D: usize, const C: usize> Node<D, C> {
             Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
             _ => settle(&rates, settings),
         };
+        let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
+        let loss = |motion: Option<SVector<f64, D>>| Loss {
+            leg,
+            fraction: factor,
+            load: load[0] + (load[1] - load[0]) * factor,
+            contacts: (0..self.states.len()).filter(stands).collect(),
+            motion: motion.map(|v| segment.grasp.outside(&v)),
+        };
         let Settled::Found(found, _) = settled else {
             if let Settled::FreeMotion(v) = settled {
                 return Err(PathEnd::GivesWay { leg, fraction: factor, motion: segment.grasp.outside(&v) });
             }
             let motion = leaving_motion(&rates, &self.guess(&rates));
-            let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
-            let loss = Loss {
-                leg,
-                fraction: factor,
-                load: load[0] + (load[1] - load[0]) * factor,
-                contacts: (0..self.states.len()).filter(stands).collect(),
-                motion: motion.map(|v| segment.grasp.outside(&v)),
-            };
             let problem = segment.problem_at(factor);
             if motion.is_some_and(|v| separates_from_here_on(&problem, &v, &rates.wrench)) {
-                return Err(PathEnd::LimitLoad(loss));
+                return Err(PathEnd::LimitLoad(loss(motion)));
             }
             let beyond =
                 just_beyond(segment.grasp, &problem, &rates, settled, &effort, settings, segment.cone);
-            return Err(PathEnd::from_beyond(&beyond, loss));
+            return Err(PathEnd::from_beyond(&beyond, loss(motion)));
         };
+        // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
+        let lets_go =
+            |i: usize| self.holds[i] && self.states[i] != State::Open && found.states[i] == State::Open;
+        if (0..self.states.len()).any(lets_go) {
+            return Err(PathEnd::Snap(loss(
+                Some(found.twist).filter(|v| v.norm() > 0.0).map(|v| v.normalize()),
+            )));
+        }
         let other_continuations = (combinations(&rates) <= FEW_COMBINATIONS).then(|| others(&rates, &found));
         let changes = self.take_over(segment, factor, &rates, &found);
         let here = segment

@@ -137,7 +137,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             end,
         };
         if path.end.is_none() {
-            path.node.stand_at_start(&path.segment);
+            path.node.stand_at_start(&mut path.segment);
             path.begin_leg();
         }
         Ok(path)
@@ -304,7 +304,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         };
         let (step, standing, leg_done) = match exits {
             Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            Some((step, standing)) if step < rest => (step, standing, false),
+            Some((step, standing)) if self.factor + step < 1.0 => (step, standing, false),
+            Some((step, standing)) if step <= rest => (rest, standing, true),
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
