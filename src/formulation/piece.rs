@@ -259,11 +259,22 @@ pub(crate) fn least_forces<const D: usize, const C: usize>(
         .filter(|&i| carries[i])
         .flat_map(|i| (0..sites[i].axes).map(move |a| (i, a)))
         .collect();
-    let factor = Orthogonal::new(axes.iter().map(|&(i, a)| sites[i].map.column(a).into_owned()).collect());
-    let load = factor.load_coordinates(wrench);
+    let shares =
+        least_combination(axes.iter().map(|&(i, a)| sites[i].map.column(a).into_owned()).collect(), wrench);
     let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
-    for (row, &(i, a)) in axes.iter().enumerate() {
-        forces[i][a] = -factor.row(row).dot(&load);
+    for (&(i, a), share) in axes.iter().zip(shares) {
+        forces[i][a] = -share;
     }
     forces
+}
+
+/// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
+pub(crate) fn least_combination<const D: usize>(
+    vectors: Vec<SVector<f64, D>>,
+    target: &SVector<f64, D>,
+) -> Vec<f64> {
+    let count = vectors.len();
+    let factor = Orthogonal::new(vectors);
+    let coordinates = factor.load_coordinates(target);
+    (0..count).map(|i| factor.row(i).dot(&coordinates)).collect()
 }

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::onset::OnsetEvent;
 use super::ramp::Ramp;
 use crate::equilibrium::{Cone, Equilibrium, Settings};
-use crate::formulation::{Piece, Polygon, Problem, State, edge_direction};
+use crate::formulation::{Piece, Polygon, Problem, State, edge_direction, least_combination};
 use crate::grasp::{Grasp, Twist, Wrench};
 
 /// One datum of a grasp or its load.
@@ -193,15 +193,13 @@ impl Response {
     /// columns; `None` if the fingers cannot produce it in the present states.
     #[must_use]
     pub fn smallest_command<const D: usize>(&self, wanted: &Twist<D>) -> Option<DVector<f64>> {
-        let wanted = DVector::from_column_slice(wanted.as_vector().as_slice());
-        if wanted.len() != self.twist.nrows() {
+        if self.twist.nrows() != D {
             return None;
         }
-        let svd = self.twist.clone().svd(true, true);
-        let cut = 1e-12 * svd.singular_values.max();
-        let command = svd.solve(&wanted, cut).ok()?;
-        let missed = (&self.twist * &command - &wanted).norm();
-        (missed <= 1e-9 * wanted.norm()).then_some(command)
+        let columns = self.twist.column_iter().map(|column| SVector::from_fn(|i, _| column[i])).collect();
+        let command = DVector::from_vec(least_combination(columns, wanted.as_vector()));
+        let missed = (&self.twist * &command - wanted.as_vector()).norm();
+        (missed <= 1e-9 * wanted.as_vector().norm()).then_some(command)
     }
 }
 
