@@ -40,7 +40,7 @@ pub(crate) struct Effort {
 }
 
 /// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
-/// the first, and most scenes that another path solves are solved by the second or third.
+/// the first.
 const OTHER_PATHS: usize = 3;
 /// The same where there are too many contacts for that.
 const OTHER_PATHS_AT_MOST: usize = 16;

@@ -57,8 +57,8 @@ pub struct Settings {
     /// For n up to this all 2ⁿ complementary bases are tried when no path has ended in a solution and no proof of
     /// infeasibility was found (default 10).
     ///
-    /// It guards against missing solutions that no path reaches. At n = 10 it costs about a millisecond, and
-    /// each further row doubles that.
+    /// It guards against missing solutions that no path reaches. Each further row doubles its cost.
+    /// Near-singular bases are the weak spot: a point of a basis that is singular but for rounding can meet the residuals.
     pub enumerate_up_to: usize,
 }
 
