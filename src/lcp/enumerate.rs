@@ -3,7 +3,7 @@
 use super::certificate::least_violation;
 use super::dictionary::largest;
 use super::outcome::Solution;
-use super::residuals::{Residuals, loses_q, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, ignores_q, residuals_from, slack_and_terms};
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::workspace::ZERO;
@@ -30,23 +30,23 @@ pub(crate) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
     let mut all = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
     let indices = |bits: u32| -> Vec<usize> { (0..n).filter(|i| bits >> i & 1 == 1).collect() };
+    let mut scaling = Scaling::default();
+    scaling.balance(n, lcp.m.as_slice(), lcp.q.as_slice());
     let mut without_point = Vec::new();
     for bits in 0..1_u32 << n {
         let alpha = indices(bits);
         match principal::solve(&lcp.m, &lcp.q, &alpha) {
             Some(basic) => {
-                let _ = all.offer(lcp, &alpha, &basic, settings);
+                let _ = all.offer(lcp, &scaling, &alpha, &basic, settings);
             }
             None => without_point.push(bits),
         }
     }
-    let mut scaling = Scaling::default();
-    scaling.balance(n, lcp.m.as_slice(), lcp.q.as_slice());
     // Singular bases come last, so that the first basis listed is a regular one if any is.
     for bits in without_point {
         let alpha = indices(bits);
         if let Some(basic) = point_of_singular_piece(lcp, &scaling, &alpha, settings)
-            && let Some(basis) = all.offer(lcp, &alpha, &basic, settings)
+            && let Some(basis) = all.offer(lcp, &scaling, &alpha, &basic, settings)
         {
             all.singular.push(basis);
         }
@@ -59,12 +59,13 @@ impl AllSolutions {
     fn offer(
         &mut self,
         lcp: &Lcp,
+        scaling: &Scaling,
         alpha: &[usize],
         basic: &DVector<f64>,
         settings: &Settings,
     ) -> Option<Basis> {
         let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
-        let solution = solution_at(lcp, &basis, alpha, basic, settings)?;
+        let solution = solution_at(lcp, scaling, &basis, alpha, basic, settings)?;
         match self.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
             Some(known) => known.degenerate = true,
             None => self.solutions.push(solution),
@@ -75,6 +76,7 @@ impl AllSolutions {
 
 fn solution_at(
     lcp: &Lcp,
+    scaling: &Scaling,
     basis: &Basis,
     alpha: &[usize],
     basic: &DVector<f64>,
@@ -96,7 +98,7 @@ fn solution_at(
     if alpha.iter().any(|i| w[*i] > settings.residual_tolerance * terms[*i]) {
         return None;
     }
-    if loses_q(lcp.q.as_slice(), terms.as_slice()) {
+    if ignores_q(residuals, lcp.q.as_slice(), &terms, &scaling.row) {
         return None;
     }
     let mut degenerate = false;

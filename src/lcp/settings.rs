@@ -58,7 +58,6 @@ pub struct Settings {
     /// infeasibility was found (default 10).
     ///
     /// It guards against missing solutions that no path reaches. Each further row doubles its cost.
-    /// Near-singular bases are the weak spot: a point of a basis that is singular but for rounding can meet the residuals.
     pub enumerate_up_to: usize,
 }
 

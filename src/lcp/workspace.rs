@@ -8,16 +8,12 @@ use super::enumerate;
 use super::lemke::{End, Path, generic};
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray, Solution};
 use super::principal;
-use super::residuals::{Residuals, loses_q, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, ignores_q, residuals_from, rounded, slack_and_terms};
 use super::settings::Settings;
 use nalgebra::DVector;
 
 /// Values below this fraction of the largest term they were computed from are zero.
 pub(crate) const ZERO: f64 = 1e-13;
-/// A point of n rows with residuals up to this needs no refinement: a row of so many terms cannot be summed much better.
-fn rounded(n: usize) -> f64 {
-    (8.0 + n as f64 / 8.0) * f64::EPSILON
-}
 
 /// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
 /// that size allocates nothing, as long as they are solved by the first path.
@@ -493,7 +489,7 @@ impl Workspace {
         if !residuals.within(settings.residual_tolerance) {
             return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::Residual(residuals) });
         }
-        if loses_q(lcp.q.as_slice(), &self.point.terms) {
+        if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row) {
             return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::SingularBasis });
         }
         self.degenerate = false;

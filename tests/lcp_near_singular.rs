@@ -1,0 +1,97 @@
+//! Blocks that are singular but for rounding must not pass for solutions.
+//!
+//! The kinematic form of a grasp that nothing can hold has no solution, but its complementary blocks include singular ones
+//! whose determinants come out as 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small part of
+//! its terms. The data as given may even be solved by it: what the solver calls solved is held against rational arithmetic.
+
+use grasp_lcp::lcp::{Basis, Lcp, Outcome};
+use grasp_lcp::{PolygonCone, planar};
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+
+/// Uniform numbers from a linear congruential generator (Knuth's MMIX).
+struct Numbers(u64);
+
+impl Numbers {
+    /// In [0, 1).
+    fn part(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// In [-size, size).
+    fn symmetric(&mut self, size: f64) -> f64 {
+        size * (2.0 * self.part() - 1.0)
+    }
+}
+
+/// Two or three fingers around the origin, stiffnesses over `decades`.
+fn grasp(numbers: &mut Numbers, n: usize, decades: f64) -> planar::Grasp {
+    let contacts = (0..n).map(|_| {
+        let (y, x) = (std::f64::consts::TAU * numbers.part()).sin_cos();
+        let stiffness = [0, 1].map(|_| 10_f64.powf(decades * (numbers.part() - 0.5)));
+        let point = [x + numbers.symmetric(0.3), y];
+        let normal = [-x + numbers.symmetric(0.5), -y + numbers.symmetric(0.5)];
+        planar::Contact::new(point, normal)
+            .series_stiffness(stiffness[0], stiffness[1])
+            .friction(2.0 * numbers.part())
+            .command([0.1 * numbers.part(), numbers.symmetric(0.05)])
+    });
+    planar::Grasp::new(contacts.collect::<Vec<_>>()).expect("all data are in range")
+}
+
+/// Whether the basis solves the problem exactly, every f64 taken as the rational number that it is.
+fn solves_exactly(lcp: &Lcp, basis: &Basis) -> bool {
+    let exact = |x: f64| BigRational::from_float(x).expect("finite");
+    let (m, q) = (lcp.matrix(), lcp.vector());
+    let alpha: Vec<usize> = basis.iter().collect();
+    let k = alpha.len();
+    let mut rows: Vec<Vec<BigRational>> = alpha
+        .iter()
+        .map(|i| alpha.iter().map(|j| exact(m[(*i, *j)])).chain([-exact(q[*i])]).collect())
+        .collect();
+    for c in 0..k {
+        let Some(pivot) = (c..k).find(|r| !rows[*r][c].is_zero()) else { return false };
+        rows.swap(c, pivot);
+        let top: Vec<_> = rows[c].iter().map(|x| x / &rows[c][c]).collect();
+        for (r, row) in rows.iter_mut().enumerate() {
+            if r != c {
+                let factor = row[c].clone();
+                row.iter_mut().zip(&top).for_each(|(x, t)| *x -= &factor * t);
+            }
+        }
+        rows[c] = top;
+    }
+    let slack = |i: usize| {
+        let terms = alpha.iter().zip(&rows).map(|(j, row)| exact(m[(i, *j)]) * &row[k]);
+        terms.fold(exact(q[i]), |sum, term| sum + term)
+    };
+    rows.iter().all(|row| !row[k].is_negative())
+        && (0..lcp.len()).all(|i| basis.contains(i) || !slack(i).is_negative())
+}
+
+#[test]
+fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
+    let mut numbers = Numbers(7);
+    let (mut without, mut solved, mut missed) = (0, 0, 0);
+    for scene in 0..3000 {
+        let grasp = grasp(&mut numbers, 2 + scene % 2, if scene % 4 < 2 { 0.5 } else { 6.0 });
+        let pull = [numbers.symmetric(0.1), numbers.symmetric(0.1)];
+        let load = planar::Wrench::new(pull, numbers.symmetric(0.05));
+        let holds = grasp.solve(&load).expect("a load in range").equilibrium().is_some();
+        without += usize::from(!holds);
+        let form = grasp.kinematic_form(&load, &PolygonCone::default()).expect("a load in range");
+        let Some(form) = form else { continue };
+        match form.lcp.solve() {
+            Outcome::Solved(solution) if !holds => {
+                assert!(solves_exactly(&form.lcp, &solution.basis), "scene {scene}: {solution:?}");
+                solved += 1;
+            }
+            Outcome::Solved(_) => {}
+            _ => missed += usize::from(holds),
+        }
+    }
+    assert!(without > 1000, "{without} scenes without an equilibrium");
+    assert!(solved < without / 50, "{solved} of {without} solved by the rounding of their data");
+    assert_eq!(missed, 0, "scenes with an equilibrium whose kinematic form is not solved");
+}
