@@ -55,7 +55,7 @@ fn rows_and_columns_of_published_problems_times_powers_of_ten() {
 #[test]
 fn rows_and_columns_of_random_integer_problems_times_powers_of_ten() {
     let mut random = Random(53);
-    for trial in 0..600 {
+    for trial in 0..2000 {
         let n = random.integer(1, 7) as usize;
         let m: Vec<i64> = (0..n * n)
             .map(|_| if trial % 2 == 0 || random.integer(0, 2) > 0 { random.integer(-3, 4) } else { 0 })
@@ -64,6 +64,41 @@ fn rows_and_columns_of_random_integer_problems_times_powers_of_ten() {
         let problem = Integers { n, m, q };
         let plain = basis(&problem.problem());
         for _ in 0..5 {
+            let scaled = rescaled(&problem.matrix(), &problem.vector(), &mut random, 12);
+            assert_eq!(basis(&scaled), plain, "{problem:?}: {scaled:?}");
+        }
+    }
+}
+
+/// Small integer problems with z's and w's that vanish together, with rows that are singular but for noise, or solved only after
+/// several paths: found among a million as those on which noise is most easily taken for a number.
+#[test]
+fn rows_and_columns_of_the_most_degenerate_problems_times_powers_of_ten() {
+    let problems: [(&[i64], &[i64]); 5] = [
+        (&[0, 0, 3, 4, 0, 1, 0, 4, 1], &[0, -3, 0]),
+        (&[4, 1, 3, 3, -1, 0, 2, 0, -3, 0, -2, 1, 4, 3, -1, -2], &[-1, 0, -3, 3]),
+        (&[0, 0, -3, 0, 0, 0, 0, 0, 2, -2, 0, 2, 0, 0, -3, 0], &[2, 2, -2, 2]),
+        (
+            &[
+                1, -3, 0, 1, 3, -1, -2, 3, 4, -1, 3, 2, 0, 0, 2, 0, -2, -2, -1, -2, 0, 0, 2, 1, -1, 1, 0, 0,
+                -2, 3, 3, 4, 0, 3, -1, 0,
+            ],
+            &[1, -1, -1, -1, -1, 0],
+        ),
+        (
+            &[
+                0, -1, -1, 0, 0, 2, -1, 2, 4, 2, 0, 3, 2, -2, -1, 0, 2, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
+                3, 2, -2, -3, 0, -1, -3,
+            ],
+            &[3, -2, -1, 2, 0, -1],
+        ),
+    ];
+    let mut random = Random(59);
+    for (m, q) in problems {
+        let problem = Integers { n: q.len(), m: m.to_vec(), q: q.to_vec() };
+        let plain = basis(&problem.problem());
+        assert!(plain.is_some(), "{problem:?}");
+        for _ in 0..500 {
             let scaled = rescaled(&problem.matrix(), &problem.vector(), &mut random, 12);
             assert_eq!(basis(&scaled), plain, "{problem:?}: {scaled:?}");
         }

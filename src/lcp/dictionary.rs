@@ -215,16 +215,14 @@ impl Dictionary {
     }
 
     /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.
-    pub(crate) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) -> bool {
+    pub(crate) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
-            return false;
+            return;
         }
         self.enter(Unknown::W(j), m, scaling);
-        if self.u[r].abs() < RETIRING * largest(&self.u).max(1.0) {
-            return false;
+        if self.u[r].abs() >= RETIRING * largest(&self.u).max(1.0) {
+            self.exchange(Unknown::W(j), r);
         }
-        self.exchange(Unknown::W(j), r);
-        true
     }
 
     /// All of an exchange but the rank-one update of the stored columns, whose factors are left in `g` and `u`.

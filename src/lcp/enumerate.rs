@@ -1,7 +1,6 @@
 //! All solutions of a small problem.
 
 use super::certificate::least_violation;
-use super::dictionary::largest;
 use super::outcome::Solution;
 use super::residuals::{Residuals, ignores_q, residuals_from, slack_and_terms};
 use super::scaling::Scaling;
@@ -65,13 +64,23 @@ impl AllSolutions {
         settings: &Settings,
     ) -> Option<Basis> {
         let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
-        let solution = solution_at(lcp, scaling, &basis, alpha, basic, settings)?;
+        let solution = solution_at(lcp, scaling, &basis, alpha, basic, settings).or_else(|| {
+            solution_at(lcp, scaling, &basis, alpha, &without_noise(scaling, alpha, basic), settings)
+        })?;
         match self.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
             Some(known) => known.degenerate = true,
             None => self.solutions.push(solution),
         }
         Some(basis)
     }
+}
+
+/// The point without what is zero but for rounding. The sign of such noise would decide in rows whose other terms are all
+/// zero; where it was not noise, the rows show it.
+fn without_noise(scaling: &Scaling, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
+    let size = |j: usize| basic[j].abs() / scaling.column[alpha[j]];
+    let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
+    DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO * largest { 0.0 } else { basic[j] })
 }
 
 fn solution_at(
@@ -130,7 +139,8 @@ fn same_point(lcp: &Lcp, a: &Solution, b: &Solution) -> bool {
     })
 }
 
-/// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming on balanced data; the caller checks it.
+/// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming on balanced data; the caller checks it. The
+/// balance is exact here, not rounded to powers of two, so that the same point of a face is found in any units.
 fn point_of_singular_piece(
     lcp: &Lcp,
     scaling: &Scaling,
@@ -139,14 +149,18 @@ fn point_of_singular_piece(
 ) -> Option<DVector<f64>> {
     let n = lcp.len();
     let k = alpha.len();
-    let row = |i: usize| if i < n { (i, scaling.row[i]) } else { (alpha[i - n], -scaling.row[alpha[i - n]]) };
+    let balanced_row = |i: usize| scaling.row[i] / scaling.row_unit[i];
+    let column = |j: usize| scaling.column[alpha[j]] * scaling.column_unit(alpha[j]);
+    let row = |i: usize| {
+        if i < n { (i, balanced_row(i)) } else { (alpha[i - n], -balanced_row(alpha[i - n])) }
+    };
     let a = DMatrix::from_fn(n + k, k, |i, j| {
         let (i, factor) = row(i);
-        factor * lcp.m[(i, alpha[j])] * scaling.column[alpha[j]]
+        factor * lcp.m[(i, alpha[j])] * column(j)
     });
-    let load = largest(lcp.q.iter().zip(&scaling.row).map(|(q, row)| q * row).collect::<Vec<_>>().as_slice());
+    let load = (0..n).fold(0.0_f64, |load, i| load.max((lcp.q[i] * balanced_row(i)).abs()));
     let load = if load > 0.0 { load } else { 1.0 };
     let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0] / load);
     let program = least_violation(&a, &b, settings)?;
-    Some(DVector::from_fn(k, |j, _| program.x[j] * scaling.column[alpha[j]] * load))
+    Some(DVector::from_fn(k, |j, _| program.x[j] * column(j) * load))
 }

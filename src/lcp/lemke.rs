@@ -6,7 +6,7 @@
 
 use super::dictionary::{Dictionary, Unknown, largest};
 use super::outcome::BreakdownCause;
-use super::ratio::{Covering, blocking_row, most_violated_row};
+use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::scaling::Scaling;
 use super::settings::Settings;
 
@@ -150,6 +150,10 @@ impl Path {
             if row.is_some() && pivot <= certain {
                 // Small against the column, but perhaps not against the terms of its own row.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
+                let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
+                if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {
+                    return Ok(firm);
+                }
                 return Ok(blocking_row(&self.dictionary, 0.0, 0.0, role, settings));
             }
             return Ok(row);

@@ -5,7 +5,7 @@
 //! ε → 0+. The perturbed problem has no ties, and its path is found by comparing, among rows that tie, the column of p next.
 //! Nothing is added to the data. If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
-use super::dictionary::{Dictionary, Unknown};
+use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
 
 /// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
@@ -76,6 +76,25 @@ pub(crate) fn blocking_row(
         }
     }
     best.map(|(row, ..)| row)
+}
+
+/// Whether the step to the row `firm` drives a row with −`certain` ≤ u_i < 0 below zero by more than the rounding error
+/// of its value, or of the largest one. If it does not, it makes no difference whether that row blocks first: its u_i may be
+/// noise.
+pub(crate) fn doubtful_row_breaks(
+    dictionary: &Dictionary,
+    certain: f64,
+    firm: usize,
+    role: Covering,
+) -> bool {
+    let size = largest(&dictionary.x);
+    let step = dictionary.x[firm].max(0.0) / -dictionary.u[firm];
+    let values = dictionary.x.iter().zip(&dictionary.u).zip(&dictionary.level).zip(&dictionary.basic);
+    values.into_iter().any(|(((x, u), level), basic)| {
+        let exempt = role == Covering::Parameter && *basic == Unknown::Covering;
+        let doubtful = *u < 0.0 && *u >= -certain && !exempt;
+        doubtful && x.max(0.0) + u * step < -ROUNDING * level.max(size)
+    })
 }
 
 /// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0. No branches, since half of them would be

@@ -209,9 +209,9 @@ impl Workspace {
                 self.degenerate = solution.degenerate;
                 return None;
             }
-            if let Outcome::Ray(ray) = &mut first {
-                ray.proof = Proof::NoComplementaryBasis;
-            }
+            let ray = if let Outcome::Ray(ray) = first { Some(ray) } else { None };
+            let ray = ray.unwrap_or_else(|| Ray::without_direction(lcp.len(), self.path.pivots));
+            first = Outcome::Ray(Ray { proof: Proof::NoComplementaryBasis, ..ray });
         }
         match &mut first {
             Outcome::Ray(Ray { pivots, .. }) | Outcome::Breakdown { pivots, .. } => {
@@ -358,17 +358,18 @@ impl Workspace {
     fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         let n = lcp.len();
         self.basis.clear(n);
-        self.vanishing.clear();
-        self.vanishing.resize(n, false);
-        for row in 0..n {
-            let dictionary = &mut self.path.dictionary;
-            if let Unknown::Z(j) = dictionary.basic[row] {
-                self.vanishing[j] = dictionary.x[row] <= ZERO * dictionary.level[row];
-                // A z_j which is zero in exact arithmetic comes out as noise that spoils the rows it enters. If w_j can
-                // take its place, the point is that of a smaller block.
-                if !(self.vanishing[j] && dictionary.retire(j, row, &self.path.scaling, lcp.m.as_slice())) {
-                    self.basis.insert(j);
-                }
+        self.mark_vanishing(lcp);
+        // A z_j which is zero in exact arithmetic comes out as noise that spoils the rows it enters. If w_j can take its place, the
+        // point is that of a smaller block. By index, since the order of rows depends on rounding.
+        let Path { dictionary, scaling, .. } = &mut self.path;
+        for j in (0..n).filter(|j| self.vanishing[*j]) {
+            if let Some(row) = dictionary.basic.iter().position(|basic| *basic == Unknown::Z(j)) {
+                dictionary.retire(j, row, scaling, lcp.m.as_slice());
+            }
+        }
+        for basic in &dictionary.basic {
+            if let Unknown::Z(j) = *basic {
+                self.basis.insert(j);
             }
         }
         self.read_point(n);
@@ -410,6 +411,43 @@ impl Workspace {
             residuals = self.point.evaluate(lcp);
         }
         self.conclude(lcp, residuals, settings)
+    }
+
+    /// Which basic z's are zero but for rounding: those that are small against the terms they were computed from, and
+    /// those that are small against the largest z, if the point without them is as good. The terms alone do not show the noise
+    /// of a z whose terms all vanish.
+    fn mark_vanishing(&mut self, lcp: &Lcp) {
+        let n = lcp.len();
+        self.vanishing.clear();
+        self.vanishing.resize(n, false);
+        let dictionary = &self.path.dictionary;
+        let values = || dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level);
+        let faint = ZERO
+            * values().fold(
+                0.0_f64,
+                |most, ((basic, x), _)| {
+                    if matches!(basic, Unknown::Z(_)) { most.max(*x) } else { most }
+                },
+            );
+        let mut doubtful = false;
+        self.spare.z.clear();
+        self.spare.z.resize(n, 0.0);
+        for ((basic, x), level) in values() {
+            if let Unknown::Z(j) = *basic {
+                self.vanishing[j] = *x <= ZERO * level;
+                doubtful |= !self.vanishing[j] && *x <= faint;
+                if *x > faint {
+                    self.spare.z[j] = x * self.path.scaling.column[j];
+                }
+            }
+        }
+        if doubtful && self.spare.evaluate(lcp).within(rounded(n)) {
+            for basic in &self.path.dictionary.basic {
+                if let Unknown::Z(j) = *basic {
+                    self.vanishing[j] |= self.spare.z[j] == 0.0;
+                }
+            }
+        }
     }
 
     /// Where z_i is basic but w_i is not zero although the residuals are small, z_i has no share in any row that
