@@ -88,6 +88,13 @@ impl Dictionary {
         self.slot.clear();
         self.slot.resize(n, NONE);
         self.columns.clear();
+        // Room for every slack to become nonbasic, so that no later problem of this size has to allocate.
+        self.columns.reserve(n * n);
+        for list in [&mut self.g, &mut self.c] {
+            list.clear();
+            list.reserve(n);
+        }
+        self.kept.reserve(n);
         for (to, from) in [(&mut self.x, q), (&mut self.p, p), (&mut self.d, d)] {
             to.clear();
             to.extend_from_slice(from);

@@ -1,11 +1,11 @@
 //! All solutions of a small problem.
 
 use super::certificate::least_violation;
+use super::conclusion::ZERO;
 use super::outcome::Solution;
 use super::residuals::{Residuals, ignores_q, residuals_from, slack_and_terms};
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::workspace::ZERO;
 use super::{Basis, Lcp, principal};
 use nalgebra::{DMatrix, DVector};
 

@@ -47,18 +47,23 @@
 
 mod basis;
 mod certificate;
+mod conclusion;
 mod dictionary;
 mod enumerate;
 mod error;
 mod kernel;
+mod ladder;
 mod lemke;
+mod logarithms;
 mod matrix_class;
 mod mixed;
 mod outcome;
 mod parametric;
+mod pattern;
 mod principal;
 mod ratio;
 mod reduction;
+mod refactor;
 mod residuals;
 mod scaling;
 mod series;

@@ -11,6 +11,9 @@
 //! the problem is solved to rounding: rows that are alike must get entries of d that are equal, not nearly equal, or ties
 //! would turn into badly conditioned near-ties.
 
+use super::logarithms::Logarithms;
+use super::pattern::{Pattern, counts};
+
 /// Row and column factors: scaled M_ij = row_i M_ij column_j, all factors powers of two.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scaling {
@@ -29,28 +32,15 @@ pub(crate) struct Scaling {
     image: Vec<f64>,
 }
 
-/// Σ log₂|M_ij| and the number of terms, for each row or column.
-#[derive(Debug, Clone, Default)]
-struct Logarithms {
-    sum: Vec<f64>,
-    count: Vec<f64>,
-    /// Exponents in the lower half, number of entries in the upper.
-    exponents: Vec<u64>,
-    mantissas: Vec<f64>,
-}
-
 /// Exponents are settled when their equations hold to this.
 const SETTLED: f64 = 1e-13;
 /// A bound on the conjugate-gradient steps for patterns with zeros: contact problems take about ten; on chains the ends
 /// are felt more slowly, but then no longer matter.
 const STEPS: usize = 24;
-/// So many mantissas, each below 2, can be multiplied before the product must be put away.
-const PRODUCT: usize = 512;
-
 impl Scaling {
     /// Balances the n × n matrix m, stored by columns, and q.
     pub(crate) fn balance(&mut self, n: usize, m: &[f64], q: &[f64]) {
-        self.sum_logarithms(n, m);
+        Logarithms::of(n, m, &mut self.rows, &mut self.columns);
         for vector in [&mut self.rho, &mut self.gamma] {
             vector.clear();
             vector.resize(n, 0.0);
@@ -88,6 +78,7 @@ impl Scaling {
         let listed = 4.0 * total < (n * n) as f64;
         self.pattern.clear();
         if listed {
+            self.pattern.reserve(n * n / 4 + n);
             for column in m.chunks_exact(n).chain(std::iter::once(q)) {
                 self.pattern.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
             }
@@ -148,30 +139,6 @@ impl Scaling {
         self.pattern = pattern;
     }
 
-    /// The sums over rows and columns. A logarithm is taken of a product of mantissas only, not of each entry.
-    fn sum_logarithms(&mut self, n: usize, m: &[f64]) {
-        self.rows.reset(n);
-        self.columns.reset(n);
-        for (j, column) in m.chunks_exact(n.max(1)).enumerate() {
-            for start in (0..n).step_by(PRODUCT) {
-                let end = n.min(start + PRODUCT);
-                let (exponents, product) = accumulate(
-                    &column[start..end],
-                    &mut self.rows.exponents[start..end],
-                    &mut self.rows.mantissas[start..end],
-                );
-                self.columns.exponents[j] += exponents;
-                self.columns.mantissas[j] = product;
-                self.columns.put_away(j);
-            }
-            if j % PRODUCT == PRODUCT - 1 {
-                (0..n).for_each(|i| self.rows.put_away(i));
-            }
-        }
-        self.rows.finish();
-        self.columns.finish();
-    }
-
     /// What one unit of the exactly balanced z_j measures in the rounded one: 2^γ_j / column_j.
     pub(crate) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
@@ -194,152 +161,6 @@ impl Scaling {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn power_of_two(k: f64) -> f64 {
     f64::from_bits(((k.clamp(-1022.0, 1023.0) + 1023.0) as u64) << 52)
-}
-
-/// Where the entries that take part are found.
-enum Pattern<'a> {
-    Listed(&'a [u32]),
-    InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
-}
-
-/// The entries of one column that take part.
-enum Column<'a> {
-    Listed(&'a [u32]),
-    InPlace(&'a [f64]),
-}
-
-impl Pattern<'_> {
-    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has any.
-    fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
-        match self {
-            Self::Listed(list) => {
-                let mut rest = *list;
-                for (j, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
-                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count of entries
-                    let (here, next) = rest.split_at((*count as usize).min(rest.len()));
-                    rest = next;
-                    visit(j, *count, &Column::Listed(here));
-                }
-            }
-            Self::InPlace { n, m, q } => {
-                let columns = m.chunks_exact(*n).chain(std::iter::once(*q));
-                for (j, (column, count)) in
-                    columns.zip(counts).enumerate().filter(|(_, (_, count))| **count > 0.0)
-                {
-                    visit(j, *count, &Column::InPlace(column));
-                }
-            }
-        }
-    }
-}
-
-impl Column<'_> {
-    /// Σ ρ_i over the entries.
-    fn sum(&self, rho: &[f64]) -> f64 {
-        match self {
-            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
-            Self::InPlace(column) => sum_where(column, rho),
-        }
-    }
-
-    /// Adds a number to the rows of the entries.
-    fn add(&self, what: f64, to: &mut [f64]) {
-        match self {
-            Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
-            Self::InPlace(column) => add_where(column, what, to),
-        }
-    }
-}
-
-const MANTISSA: u64 = (1 << 52) - 1;
-const ONE: u64 = 1023 << 52;
-
-/// Whether an entry takes part: not zero, and not so small that it has no full mantissa.
-fn counts(m: f64) -> bool {
-    m.abs() >= f64::MIN_POSITIVE
-}
-
-/// Σ ρ_i over the entries of a column that take part.
-fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
-    let mut lanes = [0.0; 4];
-    let mut columns = column.chunks_exact(4);
-    let mut rhos = rho.chunks_exact(4);
-    for (m, rho) in (&mut columns).zip(&mut rhos) {
-        for lane in 0..4 {
-            lanes[lane] += if counts(m[lane]) { rho[lane] } else { 0.0 };
-        }
-    }
-    for (m, rho) in columns.remainder().iter().zip(rhos.remainder()) {
-        lanes[0] += if counts(*m) { *rho } else { 0.0 };
-    }
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
-}
-
-/// Adds a number to the rows whose entry takes part.
-fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
-    for (to, m) in to.iter_mut().zip(column) {
-        *to += if counts(*m) { what } else { 0.0 };
-    }
-}
-
-/// Adds the exponents and multiplies the mantissas of a column to those of its rows; returns those of the column.
-fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
-    let mut sum = [0_u64; 4];
-    let mut product = [1.0_f64; 4];
-    let parts = |m: f64| {
-        let exponent = (m.to_bits() >> 52) & 0x7ff;
-        // (exponent + 2047) >> 11 is 0 for exponent 0 and 1 for all others.
-        (exponent + (((exponent + 2047) >> 11) << 32), f64::from_bits(m.to_bits() & MANTISSA | ONE))
-    };
-    let mut columns = column.chunks_exact(4);
-    let mut rows = exponents.chunks_exact_mut(4);
-    let mut products = mantissas.chunks_exact_mut(4);
-    for ((m, row), mantissa) in (&mut columns).zip(&mut rows).zip(&mut products) {
-        for lane in 0..4 {
-            let (e, f) = parts(m[lane]);
-            sum[lane] += e;
-            product[lane] *= f;
-            row[lane] += e;
-            mantissa[lane] *= f;
-        }
-    }
-    let tail = columns.remainder().iter().zip(rows.into_remainder()).zip(products.into_remainder());
-    for ((m, row), mantissa) in tail {
-        let (e, f) = parts(*m);
-        sum[0] += e;
-        product[0] *= f;
-        *row += e;
-        *mantissa *= f;
-    }
-    (sum.iter().sum(), (product[0] * product[1]) * (product[2] * product[3]))
-}
-
-impl Logarithms {
-    fn reset(&mut self, n: usize) {
-        self.exponents.clear();
-        self.exponents.resize(n, 0);
-        self.mantissas.clear();
-        self.mantissas.resize(n, 1.0);
-        for vector in [&mut self.sum, &mut self.count] {
-            vector.clear();
-            vector.resize(n, 0.0);
-        }
-    }
-
-    /// Turns a product of mantissas into its logarithm before it overflows.
-    fn put_away(&mut self, i: usize) {
-        self.sum[i] += self.mantissas[i].log2();
-        self.mantissas[i] = 1.0;
-    }
-
-    fn finish(&mut self) {
-        for i in 0..self.sum.len() {
-            self.put_away(i);
-            let count = (self.exponents[i] >> 32) as f64;
-            self.count[i] = count;
-            self.sum[i] += (self.exponents[i] & 0xffff_ffff) as f64 - 1023.0 * count;
-        }
-    }
 }
 
 #[cfg(test)]

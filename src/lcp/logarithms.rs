@@ -1,0 +1,100 @@
+//! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for each entry.
+
+/// So many mantissas, each below 2, can be multiplied before the product must be put away.
+const PRODUCT: usize = 512;
+const MANTISSA: u64 = (1 << 52) - 1;
+const ONE: u64 = 1023 << 52;
+
+/// Σ log₂|M_ij| and the number of terms, for each row or column.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Logarithms {
+    pub(super) sum: Vec<f64>,
+    pub(super) count: Vec<f64>,
+    /// Exponents in the lower half, number of entries in the upper.
+    exponents: Vec<u64>,
+    mantissas: Vec<f64>,
+}
+
+impl Logarithms {
+    /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. A logarithm is taken of a product of mantissas only, not of each entry.
+    pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
+        rows.reset(n);
+        columns.reset(n);
+        for (j, column) in m.chunks_exact(n.max(1)).enumerate() {
+            for start in (0..n).step_by(PRODUCT) {
+                let end = n.min(start + PRODUCT);
+                let (exponents, product) = accumulate(
+                    &column[start..end],
+                    &mut rows.exponents[start..end],
+                    &mut rows.mantissas[start..end],
+                );
+                columns.exponents[j] += exponents;
+                columns.mantissas[j] = product;
+                columns.put_away(j);
+            }
+            if j % PRODUCT == PRODUCT - 1 {
+                (0..n).for_each(|i| rows.put_away(i));
+            }
+        }
+        rows.finish();
+        columns.finish();
+    }
+
+    fn reset(&mut self, n: usize) {
+        self.exponents.clear();
+        self.exponents.resize(n, 0);
+        self.mantissas.clear();
+        self.mantissas.resize(n, 1.0);
+        for vector in [&mut self.sum, &mut self.count] {
+            vector.clear();
+            vector.resize(n, 0.0);
+        }
+    }
+
+    /// Turns a product of mantissas into its logarithm before it overflows.
+    fn put_away(&mut self, i: usize) {
+        self.sum[i] += self.mantissas[i].log2();
+        self.mantissas[i] = 1.0;
+    }
+
+    fn finish(&mut self) {
+        for i in 0..self.sum.len() {
+            self.put_away(i);
+            let count = (self.exponents[i] >> 32) as f64;
+            self.count[i] = count;
+            self.sum[i] += (self.exponents[i] & 0xffff_ffff) as f64 - 1023.0 * count;
+        }
+    }
+}
+
+/// Adds the exponents and multiplies the mantissas of a column to those of its rows; returns those of the column.
+fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
+    let mut sum = [0_u64; 4];
+    let mut product = [1.0_f64; 4];
+    let parts = |m: f64| {
+        let exponent = (m.to_bits() >> 52) & 0x7ff;
+        // (exponent + 2047) >> 11 is 0 for exponent 0 and 1 for all others.
+        (exponent + (((exponent + 2047) >> 11) << 32), f64::from_bits(m.to_bits() & MANTISSA | ONE))
+    };
+    let mut columns = column.chunks_exact(4);
+    let mut rows = exponents.chunks_exact_mut(4);
+    let mut products = mantissas.chunks_exact_mut(4);
+    for ((m, row), mantissa) in (&mut columns).zip(&mut rows).zip(&mut products) {
+        for lane in 0..4 {
+            let (e, f) = parts(m[lane]);
+            sum[lane] += e;
+            product[lane] *= f;
+            row[lane] += e;
+            mantissa[lane] *= f;
+        }
+    }
+    let tail = columns.remainder().iter().zip(rows.into_remainder()).zip(products.into_remainder());
+    for ((m, row), mantissa) in tail {
+        let (e, f) = parts(*m);
+        sum[0] += e;
+        product[0] *= f;
+        *row += e;
+        *mantissa *= f;
+    }
+    (sum.iter().sum(), (product[0] * product[1]) * (product[2] * product[3]))
+}

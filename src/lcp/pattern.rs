@@ -1,0 +1,84 @@
+//! Walking over those entries of [M, q] that are not zero.
+
+/// Where the entries that take part are found.
+pub(super) enum Pattern<'a> {
+    Listed(&'a [u32]),
+    InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
+}
+
+/// The entries of one column that take part.
+pub(super) enum Column<'a> {
+    Listed(&'a [u32]),
+    InPlace(&'a [f64]),
+}
+
+impl Pattern<'_> {
+    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has any.
+    pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
+        match self {
+            Self::Listed(list) => {
+                let mut rest = *list;
+                for (j, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
+                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count of entries
+                    let (here, next) = rest.split_at((*count as usize).min(rest.len()));
+                    rest = next;
+                    visit(j, *count, &Column::Listed(here));
+                }
+            }
+            Self::InPlace { n, m, q } => {
+                let columns = m.chunks_exact(*n).chain(std::iter::once(*q));
+                for (j, (column, count)) in
+                    columns.zip(counts).enumerate().filter(|(_, (_, count))| **count > 0.0)
+                {
+                    visit(j, *count, &Column::InPlace(column));
+                }
+            }
+        }
+    }
+}
+
+impl Column<'_> {
+    /// Σ ρ_i over the entries.
+    pub(super) fn sum(&self, rho: &[f64]) -> f64 {
+        match self {
+            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
+            Self::InPlace(column) => sum_where(column, rho),
+        }
+    }
+
+    /// Adds a number to the rows of the entries.
+    pub(super) fn add(&self, what: f64, to: &mut [f64]) {
+        match self {
+            Self::Listed(list) => list.iter().for_each(|i| to[*i as usize] += what),
+            Self::InPlace(column) => add_where(column, what, to),
+        }
+    }
+}
+
+/// Whether an entry takes part: not zero, and not so small that it has no full mantissa.
+pub(super) fn counts(m: f64) -> bool {
+    m.abs() >= f64::MIN_POSITIVE
+}
+
+/// Σ ρ_i over the entries of a column that take part.
+fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
+    let mut lanes = [0.0; 4];
+    let mut columns = column.chunks_exact(4);
+    let mut rhos = rho.chunks_exact(4);
+    for (m, rho) in (&mut columns).zip(&mut rhos) {
+        for lane in 0..4 {
+            lanes[lane] += if counts(m[lane]) { rho[lane] } else { 0.0 };
+        }
+    }
+    for (m, rho) in columns.remainder().iter().zip(rhos.remainder()) {
+        lanes[0] += if counts(*m) { *rho } else { 0.0 };
+    }
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
+}
+
+/// Adds a number to the rows whose entry takes part.
+fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
+    for (to, m) in to.iter_mut().zip(column) {
+        *to += if counts(*m) { what } else { 0.0 };
+    }
+}
