@@ -18,7 +18,7 @@
 //! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
 //! variable is known as soon as the leaving one is, so both are done in one pass over memory.
 
-use super::kernel;
+use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine, wide};
 use super::scaling::Scaling;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
@@ -123,7 +123,7 @@ impl Dictionary {
             self.load(variable, m, scaling);
             let mut u = std::mem::take(&mut self.u);
             u.copy_from_slice(&self.next);
-            kernel::combine(&self.columns, self.n, &self.c, &mut u);
+            wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: &mut u });
             self.u = u;
         }
     }
@@ -138,7 +138,7 @@ impl Dictionary {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
         effect.copy_from_slice(&self.next);
-        kernel::combine(&self.columns, self.n, &self.c, effect);
+        wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: effect });
     }
 
     /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
@@ -146,7 +146,13 @@ impl Dictionary {
         for (level, basic) in self.level.iter_mut().zip(&self.basic) {
             *level = if let Unknown::W(i) = *basic { q[i].abs() } else { 0.0 };
         }
-        kernel::combine_sizes(&self.columns, self.n, &self.kept, q, &mut self.level);
+        wide(CombineSizes {
+            columns: &self.columns,
+            n: self.n,
+            kept: &self.kept,
+            factors: q,
+            y: &mut self.level,
+        });
     }
 
     /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
@@ -172,7 +178,13 @@ impl Dictionary {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i].abs();
         }
-        kernel::combine_sizes(&self.columns, self.n, &self.kept, &self.entering, &mut self.next);
+        wide(CombineSizes {
+            columns: &self.columns,
+            n: self.n,
+            kept: &self.kept,
+            factors: &self.entering,
+            y: &mut self.next,
+        });
     }
 
     /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
@@ -204,10 +216,17 @@ impl Dictionary {
         let leaving = self.rearrange(entering, r);
         if let Unknown::W(l) = leaving {
             self.load(Unknown::Z(l), m, scaling);
-            kernel::update_and_combine(&mut self.columns, self.n, &self.g, &self.u, &self.c, &mut self.next);
+            wide(UpdateAndCombine {
+                columns: &mut self.columns,
+                n: self.n,
+                g: &self.g,
+                u: &self.u,
+                c: &self.c,
+                y: &mut self.next,
+            });
             std::mem::swap(&mut self.u, &mut self.next);
         } else {
-            kernel::update(&mut self.columns, self.n, &self.g, &self.u);
+            wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
             if leaving != Unknown::Covering {
                 self.enter(leaving.complement(), m, scaling);
             }
@@ -218,7 +237,7 @@ impl Dictionary {
     /// The same exchange without a look ahead.
     pub(crate) fn exchange(&mut self, entering: Unknown, r: usize) {
         self.rearrange(entering, r);
-        kernel::update(&mut self.columns, self.n, &self.g, &self.u);
+        wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
     /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.

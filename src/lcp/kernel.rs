@@ -1,104 +1,190 @@
-//! The two inner loops of a pivot, written so that the compiler turns them into vector instructions.
+//! The inner loops of a pivot, written so that the compiler turns them into vector instructions.
+//!
+//! With the feature `simd` they are compiled for wider vectors as well and the widest that the processor has is chosen
+//! at run time. The operations and their order are the same, hence so are all bits.
 
-/// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
-pub(crate) fn update_and_combine(
-    columns: &mut [f64],
-    n: usize,
-    g: &[f64],
-    u: &[f64],
-    c: &[f64],
-    y: &mut [f64],
-) {
-    let mut blocks = columns.chunks_exact_mut(4 * n.max(1));
-    let mut at = 0;
-    for block in &mut blocks {
-        let (a, rest) = block.split_at_mut(n);
-        let (b, rest) = rest.split_at_mut(n);
-        let (d, e) = rest.split_at_mut(n);
-        let g = [g[at], g[at + 1], g[at + 2], g[at + 3]];
-        let c = [c[at], c[at + 1], c[at + 2], c[at + 3]];
-        at += 4;
-        match (g == [0.0; 4], c == [0.0; 4]) {
-            (true, true) => {}
-            (true, false) => combine4([a, b, d, e], c, y),
-            (false, true) => update4(a, b, d, e, g, u),
-            (false, false) => both4(a, b, d, e, g, u, c, y),
+/// A loop with its operands.
+pub(crate) trait Loop {
+    type Output;
+    /// Must be inlined for the caller's vectors to be used.
+    fn run(self) -> Self::Output;
+}
+
+/// Runs a loop on the widest vectors there are.
+#[cfg(feature = "simd")]
+#[inline]
+pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
+    struct Wide<L>(L);
+    impl<L: Loop> pulp::NullaryFnOnce for Wide<L> {
+        type Output = L::Output;
+        #[inline(always)]
+        fn call(self) -> L::Output {
+            self.0.run()
         }
     }
-    for column in blocks.into_remainder().chunks_exact_mut(n.max(1)) {
-        if g[at] != 0.0 {
-            add(column, g[at], u);
+    pulp::Arch::new().dispatch(Wide(work))
+}
+
+/// Runs a loop as it was compiled.
+#[cfg(not(feature = "simd"))]
+#[inline]
+pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
+    work.run()
+}
+
+/// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
+pub(crate) struct UpdateAndCombine<'a> {
+    pub(crate) columns: &'a mut [f64],
+    pub(crate) n: usize,
+    pub(crate) g: &'a [f64],
+    pub(crate) u: &'a [f64],
+    pub(crate) c: &'a [f64],
+    pub(crate) y: &'a mut [f64],
+}
+
+impl Loop for UpdateAndCombine<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { columns, n, g, u, c, y } = self;
+        let mut blocks = columns.chunks_exact_mut(4 * n.max(1));
+        let mut at = 0;
+        for block in &mut blocks {
+            let (a, rest) = block.split_at_mut(n);
+            let (b, rest) = rest.split_at_mut(n);
+            let (d, e) = rest.split_at_mut(n);
+            let g = [g[at], g[at + 1], g[at + 2], g[at + 3]];
+            let c = [c[at], c[at + 1], c[at + 2], c[at + 3]];
+            at += 4;
+            match (g == [0.0; 4], c == [0.0; 4]) {
+                (true, true) => {}
+                (true, false) => combine4([a, b, d, e], c, y),
+                (false, true) => update4(a, b, d, e, g, u),
+                (false, false) => both4(a, b, d, e, g, u, c, y),
+            }
         }
-        if c[at] != 0.0 {
-            add(y, -c[at], column);
+        for column in blocks.into_remainder().chunks_exact_mut(n.max(1)) {
+            if g[at] != 0.0 {
+                add(column, g[at], u);
+            }
+            if c[at] != 0.0 {
+                add(y, -c[at], column);
+            }
+            at += 1;
         }
-        at += 1;
     }
 }
 
 /// y −= Σ_j c_j a_j.
-pub(crate) fn combine(columns: &[f64], n: usize, c: &[f64], y: &mut [f64]) {
-    let blocks = columns.chunks_exact(4 * n.max(1));
-    let rest = blocks.remainder();
-    let mut at = 0;
-    for block in blocks {
-        let (a, tail) = block.split_at(n);
-        let (b, tail) = tail.split_at(n);
-        let (d, e) = tail.split_at(n);
-        let c = [c[at], c[at + 1], c[at + 2], c[at + 3]];
-        at += 4;
-        if c != [0.0; 4] {
-            combine4([a, b, d, e], c, y);
+pub(crate) struct Combine<'a> {
+    pub(crate) columns: &'a [f64],
+    pub(crate) n: usize,
+    pub(crate) c: &'a [f64],
+    pub(crate) y: &'a mut [f64],
+}
+
+impl Loop for Combine<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { columns, n, c, y } = self;
+        let blocks = columns.chunks_exact(4 * n.max(1));
+        let rest = blocks.remainder();
+        let mut at = 0;
+        for block in blocks {
+            let (a, tail) = block.split_at(n);
+            let (b, tail) = tail.split_at(n);
+            let (d, e) = tail.split_at(n);
+            let c = [c[at], c[at + 1], c[at + 2], c[at + 3]];
+            at += 4;
+            if c != [0.0; 4] {
+                combine4([a, b, d, e], c, y);
+            }
         }
-    }
-    for column in rest.chunks_exact(n.max(1)) {
-        if c[at] != 0.0 {
-            add(y, -c[at], column);
+        for column in rest.chunks_exact(n.max(1)) {
+            if c[at] != 0.0 {
+                add(y, -c[at], column);
+            }
+            at += 1;
         }
-        at += 1;
     }
 }
 
 /// y += Σ_j |c_j a_j|, with c_j = `factors[kept[j]]`.
-pub(crate) fn combine_sizes(columns: &[f64], n: usize, kept: &[usize], factors: &[f64], y: &mut [f64]) {
-    let blocks = columns.chunks_exact(4 * n.max(1));
-    let rest = blocks.remainder();
-    let mut quads = kept.chunks_exact(4);
-    for (block, quad) in blocks.zip(&mut quads) {
-        let (a, tail) = block.split_at(n);
-        let (b, tail) = tail.split_at(n);
-        let (d, e) = tail.split_at(n);
-        let (a, b, d, e, y) = (&a[..n], &b[..n], &d[..n], &e[..n], &mut y[..n]);
-        let c =
-            [factors[quad[0]].abs(), factors[quad[1]].abs(), factors[quad[2]].abs(), factors[quad[3]].abs()];
-        for i in 0..n {
-            y[i] += (c[0] * a[i].abs() + c[1] * b[i].abs()) + (c[2] * d[i].abs() + c[3] * e[i].abs());
+pub(crate) struct CombineSizes<'a> {
+    pub(crate) columns: &'a [f64],
+    pub(crate) n: usize,
+    pub(crate) kept: &'a [usize],
+    pub(crate) factors: &'a [f64],
+    pub(crate) y: &'a mut [f64],
+}
+
+impl Loop for CombineSizes<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { columns, n, kept, factors, y } = self;
+        let blocks = columns.chunks_exact(4 * n.max(1));
+        let rest = blocks.remainder();
+        let mut quads = kept.chunks_exact(4);
+        for (block, quad) in blocks.zip(&mut quads) {
+            let (a, tail) = block.split_at(n);
+            let (b, tail) = tail.split_at(n);
+            let (d, e) = tail.split_at(n);
+            let (a, b, d, e, y) = (&a[..n], &b[..n], &d[..n], &e[..n], &mut y[..n]);
+            let c = [
+                factors[quad[0]].abs(),
+                factors[quad[1]].abs(),
+                factors[quad[2]].abs(),
+                factors[quad[3]].abs(),
+            ];
+            for i in 0..n {
+                y[i] += (c[0] * a[i].abs() + c[1] * b[i].abs()) + (c[2] * d[i].abs() + c[3] * e[i].abs());
+            }
         }
-    }
-    for (column, i) in rest.chunks_exact(n.max(1)).zip(quads.remainder()) {
-        let size = factors[*i].abs();
-        for (y, a) in y.iter_mut().zip(column) {
-            *y += size * a.abs();
+        for (column, i) in rest.chunks_exact(n.max(1)).zip(quads.remainder()) {
+            let size = factors[*i].abs();
+            for (y, a) in y.iter_mut().zip(column) {
+                *y += size * a.abs();
+            }
         }
     }
 }
 
 /// a_j += g_j u.
-pub(crate) fn update(columns: &mut [f64], n: usize, g: &[f64], u: &[f64]) {
-    for (column, g) in columns.chunks_exact_mut(n.max(1)).zip(g) {
-        if *g != 0.0 {
-            add(column, *g, u);
+pub(crate) struct Update<'a> {
+    pub(crate) columns: &'a mut [f64],
+    pub(crate) n: usize,
+    pub(crate) g: &'a [f64],
+    pub(crate) u: &'a [f64],
+}
+
+impl Loop for Update<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { columns, n, g, u } = self;
+        for (column, g) in columns.chunks_exact_mut(n.max(1)).zip(g) {
+            if *g != 0.0 {
+                add(column, *g, u);
+            }
         }
     }
 }
 
 /// a += g u.
+#[inline(always)]
 pub(crate) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {
         *a += g * u;
     }
 }
 
+#[inline(always)]
 fn combine4([a, b, d, e]: [&[f64]; 4], c: [f64; 4], y: &mut [f64]) {
     let n = y.len();
     let (a, b, d, e) = (&a[..n], &b[..n], &d[..n], &e[..n]);
@@ -107,6 +193,7 @@ fn combine4([a, b, d, e]: [&[f64]; 4], c: [f64; 4], y: &mut [f64]) {
     }
 }
 
+#[inline(always)]
 fn update4(a: &mut [f64], b: &mut [f64], d: &mut [f64], e: &mut [f64], g: [f64; 4], u: &[f64]) {
     let n = u.len();
     let (a, b, d, e) = (&mut a[..n], &mut b[..n], &mut d[..n], &mut e[..n]);
@@ -119,7 +206,7 @@ fn update4(a: &mut [f64], b: &mut [f64], d: &mut [f64], e: &mut [f64], g: [f64; 
 }
 
 #[allow(clippy::too_many_arguments)] // separate slices are what lets the loop be vectorised
-#[inline(never)]
+#[inline(always)]
 fn both4(
     a: &mut [f64],
     b: &mut [f64],

@@ -6,6 +6,7 @@
 //! Nothing is added to the data. If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
 use super::dictionary::{Dictionary, Unknown, largest};
+use super::kernel::{Loop, wide};
 use super::settings::Settings;
 
 /// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
@@ -37,10 +38,10 @@ pub(crate) fn blocking_row(
         None
     };
     let step = match exempt {
-        None => shortest_step(&dictionary.x, &dictionary.u, least),
+        None => wide(ShortestStep { x: &dictionary.x, u: &dictionary.u, least }),
         Some(row) => {
-            let before = shortest_step(&dictionary.x[..row], &dictionary.u[..row], least);
-            before.min(shortest_step(&dictionary.x[row + 1..], &dictionary.u[row + 1..], least))
+            let before = wide(ShortestStep { x: &dictionary.x[..row], u: &dictionary.u[..row], least });
+            before.min(wide(ShortestStep { x: &dictionary.x[row + 1..], u: &dictionary.u[row + 1..], least }))
         }
     };
     if step == f64::INFINITY {
@@ -49,15 +50,20 @@ pub(crate) fn blocking_row(
     let mut best: Option<(usize, bool, f64)> = None;
     let blocks = |x: f64, u: f64, level: f64| {
         let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDING * level;
-        (u < least) & (x.max(0.0) + u * step <= margin)
+        (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
     // Blocking rows are rare: eight rows at a time are first asked together, without a branch for each.
     let n = dictionary.u.len();
+    let (x, u, level) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.level[..n]);
     for start in (0..n).step_by(8) {
         let end = n.min(start + 8);
-        let (u, x) = (&dictionary.u[start..end], &dictionary.x[start..end]);
-        let level = &dictionary.level[start..end];
-        let any = u.iter().zip(x).zip(level).fold(false, |any, ((u, x), level)| any | blocks(*x, *u, *level));
+        let mut any = end - start < 8;
+        if !any {
+            let (x, u, level) = (&x[start..start + 8], &u[start..start + 8], &level[start..start + 8]);
+            for lane in 0..8 {
+                any |= blocks(x[lane], u[lane], level[lane]);
+            }
+        }
         if !any {
             continue;
         }
@@ -99,24 +105,35 @@ pub(crate) fn doubtful_row_breaks(
 
 /// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0. No branches, since half of them would be
 /// mispredicted.
-fn shortest_step(x: &[f64], u: &[f64], least: f64) -> f64 {
-    let ratio = |x: f64, u: f64| {
-        let ratio = if x > 0.0 { x } else { 0.0 } / -u;
-        if u < least { ratio } else { f64::INFINITY }
-    };
-    let mut lanes = [f64::INFINITY; 4];
-    let mut xs = x.chunks_exact(4);
-    let mut us = u.chunks_exact(4);
-    for (x, u) in (&mut xs).zip(&mut us) {
-        for lane in 0..4 {
-            let ratio = ratio(x[lane], u[lane]);
-            lanes[lane] = if ratio < lanes[lane] { ratio } else { lanes[lane] };
+struct ShortestStep<'a> {
+    x: &'a [f64],
+    u: &'a [f64],
+    least: f64,
+}
+
+impl Loop for ShortestStep<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let ratio = |x: f64, u: f64| {
+            let ratio = if x > 0.0 { x } else { 0.0 } / -u;
+            if u < self.least { ratio } else { f64::INFINITY }
+        };
+        let mut lanes = [f64::INFINITY; 8];
+        let mut xs = self.x.chunks_exact(8);
+        let mut us = self.u.chunks_exact(8);
+        for (x, u) in (&mut xs).zip(&mut us) {
+            for lane in 0..8 {
+                let ratio = ratio(x[lane], u[lane]);
+                lanes[lane] = if ratio < lanes[lane] { ratio } else { lanes[lane] };
+            }
         }
+        for (x, u) in xs.remainder().iter().zip(us.remainder()) {
+            lanes[0] = lanes[0].min(ratio(*x, *u));
+        }
+        lanes.into_iter().fold(f64::INFINITY, f64::min)
     }
-    for (x, u) in xs.remainder().iter().zip(us.remainder()) {
-        lanes[0] = lanes[0].min(ratio(*x, *u));
-    }
-    lanes[0].min(lanes[1]).min(lanes[2].min(lanes[3]))
 }
 
 /// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters an infeasible basis.
