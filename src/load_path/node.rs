@@ -240,7 +240,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
     ) -> Vec<(usize, Change<C>)> {
         let mut changes = Vec::new();
         for i in 0..self.states.len() {
-            let next = self.in_the_whole_law(i, rates, found.states[i]);
+            let next = self.in_the_whole_law(segment, i, rates, found.states[i]);
             let answer = segment.grasp.contact_answer(rates, found, segment.cone, i);
             let direction = match answer.state {
                 ContactState::Sliding { direction } => Some(direction),
@@ -278,11 +278,19 @@ impl<const D: usize, const C: usize> Node<D, C> {
     }
 
     /// A state in rates, where facets count among those the contact stands on, in terms of the whole law.
-    fn in_the_whole_law(&self, i: usize, rates: &Problem<D, C>, state: State) -> State {
+    fn in_the_whole_law(
+        &self,
+        segment: &Segment<D, C>,
+        i: usize,
+        rates: &Problem<D, C>,
+        state: State,
+    ) -> State {
         match (&rates.laws[i], state) {
             (Law::Edge(_), State::Sliding { first, second }) => {
-                let facet = |k: usize| self.standing[i][k];
-                State::Sliding { first: facet(first), second: second.map(facet) }
+                let facets: Vec<_> = [Some(first), second].into_iter().flatten().collect();
+                segment
+                    .problem
+                    .slipping_state(i, &facets.iter().map(|&k| self.standing[i][k]).collect::<Vec<_>>())
             }
             _ => state,
         }
