@@ -3,6 +3,7 @@
 #![allow(dead_code, clippy::doc_markdown)]
 
 pub(crate) mod draw;
+pub(crate) mod steps;
 pub(crate) mod tally;
 
 use std::f64::consts::{PI, TAU};

@@ -19,6 +19,8 @@ pub(crate) struct Tally {
     pub(crate) gives_way: usize,
     pub(crate) no_start: usize,
     pub(crate) undecided: usize,
+    /// Losses just beyond which another method finds no equilibrium at all.
+    pub(crate) nothing_beyond: usize,
     /// What the property itself was checked on.
     pub(crate) checked: usize,
 }
