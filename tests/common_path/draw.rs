@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use grasp_lcp::grasp::Hold;
 use nalgebra::{SMatrix, SVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -60,7 +61,7 @@ pub(crate) fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
 }
 
 /// Contacts around an object, pointing more or less inwards; stiffnesses over four decades; friction none, small, moderate,
-/// large or infinite; some with clearance. Forces of about 1 N at rest, loads of that size, commands that squeeze and let go.
+/// large or infinite; some with clearance, some kept closed or bonded. Forces of about 1 N at rest, loads of that size, commands that squeeze and let go.
 fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -> Scene<D, C> {
     let n = contacts.len();
     let mut press = Vec::new();
@@ -89,6 +90,11 @@ fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -
                     _ => f64::INFINITY,
                 },
                 clearance: if *loose < 2 { 0.6 * press[i] } else { 0.0 },
+                hold: match loose {
+                    8 => Hold::KeptClosed,
+                    9 if x[0] > 0.0 => Hold::Bonded,
+                    _ => Hold::Unilateral,
+                },
             }
         })
         .collect();

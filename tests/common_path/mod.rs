@@ -9,7 +9,7 @@ pub(crate) mod tally;
 use std::f64::consts::{PI, TAU};
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
 use grasp_lcp::load_path::Leg;
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
@@ -25,6 +25,7 @@ pub(crate) struct Spot<const C: usize> {
     pub(crate) k: SVector<f64, C>,
     pub(crate) mu: f64,
     pub(crate) clearance: f64,
+    pub(crate) hold: Hold,
 }
 
 #[derive(Debug, Clone)]
@@ -62,7 +63,12 @@ impl<const C: usize> Spot<C> {
     }
 
     pub(crate) fn rubs(&self) -> bool {
-        self.mu > 0.0 && self.mu.is_finite()
+        self.mu > 0.0 && self.mu.is_finite() && self.hold != Hold::Bonded
+    }
+
+    /// It has springs along its tangents.
+    pub(crate) fn holds_along(&self) -> bool {
+        self.mu > 0.0 || self.hold == Hold::Bonded
     }
 }
 
@@ -103,11 +109,16 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
             let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
             let contact = if C == 3 { contact.tangent(spot.frame.column(1).into_owned()) } else { contact };
-            contact
+            let contact = contact
                 .series_stiffness_axes(spot.k)
                 .friction(spot.mu)
                 .clearance(spot.clearance)
-                .command(*command)
+                .command(*command);
+            match spot.hold {
+                Hold::Unilateral => contact,
+                Hold::KeptClosed => contact.kept_closed(),
+                Hold::Bonded => contact.bonded(),
+            }
         });
         Grasp::new(contacts).expect("a valid scene")
     }
@@ -161,8 +172,11 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             sum_size += map.norm() * c.force.norm();
             // Translation and rotation may cancel at the contact, their rounding does not.
             let size = drives[i].norm() + map.norm() * state.twist.as_vector().norm() + c.slip.norm();
-            note(-n, most);
+            if spot.hold == Hold::Unilateral {
+                note(-n, most);
+            }
             if c.state == ContactState::Separated {
+                assert!(spot.hold == Hold::Unilateral);
                 note(c.force.norm(), most);
                 note((stretch[0] + c.gap).abs(), size);
                 note(-c.gap, size);
@@ -170,7 +184,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             }
             note(c.gap.abs(), size);
             note((n - spot.k[0] * stretch[0]).abs(), spot.k[0] * size + most);
-            if spot.mu == 0.0 {
+            if !spot.holds_along() {
                 note(t.norm(), most);
                 continue;
             }
@@ -178,7 +192,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 let pull = spot.k[axis] * (stretch[axis] - c.slip[axis]);
                 note((t[axis] - pull).abs(), spot.k[axis] * size + most);
             }
-            if spot.mu.is_infinite() {
+            if !spot.rubs() {
                 assert!(c.state == ContactState::Rolling);
                 continue;
             }

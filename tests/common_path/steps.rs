@@ -2,6 +2,7 @@
 //! far is solved by trying every combination of contact states, and of the solutions the nearest to the last one is taken.
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use grasp_lcp::grasp::Hold;
 use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
 use super::{Scene, Spot};
@@ -89,7 +90,10 @@ impl Scene<3, 2> {
                 if *was == Does::Opens {
                     return vec![Does::Closes, Does::Opens];
                 }
-                let mut list = vec![Does::Sticks, Does::Opens];
+                let mut list = vec![Does::Sticks];
+                if spot.hold == Hold::Unilateral {
+                    list.push(Does::Opens);
+                }
                 if spot.rubs() {
                     list.extend([Does::Slips(1.0), Does::Slips(-1.0)]);
                 }
@@ -121,7 +125,7 @@ impl Scene<3, 2> {
         for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
             let map = spot.map::<3>();
             let (n, t) = (map.column(0), map.column(1));
-            let kt = if spot.mu == 0.0 { 0.0 } else { spot.k[1] };
+            let kt = if spot.holds_along() { spot.k[1] } else { 0.0 };
             let push = spot.k[0] * drives[i][0];
             let (at_rest, slope) = match does {
                 Does::Opens => (Vector2::zeros(), [Vector3::zeros(); 2]),
@@ -153,6 +157,9 @@ impl Scene<3, 2> {
             let stretch = drives[i] - map.transpose() * twist;
             let travel = SLACK * (drives[i].norm() + map.norm() * twist.norm());
             let (n, friction) = (forces[i][0], forces[i][1]);
+            // Without friction or with no limit to it, what is kept closed may be pulled.
+            let pulled = spot.hold != Hold::Unilateral && !spot.rubs();
+            let pushes = |n: f64, least: f64| n >= least || pulled;
             let least = -SLACK * (1.0 + if spot.mu.is_finite() { spot.mu } else { 0.0 }) * most;
             let allowed = match does {
                 Does::Opens => {
@@ -161,12 +168,12 @@ impl Scene<3, 2> {
                 }
                 Does::Closes => {
                     slips[i] = stretch[1];
-                    n >= least
+                    pushes(n, least)
                 }
-                Does::Sticks => n >= least && (!spot.rubs() || spot.mu * n - friction.abs() >= least),
+                Does::Sticks => pushes(n, least) && (!spot.rubs() || spot.mu * n - friction.abs() >= least),
                 Does::Slips(sign) => {
                     slips[i] = stretch[1] - friction / spot.k[1];
-                    n >= least && sign * (slips[i] - last.slips[i]) >= -travel
+                    pushes(n, least) && sign * (slips[i] - last.slips[i]) >= -travel
                 }
             };
             if !allowed {
