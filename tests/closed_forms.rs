@@ -225,6 +225,30 @@ fn six_frictionless_locators() {
     );
 }
 
+/// A bar on two locators at x = -1 and 1 along itself and one against its end, moved by their commands without a load:
+/// nothing carries anything, the bar follows, u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, whatever the stiffnesses and
+/// however the whole is turned.
+#[test]
+fn moved_locators_without_a_load_carry_nothing() {
+    let a: [f64; 3] = [0.013, -0.007, 0.011];
+    for step in 0..50 {
+        let (sin, cos) = (0.1 * f64::from(step)).sin_cos();
+        let turned = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+        let places = [([-1.0, 0.0], [0.0, 1.0]), ([1.0, 0.0], [0.0, 1.0]), ([-1.0, 0.0], [1.0, 0.0])];
+        let locators = places.iter().zip([1e2, 3e4, 7e3]).zip(a).map(|((&(p, n), k), a)| {
+            let locator = planar::Contact::new(turned(p), turned(n)).series_stiffness(k, k).kept_closed();
+            locator.command([a, 0.0])
+        });
+        let bar = planar::Grasp::new(locators).unwrap();
+        let state = hold(&bar, planar::Wrench::ZERO);
+        let [x, y] = turned([a[2], 0.5 * (a[0] + a[1])]);
+        let twist = state.twist.as_vector();
+        assert!((twist[0] - x).abs() < 1e-15 && (twist[1] - y).abs() < 1e-15);
+        assert!((twist[2] - 0.5 * (a[1] - a[0])).abs() < 1e-15);
+        assert!(state.contacts.iter().all(|c| c.force.norm() < 1e-30));
+    }
+}
+
 /// A bar on three frictionless supports at x = -1, 0, 1 of equal stiffness, pressed down by w at x = e. Elastic: N = w/3
 /// (1 + 3/2 e x). The left support lets go at e = 2/3; beyond it the other two carry w (1 - e) and w e, and the left
 /// gap follows from their compressions.

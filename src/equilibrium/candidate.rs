@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
-use super::slack::for_each_slack;
+use super::slack::{for_each_slack, largest_force};
 use crate::formulation::{Law, Piece, Problem, State};
 use crate::lcp::{Lcp, Outcome};
 
@@ -85,19 +85,22 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
     if worst > rounding {
         return Verdict::Violated { doubtful: worst <= doubtful };
     }
-    if out_of_balance(problem, &state.forces) > OUT_OF_BALANCE {
+    if out_of_balance(problem, &state.forces, &state.twist) > OUT_OF_BALANCE {
         return Verdict::Violated { doubtful: true };
     }
     Verdict::Holds(Found { states, forces: state.forces, twist: state.twist, free_motions, neutral_motions })
 }
 
-/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms.
+/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp
+/// no force changes, and what is left of the forces is noise: it is not measured against itself.
 fn out_of_balance<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
 ) -> f64 {
     let mut sum = problem.wrench;
-    let mut size = sum.norm();
+    let sizes = forces.iter().map(nalgebra::Matrix::norm);
+    let mut size = largest_force(problem.sites, &problem.drives, twist, sum.norm(), sizes);
     for (site, force) in problem.sites.iter().zip(forces) {
         sum += site.map * force;
         size += force.norm();

@@ -3,20 +3,23 @@
 use nalgebra::SVector;
 
 use super::answer::{Cone, ContactAnswer, ContactState};
+use super::slack::{NO_FORCE, least_spring_force};
 use crate::formulation::Problem;
-use crate::grasp::{Grasp, Hold, Site, Twist, Wrench, displacement_of, wrench_of};
+use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
 
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic.
 ///
-/// Forces are measured against the largest contact force or load of the scene, displacements of a contact against the
+/// Forces are measured against the largest contact force or load of the scene (where there is none at all, against 1e-25 of
+/// the least force that a spring could have), displacements of a contact against the
 /// sum of the sizes of its own displacements, products against the product of both.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Residuals {
-    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from its command; the same for moments; the larger of both.
+    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the
+    /// displacements of its contact; the same for moments; the larger of both.
     pub equilibrium: f64,
     /// `|F/k - (a - u_c + g - s)|` axis by axis: the contact springs.
     pub springs: f64,
@@ -48,28 +51,32 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         answers: &[ContactAnswer<C>],
         cone: Cone,
     ) -> Residuals {
-        let mut r =
-            Residuals { equilibrium: self.out_of_balance(problem, load, answers), ..Residuals::default() };
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
-        let force_size =
-            answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm())).max(SMALLEST);
         let drives = &problem.drives;
+        let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
+        let compression = |i: usize| {
+            let (f, site) = (&answers[i].force, &self.sites()[i]);
+            SVector::<f64, C>::from_fn(|a, _| if a < site.axes { f[a] / site.k[a] } else { 0.0 })
+        };
+        // The law is about the slip since the state that the drives count from.
+        let slip = |i: usize| answers[i].slip - problem.slips[i];
+        let sizes: Vec<f64> = (0..self.len())
+            .map(|i| {
+                let contact = &self.contacts()[i];
+                let own = drives[i].norm() + contact.clearance + compression(i).norm();
+                let moved = twist.as_vector().norm() + turned * contact.point.norm();
+                (own + moved + answers[i].gap.abs() + slip(i).norm()).max(SMALLEST)
+            })
+            .collect();
+        let largest = answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm()));
+        let spring_force = least_spring_force(self.sites(), sizes.iter().copied());
+        let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
+        let equilibrium = self.out_of_balance(load, answers, spring_force);
+        let mut r = Residuals { equilibrium, ..Residuals::default() };
         for (i, (answer, site)) in answers.iter().zip(self.sites()).enumerate() {
-            let point = self.contacts()[i].point;
-            // The law is about the slip since the state that the drives count from.
-            let (f, s, g) = (&answer.force, &(answer.slip - problem.slips[i]), answer.gap);
-            let moved = site.frame.tr_mul(&displacement_of(&point, twist.as_vector()));
-            let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
-            let compression =
-                SVector::<f64, C>::from_fn(|a, _| if a < site.axes { f[a] / site.k[a] } else { 0.0 });
-            let size = drives[i].norm()
-                + self.contacts()[i].clearance
-                + twist.as_vector().norm()
-                + turned * point.norm()
-                + compression.norm()
-                + g.abs()
-                + s.norm();
-            let size = size.max(SMALLEST);
+            let (f, s, g, size) = (&answer.force, slip(i), answer.gap, sizes[i]);
+            let moved = site.frame.tr_mul(&displacement_of(&self.contacts()[i].point, twist.as_vector()));
+            let compression = compression(i);
             for a in 0..site.axes {
                 let jump = if a == 0 { g } else { -s[a] };
                 r.springs = r.springs.max((compression[a] - (drives[i][a] - moved[a] + jump)).abs() / size);
@@ -98,17 +105,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                     let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
                         list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
                     };
-                    (most(&problem.polygon.normals, f), most(&problem.polygon.corners, s))
+                    (most(&problem.polygon.normals, f), most(&problem.polygon.corners, &s))
                 };
                 r.cone = r.cone.max((used - site.mu * f[0]) / scale);
-                let missing = site.mu * f[0] * support - f.dot(s);
+                let missing = site.mu * f[0] * support - f.dot(&s);
                 r.complementarity = r.complementarity.max(missing.abs() / (scale * size));
             }
         }
         r
     }
 
-    fn out_of_balance(&self, problem: &Problem<D, C>, load: &Wrench<D>, answers: &[ContactAnswer<C>]) -> f64 {
+    /// `spring_force` is the least force that a spring could have from the displacements of its contact.
+    fn out_of_balance(&self, load: &Wrench<D>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
         for k in 0..D {
@@ -119,11 +127,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
         }
-        // Where nothing carries anything, forces are the rounding of what the springs could do: the softest of the scene.
-        let could = |(site, a): (&Site<D, C>, &SVector<f64, C>)| {
-            site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k)) * a.norm()
-        };
-        force_size += self.sites().iter().zip(&problem.drives).map(could).fold(f64::INFINITY, f64::min);
+        // Where nothing carries anything, forces are the rounding of what the springs could do.
+        force_size += spring_force;
         // A moment counts against the moments, and against the forces at the distance of the contacts.
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();

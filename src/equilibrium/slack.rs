@@ -28,7 +28,16 @@ pub(crate) fn span<const D: usize, const C: usize>(
 /// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
 /// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This
 /// part of those counts as a force, so that noise is not measured against itself.
-const NO_FORCE: f64 = 1e-25;
+pub(crate) const NO_FORCE: f64 = 1e-25;
+
+/// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
+pub(crate) fn least_spring_force<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    spans: impl Iterator<Item = f64>,
+) -> f64 {
+    let softest = |site: &Site<D, C>| site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k));
+    sites.iter().zip(spans).map(|(site, span)| softest(site) * span).fold(f64::INFINITY, f64::min)
+}
 
 /// Size of the largest force of a scene.
 pub(crate) fn largest_force<const D: usize, const C: usize>(
@@ -38,14 +47,8 @@ pub(crate) fn largest_force<const D: usize, const C: usize>(
     load: f64,
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
-    let softest = sites
-        .iter()
-        .zip(drives)
-        .map(|(site, a)| {
-            site.k.iter().take(site.axes).fold(f64::INFINITY, |m, k| m.min(*k)) * span(site, a, twist)
-        })
-        .fold(f64::INFINITY, f64::min);
-    forces.fold(load.max(NO_FORCE * softest), f64::max)
+    let spans = sites.iter().zip(drives).map(|(site, a)| span(site, a, twist));
+    forces.fold(load.max(NO_FORCE * least_spring_force(sites, spans)), f64::max)
 }
 
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,

@@ -15,7 +15,8 @@ pub struct Energy {
     pub stored: f64,
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
     pub dissipated: f64,
-    /// Sum of the sizes of all pieces' contributions: what the rounding of the balance is measured against.
+    /// Sum of the sizes of all contributions, piece by piece and contact by contact: what the rounding of the balance is
+    /// measured against, since works cancel.
     pub turnover: f64,
 }
 
@@ -37,25 +38,25 @@ impl Energy {
         step: f64,
     ) {
         let middle = segment.problem.wrench + segment.direction * (factor + 0.5 * step);
-        let load_work = middle.dot(&here.twist_rate) * step;
-        let (mut finger_work, mut stored, mut dissipated) = (0.0, 0.0, 0.0);
+        let works = middle.component_mul(&here.twist_rate) * step;
+        self.load_work += works.sum();
+        self.turnover += works.abs().sum();
         for (i, (line, site)) in here.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
-            finger_work += force.dot(&segment.change[i]) * step;
             let slips = matches!(states[i], State::Sliding { .. });
             let moving = segment.change[i] - site.map.tr_mul(&here.twist_rate);
             for axis in 0..site.axes {
+                let pushed = force[axis] * segment.change[i][axis] * step;
                 // d(½F²/k) = F dF / k, exact at the middle of the piece.
-                stored += force[axis] * line.rate[axis] * step / site.k[axis];
-                if slips && axis > 0 {
-                    dissipated += force[axis] * (moving[axis] - line.rate[axis] / site.k[axis]) * step;
-                }
+                let stored = force[axis] * line.rate[axis] * step / site.k[axis];
+                let slip =
+                    if slips && axis > 0 { moving[axis] - line.rate[axis] / site.k[axis] } else { 0.0 };
+                let dissipated = force[axis] * slip * step;
+                self.finger_work += pushed;
+                self.stored += stored;
+                self.dissipated += dissipated;
+                self.turnover += pushed.abs() + stored.abs() + dissipated.abs();
             }
         }
-        self.load_work += load_work;
-        self.finger_work += finger_work;
-        self.stored += stored;
-        self.dissipated += dissipated;
-        self.turnover += load_work.abs() + finger_work.abs() + stored.abs() + dissipated.abs();
     }
 }

@@ -72,7 +72,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
         Self { commands: Goal::To(commands.into()), ..self }
     }
 
-    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+    fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
         if let Goal::By(load) | Goal::To(load) = &self.load {
             grasp.inside(load, "load of a leg")?;
         }
@@ -83,7 +83,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     }
 
     /// Load at the end of the leg.
-    pub(super) fn load_after(&self, load: &Wrench<D>) -> Wrench<D> {
+    fn load_after(&self, load: &Wrench<D>) -> Wrench<D> {
         match &self.load {
             Goal::Stay => *load,
             Goal::By(change) => *load + *change,
@@ -92,11 +92,51 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     }
 
     /// Commands at the end of the leg.
-    pub(super) fn commands_after(&self, commands: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
+    fn commands_after(&self, commands: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
         match &self.commands {
             Goal::Stay => commands.to_vec(),
             Goal::By(change) => commands.iter().zip(change).map(|(u, du)| u + du).collect(),
             Goal::To(goal) => goal.clone(),
         }
+    }
+}
+
+/// A program on its way: the present leg, and the goals between which it leads.
+pub(super) struct Program<const D: usize, const C: usize> {
+    legs: Vec<Leg<D, C>>,
+    /// The present leg; as many as there are legs when all are done.
+    pub(super) leg: usize,
+    /// Load at the beginning and at the end of the present leg.
+    pub(super) load: [Wrench<D>; 2],
+    /// Finger commands at the beginning and at the end of the present leg.
+    pub(super) commands: [Vec<SVector<f64, C>>; 2],
+}
+
+impl<const D: usize, const C: usize> Program<D, C> {
+    /// Without legs, at rest under a load and the commands of a grasp.
+    pub(super) fn new(grasp: &Grasp<D, C>, start: Wrench<D>) -> Self {
+        let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
+        Self { legs: Vec::new(), leg: 0, load: [start; 2], commands: [commands.clone(), commands] }
+    }
+
+    /// Appends legs, all or none of them.
+    pub(super) fn extend(&mut self, grasp: &Grasp<D, C>, legs: &[Leg<D, C>]) -> Result<(), Error> {
+        legs.iter().try_for_each(|leg| leg.check(grasp))?;
+        self.legs.extend_from_slice(legs);
+        Ok(())
+    }
+
+    /// Sets out from where the last leg ended; false if there is no leg to go.
+    pub(super) fn begin_leg(&mut self) -> bool {
+        let Some(leg) = self.legs.get(self.leg) else { return false };
+        self.load = [self.load[1], leg.load_after(&self.load[1])];
+        let after = leg.commands_after(&self.commands[1]);
+        self.commands = [std::mem::replace(&mut self.commands[1], after.clone()), after];
+        true
+    }
+
+    /// The load at a fraction of the present leg.
+    pub(super) fn load_at(&self, fraction: f64) -> Wrench<D> {
+        self.load[0] + (self.load[1] - self.load[0]) * fraction
     }
 }

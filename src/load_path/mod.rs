@@ -1,9 +1,11 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it.
 
 mod beyond;
+mod edge;
 mod energy;
 mod event;
 mod leg;
+mod loss;
 mod margin;
 mod node;
 mod onset;
@@ -12,6 +14,8 @@ mod questions;
 mod ramp;
 mod segment;
 mod sensitivity;
+mod stretch;
+mod transition;
 mod walk;
 
 pub use beyond::{Beyond, Continuation};

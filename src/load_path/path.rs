@@ -10,14 +10,13 @@ use nalgebra::SVector;
 
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
-use super::leg::Leg;
+use super::leg::{Leg, Program};
 use super::node::Node;
 use super::segment::{Here, Segment, Standing};
-use crate::equilibrium::{
-    ACCURATE, Cone, Effort, Equilibrium, Found, Rung, Settings, Settled, polygonal, settle,
-};
+use super::stretch::Stretch;
+use crate::equilibrium::{ACCURATE, Equilibrium, Settings, Settled, polygonal, settle};
 use crate::error::Error;
-use crate::formulation::{Polygon, Problem, State};
+use crate::formulation::{Polygon, Problem};
 use crate::grasp::{Grasp, Wrench};
 
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.
@@ -43,36 +42,17 @@ const MOST_STALLS: usize = 64;
 pub struct LoadPath<'g, const D: usize, const C: usize> {
     pub(super) grasp: &'g Grasp<D, C>,
     pub(super) settings: Settings,
-    legs: Vec<Leg<D, C>>,
-    pub(super) leg: usize,
+    program: Program<D, C>,
     pub(super) factor: f64,
-    /// Load at the beginning and at the end of the present leg.
-    load: [Wrench<D>; 2],
-    /// Finger commands at the beginning and at the end of the present leg.
-    commands: [Vec<SVector<f64, C>>; 2],
     pub(super) segment: Segment<'g, D, C>,
     pub(super) node: Node<D, C>,
-    /// What stands on an edge here and has not been decided yet; `None` on the way.
-    arrived: Option<Standing<C>>,
+    /// Whether it has yet to be decided how the path goes on from here.
+    at_node: bool,
     here: Option<Here<D, C>>,
     pieces: Vec<Stretch<'g, D, C>>,
     energy: Vec<Energy>,
     stalls: usize,
     end: Option<PathEnd<D, C>>,
-}
-
-/// One straight piece of the path.
-struct Stretch<'g, const D: usize, const C: usize> {
-    leg: usize,
-    from: f64,
-    to: f64,
-    problem: Problem<'g, D, C>,
-    change: Vec<SVector<f64, C>>,
-    direction: SVector<f64, D>,
-    load: [Wrench<D>; 2],
-    states: Vec<State>,
-    /// At `from`, with rates.
-    here: Here<D, C>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -98,38 +78,27 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem =
             Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(&start, "start load")?);
-        for leg in legs {
-            leg.check(self)?;
-        }
+        let mut program = Program::new(self, start);
+        program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, settings);
-        let n = self.len();
-        let (mut end, mut node) = (None, Node::new(vec![State::Open; n], SVector::zeros()));
-        if let Settled::Found(found, _) = &settled {
-            node = Node::new(found.states.clone(), found.twist);
-        } else {
-            let outcome = self.outcome(&problem, &start, settled.clone(), &effort, polygonal::<C>(settings));
-            end = Some(PathEnd::NoStart(Box::new(outcome)));
-        }
         let cone = polygonal::<C>(settings);
-        let commands: Vec<_> = self.contacts().iter().map(|c| c.command).collect();
-        let segment = Segment {
-            grasp: self,
-            cone,
-            problem,
-            change: vec![SVector::zeros(); n],
-            direction: SVector::zeros(),
+        let (start_state, end) = match settled {
+            Settled::Found(found, _) => (Some(found), None),
+            lost => {
+                let outcome = self.outcome(&problem, &start, lost, &effort, cone);
+                (None, Some(PathEnd::NoStart(Box::new(outcome))))
+            }
         };
+        let (change, direction) = (vec![SVector::zeros(); self.len()], SVector::zeros());
+        let mut segment = Segment { grasp: self, cone, problem, change, direction };
         let mut path = LoadPath {
             grasp: self,
             settings: settings.clone(),
-            legs: legs.to_vec(),
-            leg: 0,
+            program,
             factor: 0.0,
-            load: [start; 2],
-            commands: [commands.clone(), commands],
+            node: Node::at_start(&mut segment, start_state),
             segment,
-            node,
-            arrived: None,
+            at_node: false,
             here: None,
             pieces: Vec::new(),
             energy: Vec::new(),
@@ -137,7 +106,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             end,
         };
         if path.end.is_none() {
-            path.node.stand_at_start(&mut path.segment);
             path.begin_leg();
         }
         Ok(path)
@@ -161,12 +129,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     /// # Errors
     /// As for [`Grasp::follow`].
     pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
-        for leg in legs {
-            leg.check(self.grasp)?;
-        }
-        let completed = matches!(self.end, Some(PathEnd::Completed));
-        self.legs.extend_from_slice(legs);
-        if completed && !legs.is_empty() {
+        self.program.extend(self.grasp, legs)?;
+        if matches!(self.end, Some(PathEnd::Completed)) && !legs.is_empty() {
             self.end = None;
             self.begin_leg();
         }
@@ -194,56 +158,36 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     }
 
     fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Equilibrium<D, C> {
-        let segment = Segment {
-            grasp: self.grasp,
-            cone: self.segment.cone,
-            problem: stretch.problem.clone(),
-            change: stretch.change.clone(),
-            direction: stretch.direction,
-        };
-        let step = fraction - stretch.from;
-        let found = Found {
-            states: stretch.states.clone(),
-            forces: stretch.here.lines.iter().map(|line| line.force + line.rate * step).collect(),
-            twist: stretch.here.twist + stretch.here.twist_rate * step,
-            free_motions: stretch.here.free_motions.clone(),
-            neutral_motions: stretch.here.neutral_motions.clone(),
-        };
-        let load = stretch.load[0] + (stretch.load[1] - stretch.load[0]) * fraction;
-        let problem = segment.problem_at(fraction);
-        let cone: Cone = self.segment.cone;
-        self.grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone)
+        stretch.state_at(self.grasp, self.segment.cone, fraction)
     }
 
     /// Sets out on the present leg, or completes the path.
     fn begin_leg(&mut self) {
-        let Some(leg) = self.legs.get(self.leg) else {
+        if !self.program.begin_leg() {
             self.end = Some(PathEnd::Completed);
             return;
-        };
-        let (load, commands) = (self.load[1], self.commands[1].clone());
-        self.load = [load, leg.load_after(&load)];
-        self.commands = [commands.clone(), leg.commands_after(&commands)];
-        self.segment.direction =
-            self.grasp.inside_unchecked(&self.load[1]) - self.grasp.inside_unchecked(&self.load[0]);
-        self.segment.change =
-            self.commands[1].iter().zip(&self.commands[0]).map(|(to, from)| to - from).collect();
+        }
+        let Program { load, commands, .. } = &self.program;
+        let [from, to] = load.map(|w| self.grasp.inside_unchecked(&w));
+        self.segment.direction = to - from;
+        self.segment.change = commands[1].iter().zip(&commands[0]).map(|(to, from)| to - from).collect();
         // Counted anew from the goal of the last leg, so that rounding does not add up over many legs.
-        self.segment.problem.wrench = self.grasp.inside_unchecked(&load);
+        self.segment.problem.wrench = from;
         for (i, contact) in self.grasp.contacts().iter().enumerate() {
-            let mut a = commands[i];
+            let mut a = commands[0][i];
             a[0] -= contact.clearance;
             self.segment.problem.drives[i] = a - self.segment.problem.slips[i];
         }
         self.factor = 0.0;
         self.energy.push(Energy::default());
-        self.arrived = Some(Vec::new());
+        self.at_node = true;
     }
 
     /// Decides how the path goes on from here; an event if a contact changes its state.
-    fn decide(&mut self, arrived: &Standing<C>) -> Option<Event<D, C>> {
+    fn decide(&mut self) -> Option<Event<D, C>> {
         let before = self.pieces.last().map(|last| self.state_on(last, last.to));
-        match self.node.go_on(&mut self.segment, self.leg, self.factor, self.load, arrived, &self.settings) {
+        let (leg, load) = (self.program.leg, self.program.load_at(self.factor));
+        match self.node.go_on(&mut self.segment, leg, self.factor, load, &self.settings) {
             Err(end) => {
                 self.end = Some(end);
                 None
@@ -256,14 +200,13 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                 if onward.changes.is_empty() && !(set_free && before.is_some()) {
                     return None;
                 }
-                let load = self.load[0] + (self.load[1] - self.load[0]) * self.factor;
                 let state = before.or_else(|| self.present_state())?;
                 if state.residuals.worst() > ACCURATE {
-                    self.end = Some(PathEnd::Undecided { leg: self.leg, fraction: self.factor });
+                    self.end = Some(PathEnd::Undecided { leg, fraction: self.factor });
                     return None;
                 }
                 Some(Event {
-                    leg: self.leg,
+                    leg,
                     fraction: self.factor,
                     load,
                     changes: onward.changes,
@@ -281,13 +224,13 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
 
     fn stretch(&self, here: Here<D, C>, to: f64) -> Stretch<'g, D, C> {
         Stretch {
-            leg: self.leg,
+            leg: self.program.leg,
             from: self.factor,
             to,
             problem: self.segment.problem.clone(),
             change: self.segment.change.clone(),
             direction: self.segment.direction,
-            load: self.load,
+            load: self.program.load,
             states: self.node.states.clone(),
             here,
         }
@@ -311,7 +254,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         let to = if leg_done { 1.0 } else { self.factor + step };
         self.stalls = if to > self.factor { 0 } else { self.stalls + 1 };
         if self.stalls > MOST_STALLS {
-            self.end = Some(PathEnd::Undecided { leg: self.leg, fraction: self.factor });
+            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
             return;
         }
         let stretch = self.stretch(here.clone(), to);
@@ -320,13 +263,12 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         }
         self.pieces.push(stretch);
         self.node.arrive(&mut self.segment, &here, to, step);
+        self.node.reach(&standing);
         self.factor = to;
+        self.at_node = true;
         if leg_done {
-            self.node.stand(&self.segment, &standing);
-            self.leg += 1;
+            self.program.leg += 1;
             self.begin_leg();
-        } else {
-            self.arrived = Some(standing);
         }
     }
 }
@@ -336,8 +278,8 @@ impl<const D: usize, const C: usize> Iterator for LoadPath<'_, D, C> {
 
     fn next(&mut self) -> Option<Event<D, C>> {
         while self.end.is_none() {
-            if let Some(arrived) = self.arrived.take() {
-                if let Some(event) = self.decide(&arrived) {
+            if std::mem::take(&mut self.at_node) {
+                if let Some(event) = self.decide() {
                     return Some(event);
                 }
             } else {

@@ -111,12 +111,20 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Problem { drives: self.drives(factor), wrench, ..self.problem.clone() }
     }
 
-    /// A contact closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
-    pub(super) fn close(&mut self, contact: usize, factor: f64, twist: &SVector<f64, D>) {
-        let stretch = self.drives(factor)[contact] - self.grasp.sites()[contact].map.tr_mul(twist);
-        for axis in 1..self.grasp.sites()[contact].axes {
-            self.problem.slips[contact][axis] += stretch[axis];
-            self.problem.drives[contact][axis] -= stretch[axis];
+    /// The slip of a contact so far becomes memory: its springs count from there.
+    pub(super) fn remember_slip(
+        &mut self,
+        contact: usize,
+        factor: f64,
+        twist: &SVector<f64, D>,
+        force: &SVector<f64, C>,
+    ) {
+        let site = &self.grasp.sites()[contact];
+        let stretch = self.problem.drives[contact] + self.change[contact] * factor - site.map.tr_mul(twist);
+        for axis in 1..site.axes {
+            let slip = stretch[axis] - force[axis] / site.k[axis];
+            self.problem.slips[contact][axis] += slip;
+            self.problem.drives[contact][axis] -= slip;
         }
     }
 

@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 
 use super::beyond::{Beyond, just_beyond};
-use super::margin::{Exit, ROUNDING};
+use super::edge::Stand;
+use super::margin::ROUNDING;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
@@ -33,7 +34,9 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             let at_base = reached.is_none();
             let standing = reached.take().unwrap_or_else(|| self.standing_at_base(&states, &here));
             if !standing.is_empty() {
-                let rates = self.rates(&states, &here, &standing);
+                let stands = stands(&states, &here, &standing);
+                let law = |i: usize| stands[i].law(&self.segment.problem, i, states[i]);
+                let rates = self.segment.rates((0..states.len()).map(law).collect());
                 let (settled, effort) = settle(&rates, self.settings);
                 let stays = |found: &Found<D, C>| {
                     standing.iter().all(|&(i, _)| match found.states[i] {
@@ -47,7 +50,8 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                     Settled::Found(found, _) if stays(&found) => {
                         for &(i, _) in &standing {
                             if states[i] == State::Open && found.states[i] == State::Rolling {
-                                self.segment.close(i, self.factor, &here.twist);
+                                let nothing = SVector::zeros();
+                                self.segment.remember_slip(i, self.factor, &here.twist, &nothing);
                             }
                             states[i] = found.states[i];
                         }
@@ -56,7 +60,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                             Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
                         };
                     }
-                    settled => return self.event(states, &here, &standing, &rates, settled, &effort),
+                    settled => return self.event(states, &here, &stands, &rates, settled, &effort),
                 }
             }
             match self.segment.first_exits(&states, &here) {
@@ -88,27 +92,11 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         standing
     }
 
-    /// The problem in rates: what stands on an edge has that edge, the rest sticks or stays open.
-    fn rates(&self, states: &[State], here: &Here<D, C>, standing: &Standing<C>) -> Problem<'_, D, C> {
-        let mut laws: Vec<Law<C>> =
-            states.iter().map(|s| if *s == State::Open { Law::Absent } else { Law::Bonded }).collect();
-        for (i, exits) in standing {
-            let facets: Vec<_> = exits.iter().map(|exit| exit.facet).filter(|h| h.norm() > 0.0).collect();
-            let line = &here.lines[*i];
-            let apex = states[*i] == State::Open
-                || facets.is_empty()
-                || facets.len() >= C
-                || line.force.norm() <= 1e-12 * line.force_size;
-            laws[*i] = if apex { self.segment.problem.laws[*i].clone() } else { Law::Edge(facets) };
-        }
-        self.segment.rates(laws)
-    }
-
     fn event(
         &self,
         states: Vec<State>,
         here: &Here<D, C>,
-        standing: &Standing<C>,
+        stands: &[Stand<C>],
         rates: &Problem<D, C>,
         settled: Settled<D, C>,
         effort: &Effort,
@@ -123,10 +111,10 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             self.settings,
             self.segment.cone,
         );
+        let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
         let leaving = match &beyond {
             Beyond::Continues(continuation) => standing
-                .iter()
-                .filter_map(|&(contact, _)| match continuation.states[contact] {
+                .filter_map(|contact| match continuation.states[contact] {
                     ContactState::Sliding { direction } => {
                         Some(Leaving { contact, how: Departure::Slides { direction } })
                     }
@@ -136,7 +124,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                     _ => None,
                 })
                 .collect(),
-            _ => standing.iter().map(|(contact, exits)| self.driven_out(*contact, exits)).collect(),
+            _ => standing.map(|contact| self.driven_out(contact, &stands[contact])).collect(),
         };
         let load = self.ramp.load_at(self.factor);
         let found = Found {
@@ -168,8 +156,8 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
     }
 
     /// How the load drives a contact out of its cone when there is no equilibrium to show where it would go.
-    fn driven_out(&self, contact: usize, exits: &[Exit<C>]) -> Leaving<C> {
-        let outward = exits.iter().fold(SVector::zeros(), |sum, exit| sum + exit.facet);
+    fn driven_out(&self, contact: usize, stand: &Stand<C>) -> Leaving<C> {
+        let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() == 0.0 {
             Departure::Opens
         } else {
@@ -177,4 +165,19 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         };
         Leaving { contact, how }
     }
+}
+
+/// Where these ways out lead to. A contact without one touches without force.
+fn stands<const D: usize, const C: usize>(
+    states: &[State],
+    here: &Here<D, C>,
+    standing: &Standing<C>,
+) -> Vec<Stand<C>> {
+    let mut stands = vec![Stand::NOWHERE; states.len()];
+    for (i, exits) in standing {
+        let line = &here.lines[*i];
+        stands[*i].reach(states[*i], exits);
+        stands[*i].apex |= exits.is_empty() || Stand::is_weightless(&line.force, line.force_size);
+    }
+    stands
 }

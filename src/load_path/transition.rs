@@ -1,0 +1,79 @@
+//! From one straight piece to the next: the guess that mostly holds, other ways to go on, and what changed.
+
+use nalgebra::SVector;
+
+use super::event::Change;
+use crate::equilibrium::{Found, search};
+use crate::formulation::{Law, Problem, State};
+
+/// What slides goes on sliding and what has reached an edge slides along it: the common case, one solve. What is at the
+/// apex of its cone opens.
+pub(super) fn everything_slides<const D: usize, const C: usize>(rates: &Problem<D, C>) -> Vec<State> {
+    (0..rates.len())
+        .map(|i| match &rates.laws[i] {
+            Law::Edge(facets) => {
+                State::Sliding { first: 0, second: (C == 3 && facets.len() == 2).then_some(1) }
+            }
+            Law::Cone { gap: true } => State::Open,
+            _ => rates.unjumped(i),
+        })
+        .collect()
+}
+
+/// A state of the rates, in which facets count among those its law has, in terms of the whole law.
+pub(super) fn in_the_whole_law<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    law: &Law<C>,
+    state: State,
+) -> State {
+    let (Law::Edge(facets), State::Sliding { first, second }) = (law, state) else { return state };
+    let normals = problem.normals(contact);
+    let mut at: Vec<usize> = [Some(first), second]
+        .into_iter()
+        .flatten()
+        .filter_map(|k| normals.iter().position(|h| *h == facets[k]))
+        .collect();
+    at.sort_unstable();
+    problem.slipping_state(contact, &at)
+}
+
+/// What a contact changes from one state to the next, each with its direction if it slides.
+pub(super) fn change<const C: usize>(
+    (was, before): (State, Option<SVector<f64, C>>),
+    (is, direction): (State, Option<SVector<f64, C>>),
+) -> Option<Change<C>> {
+    match (was, is, direction) {
+        (State::Open, State::Rolling, _) => Some(Change::Closes),
+        (State::Open, State::Sliding { .. }, Some(direction)) => Some(Change::ClosesSliding { direction }),
+        (State::Rolling, State::Sliding { .. }, Some(direction)) => Some(Change::Slides { direction }),
+        (State::Sliding { .. }, State::Rolling, _) => Some(Change::Sticks),
+        (State::Rolling | State::Sliding { .. }, State::Open, _) => Some(Change::Opens),
+        (State::Sliding { .. }, State::Sliding { .. }, Some(direction)) if was != is => {
+            let back = before.is_some_and(|before| before.dot(&direction) < -0.5);
+            Some(if back { Change::Reverses { direction } } else { Change::Turns { direction } })
+        }
+        _ => None,
+    }
+}
+
+/// How many other solutions the rates have: other forces, or other motions than one along what is free anyway.
+pub(super) fn others<const D: usize, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> usize {
+    let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
+    let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
+    for other in search(rates, false).found {
+        let same = |known: &Found<D, C>| {
+            let mut apart = known.twist - other.twist;
+            for v in known.free_motions.iter().chain(&other.free_motions) {
+                apart -= v * v.dot(&apart);
+            }
+            let travel = known.twist.norm().max(other.twist.norm());
+            apart.norm() <= 1e-9 * travel
+                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= 1e-9 * size)
+        };
+        if !distinct.iter().any(same) {
+            distinct.push(other);
+        }
+    }
+    distinct.len() - 1
+}
