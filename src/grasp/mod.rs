@@ -189,6 +189,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         ))
     }
 
+    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of length.
+    pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
+        let moved = displacement_of::<D, C>(&self.origin, twist.as_vector());
+        SVector::from_fn(|k, _| if k < C { moved[k] } else { twist.as_vector()[k] * self.length })
+    }
+
     /// A twist as the user sees it, from inside coordinates.
     pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D> {
         let mut twist = SVector::from_fn(|k, _| if k < C { q[k] } else { q[k] / self.length });
