@@ -166,7 +166,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             .map(|(equilibrium, minimum)| self.difference(equilibrium, minimum));
         let verdict = match (&minimum, &equilibrium) {
             (MinimumOutcome::Unsolved, _) => Verdict::Unsolved,
-            (MinimumOutcome::Infeasible | MinimumOutcome::Unbounded { .. }, _) => Verdict::NoMinimum,
+            (MinimumOutcome::NoMinimum | MinimumOutcome::Unbounded { .. }, _) => Verdict::NoMinimum,
             (MinimumOutcome::Minimum(m), _) if m.is_equilibrium() => match &difference {
                 Some(d) if d.differ() => Verdict::TwoEquilibria,
                 _ => Verdict::Agree,

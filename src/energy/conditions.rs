@@ -78,7 +78,7 @@ impl<const D: usize, const C: usize> Point<D, C> {
 }
 
 pub(super) enum Failure {
-    Infeasible,
+    NoMinimum,
     Unsolved,
 }
 
@@ -148,10 +148,6 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         settings: &Settings,
     ) -> Result<(Faces, usize, SVector<f64, D>), Failure> {
         let q = self.vector(stuck);
-        if q.iter().all(|q| *q >= 0.0) {
-            let basis = Basis::slack(q.len());
-            return Ok((self.faces_of(&basis), 0, self.stuck.twist(&stuck.travelled)));
-        }
         let lcp = Lcp::new(self.matrix(), q).map_err(|_| Failure::Unsolved)?;
         let lcp_settings =
             lcp::Settings { max_pivots: settings.max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
@@ -164,7 +160,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
                 );
                 Ok((self.faces_of(&solution.basis), solution.pivots, self.stuck.twist(&travelled)))
             }
-            Outcome::Ray(ray) if matches!(ray.proof, lcp::Proof::Infeasible(_)) => Err(Failure::Infeasible),
+            Outcome::Ray(ray) if matches!(ray.proof, lcp::Proof::Infeasible(_)) => Err(Failure::NoMinimum),
             _ => Err(Failure::Unsolved),
         }
     }

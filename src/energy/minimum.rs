@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::conditions::{Failure, Point, Program, ROUNDING};
+use super::conditions::{Faces, Failure, Point, Program, ROUNDING};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Grasp, Twist, Wrench};
@@ -17,8 +17,8 @@ use crate::grasp::{Grasp, Twist, Wrench};
 pub enum MinimumOutcome<const D: usize, const C: usize> {
     /// There is one.
     Minimum(Box<MinimumEnergy<D, C>>),
-    /// No motion of the object satisfies the friction constraints.
-    Infeasible,
+    /// The friction constraints contradict each other, or the energy falls for ever as contacts open.
+    NoMinimum,
     /// The load works on a motion that no spring resists: the energy falls for ever.
     Unbounded {
         /// The unit motion.
@@ -116,17 +116,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Ok(MinimumOutcome::Unbounded { motion: self.outside(&v), work: v.dot(&wrench) });
         }
         let stuck = program.stuck.rest(&drives, &wrench);
-        let (faces, pivots, near) = match program.faces(&stuck, settings) {
-            Ok(found) => found,
-            Err(Failure::Infeasible) => return Ok(MinimumOutcome::Infeasible),
-            Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
+        // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
+        let rolling = Faces { open: vec![false; self.len()], binding: Vec::new() };
+        let solve = |faces: &Faces, near: &SVector<f64, D>| {
+            let point = program.on_faces(faces, &drives, &wrench, near)?;
+            program.holds(&point, faces, &drives, &wrench).then_some(point)
         };
-        let Some(point) = program.on_faces(&faces, &drives, &wrench, &near) else {
-            return Ok(MinimumOutcome::Unsolved);
+        let (point, pivots) = if let Some(point) = solve(&rolling, &SVector::zeros()) {
+            (point, 0)
+        } else {
+            let (faces, pivots, near) = match program.faces(&stuck, settings) {
+                Ok(found) => found,
+                Err(Failure::NoMinimum) => return Ok(MinimumOutcome::NoMinimum),
+                Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
+            };
+            let Some(point) = solve(&faces, &near) else { return Ok(MinimumOutcome::Unsolved) };
+            (point, pivots)
         };
-        if !program.holds(&point, &faces, &drives, &wrench) {
-            return Ok(MinimumOutcome::Unsolved);
-        }
         Ok(MinimumOutcome::Minimum(Box::new(self.write_out(load, &program, &point, &drives, pivots))))
     }
 
