@@ -12,12 +12,11 @@ mod wrench;
 use nalgebra::{SMatrix, SVector};
 
 pub use contact::{Contact, Hold};
-pub(crate) use rotation::{displacement_of, wrench_of};
+pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
 pub use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use rotation::grasp_map;
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
