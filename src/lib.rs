@@ -77,6 +77,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod energy;
 pub mod equilibrium;
 mod error;
 pub mod formulation;

@@ -12,12 +12,11 @@ mod wrench;
 use nalgebra::{SMatrix, SVector};
 
 pub use contact::{Contact, Hold};
-pub(crate) use rotation::{displacement_of, wrench_of};
+pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
 pub use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use rotation::grasp_map;
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
@@ -187,6 +186,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Wrench::from_vector(SVector::from_fn(
             |k, _| if k < C { w[k] } else { w[k] * self.length + carried[k] },
         ))
+    }
+
+    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of length.
+    pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
+        let moved = displacement_of::<D, C>(&self.origin, twist.as_vector());
+        SVector::from_fn(|k, _| if k < C { moved[k] } else { twist.as_vector()[k] * self.length })
     }
 
     /// A twist as the user sees it, from inside coordinates.

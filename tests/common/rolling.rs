@@ -75,15 +75,18 @@ pub(crate) fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Opt
     let sigmas: [f64; D] =
         std::array::from_fn(|k| columns.iter().map(|row| row[k] * row[k]).sum::<f64>().sqrt());
     let largest = sigmas.into_iter().fold(0.0, f64::max);
-    let mut x = alpha.clone();
-    for (k, &sigma) in sigmas.iter().enumerate() {
-        let along = v.column(k).dot(&scene.load);
-        if sigma > FREE * largest {
-            let u: Vec<f64> = columns.iter().map(|row| row[k] / sigma).collect();
-            let change = u.iter().zip(&alpha).map(|(u, alpha)| u * alpha).sum::<f64>() + along / sigma;
-            x.iter_mut().zip(&u).for_each(|(x, u)| *x -= u * change);
-        } else if along.abs() > 1e-9 * scene.load.norm() {
-            return None;
+    let mut x = alpha;
+    // Twice: what is left of large commands on stiff springs after one projection is rounding of the commands.
+    for _ in 0..2 {
+        for (k, &sigma) in sigmas.iter().enumerate() {
+            let along = v.column(k).dot(&scene.load);
+            if sigma > FREE * largest {
+                let u: Vec<f64> = columns.iter().map(|row| row[k] / sigma).collect();
+                let change = u.iter().zip(&x).map(|(u, x)| u * x).sum::<f64>() + along / sigma;
+                x.iter_mut().zip(&u).for_each(|(x, u)| *x -= u * change);
+            } else if along.abs() > 1e-9 * scene.load.norm() {
+                return None;
+            }
         }
     }
     let mut forces = vec![SVector::zeros(); scene.contacts.len()];

@@ -1,0 +1,316 @@
+//! The associated friction law: what a grasp does under the convex contact law of many simulators.
+//!
+//! Contact forces are the point of the friction cones, in equilibrium with the load, of least complementary energy,
+//!
+//! ```text
+//! minimise Σ ½ F_iᵀK_i⁻¹F_i - a_i·F_i     subject to  F_i in its cone,  Σ G_i F_i + W = 0
+//! ```
+//!
+//! or, object by object displacement, each contact force is the point of its cone nearest to the trial force K (a - Gᵀq) in the
+//! norm of K⁻¹. The optimality conditions have the jumps of the contact normal to the **cone** instead of the slip
+//! alone along the surface: with the rows L of the cone (e_n; μ e_n - h_j)
+//!
+//! ```text
+//! F = K (a - Gᵀq + Lᵀz),   0 <= z  ⟂  L F >= 0:        gap = Σ μ z_j,  slip = Σ z_j h_j
+//! ```
+//!
+//! a contact that slides by s opens by μ|s| while it still presses. The matrix is symmetric and semidefinite, there is one
+//! force answer, and it exists for every load in the friction wrench cone: convenient, and not Coulomb's law. This is the law
+//! of complementary-energy contact models (MuJoCo's cone constraints, Drake's SAP) without their regularisation.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::cone_rows::{FrictionRow, cone_rows};
+use super::springs::{Spring, Springs};
+use crate::Settings;
+use crate::equilibrium::{largest_force, separating_motion};
+use crate::error::Error;
+use crate::formulation::{Polygon, Problem};
+use crate::grasp::{Grasp, Hold, Site, Twist, Wrench};
+use crate::lcp::{self, Lcp, Outcome};
+
+/// Conditions are satisfied up to this part of the forces that they compare.
+const ROUNDING: f64 = 1e-12;
+/// What is left of a direction after the binding rows were taken out of it, when it depends on them.
+const DEPENDENT: f64 = 1e-10;
+
+/// What the associated law says of a load.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum AssociatedOutcome<const D: usize, const C: usize> {
+    /// A state of rest, with dilation where something slides.
+    Rest(Box<AssociatedState<D, C>>),
+    /// No forces of the cones balance the load.
+    NoBalance,
+    /// Rounding or a limit on pivots kept the solver from an answer.
+    Unsolved,
+}
+
+impl<const D: usize, const C: usize> AssociatedOutcome<D, C> {
+    /// The state of rest, if there is one.
+    #[must_use]
+    pub fn rest(&self) -> Option<&AssociatedState<D, C>> {
+        match self {
+            Self::Rest(state) => Some(state),
+            _ => None,
+        }
+    }
+}
+
+/// A state of rest under the associated law. The forces are unique; the twist may not be.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct AssociatedState<const D: usize, const C: usize> {
+    /// The load of the question.
+    pub load: Wrench<D>,
+    /// Motion of the object.
+    pub twist: Twist<D>,
+    /// Contact by contact.
+    pub contacts: Vec<AssociatedContact<C>>,
+    /// Energy stored in the springs, J.
+    pub stored_energy: f64,
+}
+
+/// One contact of an [`AssociatedState`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct AssociatedContact<const C: usize> {
+    /// Force on the object in the contact frame, N.
+    pub force: SVector<f64, C>,
+    /// How far the surfaces stand apart, m. Where F_n > 0 this is the law's dilation μ|s|, which Coulomb's law does not have.
+    pub gap: f64,
+    /// Slip of the finger over the body in the contact frame, m; zero normal component.
+    pub slip: SVector<f64, C>,
+}
+
+impl<const C: usize> AssociatedContact<C> {
+    /// The gap if the contact presses: an artefact of the law, m.
+    #[must_use]
+    pub fn dilation(&self) -> f64 {
+        if self.force[0] > 0.0 { self.gap } else { 0.0 }
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// What the associated friction law says under a load. In space on the polygonal cone of the settings.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn associated_friction(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<AssociatedOutcome<D, C>, Error> {
+        let law = Law {
+            sites: self.sites(),
+            wrench: self.inside(load, "load")?,
+            drives: self.drives(),
+            rows: cone_rows(self.sites(), &settings.cone, |_| true),
+            corners: Polygon::new(&settings.cone).corners,
+        };
+        let stuck = Springs::along_axes(self.sites(), |_, _| true);
+        if stuck.worked_on(&law.wrench).is_some() {
+            return Ok(AssociatedOutcome::NoBalance);
+        }
+        let found = law.binding(&stuck, settings);
+        let first = found.and_then(|(binding, near)| Some((law.on_faces(&binding, &near)?, binding, near)));
+        let Some((first, binding, near)) = first else {
+            // There is a state of rest for every load in the friction wrench cone; is this one outside?
+            let polygon = Arc::new(Polygon::new(&settings.cone));
+            let problem = Problem::at_rest(self.sites(), polygon, law.drives, law.wrench);
+            return Ok(match separating_motion(&problem) {
+                Some(_) => AssociatedOutcome::NoBalance,
+                None => AssociatedOutcome::Unsolved,
+            });
+        };
+        // Rows on their edge that the pivots left out: forces are the same, but the object has more room.
+        let edge = law.on_edge(&first);
+        let roomier = law.on_faces(&edge, &near).filter(|r| law.jumps_outwards(&r.forces, &r.twist));
+        let (state, binding) = roomier.map_or((first, binding), |state| (state, edge));
+        Ok(AssociatedOutcome::Rest(Box::new(self.at_rest(load, &law, &state, &binding))))
+    }
+
+    fn at_rest(
+        &self,
+        load: &Wrench<D>,
+        law: &Law<D, C>,
+        state: &Faces<D, C>,
+        binding: &[usize],
+    ) -> AssociatedState<D, C> {
+        let mut stored_energy = 0.0;
+        let mut contacts = Vec::with_capacity(self.len());
+        for (i, site) in self.sites().iter().enumerate() {
+            let force = state.forces[i];
+            let jump = law.jump(i, &force, &state.twist);
+            stored_energy += (0..site.axes).map(|a| 0.5 * force[a] * force[a] / site.k[a]).sum::<f64>();
+            let binds = binding.iter().any(|r| law.rows[*r].contact == i);
+            let mut slip = -jump;
+            slip[0] = 0.0;
+            if !binds && site.axes == C {
+                slip.fill(0.0);
+            }
+            let gap = if binds { jump[0].max(0.0) } else { 0.0 };
+            contacts.push(AssociatedContact { force, gap, slip });
+        }
+        AssociatedState { load: *load, twist: self.outside(&state.twist), contacts, stored_energy }
+    }
+}
+
+/// The law and the question in inside coordinates.
+struct Law<'g, const D: usize, const C: usize> {
+    sites: &'g [Site<D, C>],
+    wrench: SVector<f64, D>,
+    drives: Vec<SVector<f64, C>>,
+    rows: Vec<FrictionRow<C>>,
+    corners: Vec<SVector<f64, C>>,
+}
+
+/// Forces and a twist when every contact keeps the springs along its face of the cone.
+struct Faces<const D: usize, const C: usize> {
+    forces: Vec<SVector<f64, C>>,
+    twist: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Law<'_, D, C> {
+    /// Which rows bind, and a twist with it, by Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0`.
+    fn binding(&self, stuck: &Springs<D, C>, settings: &Settings) -> Option<(Vec<usize>, SVector<f64, D>)> {
+        let rows = &self.rows;
+        let trial = stuck.rest(&self.drives, &self.wrench);
+        // Springs along the axes stand contact by contact.
+        let first = |contact: usize| self.sites[..contact].iter().map(|site| site.axes).sum::<usize>();
+        let axes = |row: &FrictionRow<C>| {
+            let start = first(row.contact);
+            (0..self.sites[row.contact].axes).map(move |a| (a, start + a))
+        };
+        let q = rows.iter().map(|row| axes(row).map(|(a, s)| row.normal[a] * trial.x[s]).sum());
+        let q = DVector::from_vec(q.collect());
+        if q.iter().all(|q| *q >= 0.0) {
+            return Some((Vec::new(), stuck.twist(&trial.travelled)));
+        }
+        let seen: Vec<SVector<f64, D>> = rows
+            .iter()
+            .map(|row| {
+                axes(row).fold(SVector::zeros(), |sum, (a, s)| sum + stuck.factor.row(s) * row.normal[a])
+            })
+            .collect();
+        let matrix = DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
+            let same = rows[i].contact == rows[j].contact;
+            let together = if same { rows[i].normal.dot(&rows[j].normal) } else { 0.0 };
+            together - seen[i].dot(&seen[j])
+        });
+        let lcp = Lcp::new(matrix, q).ok()?;
+        let lcp_settings =
+            lcp::Settings { max_pivots: settings.max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
+        match lcp.solve_with(&lcp_settings) {
+            Outcome::Solved(solution) => {
+                let travelled = seen
+                    .iter()
+                    .zip(solution.z.iter())
+                    .fold(trial.travelled, |sum, (seen, z)| sum + seen * *z);
+                Some((solution.basis.iter().collect(), stuck.twist(&travelled)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The springs along the faces where these rows bind; `None` if they do not satisfy the law. The twist is the least one,
+    /// or one near that of the pivots where the least would let something slip the wrong way.
+    fn on_faces(&self, binding: &[usize], near: &SVector<f64, D>) -> Option<Faces<D, C>> {
+        let mut list = Vec::new();
+        for (contact, site) in self.sites.iter().enumerate() {
+            let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
+            let normals: Vec<_> = own.map(|row| row.normal).collect();
+            for t in face(&normals, site.axes) {
+                list.push(Spring { contact, along: t.component_mul(&site.k.map(f64::sqrt)) });
+            }
+        }
+        let springs = Springs::new(self.sites, list);
+        if springs.worked_on(&self.wrench).is_some() {
+            return None;
+        }
+        let state = springs.rest(&self.drives, &self.wrench);
+        let forces = springs.forces(&state.x, self.sites.len());
+        let mut twist = springs.twist(&state.travelled);
+        if !self.jumps_outwards(&forces, &twist) {
+            for v in &springs.free {
+                twist += v * v.dot(near);
+            }
+        }
+        let faces = Faces { forces, twist };
+        let most = self.largest_force(&faces);
+        let inside = |row: &FrictionRow<C>| self.value(row, &faces) >= -ROUNDING * most * row.weight;
+        self.rows.iter().all(inside).then_some(faces)
+    }
+
+    /// The rows that stand on their edge.
+    fn on_edge(&self, faces: &Faces<D, C>) -> Vec<usize> {
+        let most = self.largest_force(faces);
+        let edge = |r: &usize| {
+            let row = &self.rows[*r];
+            self.value(row, faces) <= ROUNDING * most * row.weight
+        };
+        (0..self.rows.len()).filter(edge).collect()
+    }
+
+    fn value(&self, row: &FrictionRow<C>, faces: &Faces<D, C>) -> f64 {
+        row.value(&self.sites[row.contact], &faces.forces[row.contact])
+    }
+
+    fn largest_force(&self, faces: &Faces<D, C>) -> f64 {
+        let sizes = faces.forces.iter().map(SVector::norm);
+        largest_force(self.sites, &self.drives, &faces.twist, self.wrench.norm(), sizes)
+    }
+
+    /// How far the surfaces of a contact have parted: (gap, -slip).
+    fn jump(&self, contact: usize, force: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
+        let site = &self.sites[contact];
+        let stretch = self.drives[contact] - site.map.tr_mul(twist);
+        SVector::from_fn(|a, _| if a < site.axes { force[a] / site.k[a] - stretch[a] } else { -stretch[a] })
+    }
+
+    /// Whether every jump lies in the cone of the outward normals: it works against no force of the friction cone.
+    fn jumps_outwards(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> bool {
+        self.sites.iter().enumerate().filter(|(_, site)| site.hold != Hold::Bonded).all(|(i, site)| {
+            let jump = self.jump(i, &forces[i], twist);
+            let slack = -ROUNDING * (self.drives[i].norm() + site.map.norm() * twist.norm());
+            if site.axes == 1 || site.mu.is_infinite() {
+                return site.hold == Hold::KeptClosed || jump[0] >= slack;
+            }
+            self.corners.iter().all(|d| jump[0] + site.mu * d.dot(&jump) >= slack * (1.0 + site.mu))
+        })
+    }
+}
+
+/// An orthonormal basis of the vectors of the first `axes` components at right angles to all of these.
+fn face<const C: usize>(normals: &[SVector<f64, C>], axes: usize) -> Vec<SVector<f64, C>> {
+    let mut taken: Vec<SVector<f64, C>> = Vec::new();
+    let rest = |v: &SVector<f64, C>, taken: &[SVector<f64, C>]| {
+        let mut v = *v;
+        for _ in 0..2 {
+            for t in taken {
+                v -= t * t.dot(&v);
+            }
+        }
+        v
+    };
+    for normal in normals {
+        let left = rest(normal, &taken);
+        if left.norm() > DEPENDENT {
+            taken.push(left.normalize());
+        }
+    }
+    let bound = taken.len();
+    while taken.len() < axes {
+        // The axis that is farthest from what is there already.
+        let units = (0..axes).map(|a| {
+            let mut e = SVector::<f64, C>::zeros();
+            e[a] = 1.0;
+            rest(&e, &taken)
+        });
+        let Some(next) = units.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
+        taken.push(next.normalize());
+    }
+    taken.split_off(bound)
+}

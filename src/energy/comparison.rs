@@ -1,0 +1,213 @@
+//! Coulomb's law against the paper's minimum of energy, under one load.
+
+use std::fmt;
+
+use super::minimum::{MinimumEnergy, MinimumOutcome};
+use crate::Settings;
+use crate::equilibrium::{Equilibrium, Outcome};
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+
+/// An imbalance below this part of the largest force is rounding of zero.
+const BALANCED: f64 = 1e-12;
+/// Two equilibria whose forces or displacements differ by more than this part of the largest are two.
+const DIFFERENT: f64 = 1e-9;
+
+/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Comparison<const D: usize, const C: usize> {
+    /// The answer of complementarity.
+    pub equilibrium: Outcome<D, C>,
+    /// The answer of the quadratic program, with the constraints that bind and its imbalance.
+    pub minimum: MinimumOutcome<D, C>,
+    /// How far they are apart, where both have one.
+    pub difference: Option<Difference>,
+    /// What to make of it.
+    pub verdict: Verdict,
+}
+
+/// The largest differences between an equilibrium and a minimum of energy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Difference {
+    /// Of the displacements of the object at the contacts, m; what both leave free is not counted.
+    pub displacement: f64,
+    /// Of the contact forces, N.
+    pub force: f64,
+    /// Of the stored energies, J.
+    pub energy: f64,
+    /// The largest displacement or drive at a contact, m.
+    pub displacement_size: f64,
+    /// The largest contact force, N.
+    pub force_size: f64,
+    /// The stored energy of the equilibrium, J.
+    pub energy_size: f64,
+}
+
+impl Difference {
+    /// The largest of the three, each relative to its size.
+    #[must_use]
+    pub fn relative(&self) -> f64 {
+        let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
+        part(self.displacement, self.displacement_size)
+            .max(part(self.force, self.force_size))
+            .max(part(self.energy, self.energy_size))
+    }
+}
+
+/// What the comparison says of the quadratic program.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// Both give the same equilibrium.
+    Agree,
+    /// The minimum is an equilibrium, and complementarity returned another one: with friction there may be several, and where a
+    /// contact carries nothing the object may stand in several places.
+    TwoEquilibria,
+    /// An equilibrium exists; the program returned something else, which is none.
+    OutOfEquilibrium {
+        /// `|Σ F + W|`, N.
+        force: f64,
+        /// The same for moments about the origin, N m.
+        moment: f64,
+    },
+    /// No equilibrium exists; the program returned numbers all the same.
+    NoEquilibrium {
+        /// `|Σ F + W|` of these numbers, N.
+        force: f64,
+        /// The same for moments about the origin, N m.
+        moment: f64,
+    },
+    /// The minimum is out of equilibrium; whether there is an equilibrium is not known.
+    Unknown {
+        /// `|Σ F + W|` of the minimum, N.
+        force: f64,
+        /// The same for moments about the origin, N m.
+        moment: f64,
+    },
+    /// The program has no minimum: its constraints contradict each other, or the load works on a free motion.
+    NoMinimum,
+    /// The program was not solved.
+    Unsolved,
+}
+
+impl Difference {
+    fn differ(&self) -> bool {
+        self.force > DIFFERENT * self.force_size || self.displacement > DIFFERENT * self.displacement_size
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let miss = |f: &mut fmt::Formatter<'_>, force: &f64, moment: &f64| {
+            write!(f, "out of equilibrium by {force:.6} N, {moment:.6} N m")
+        };
+        match self {
+            Self::Agree => f.write_str("agree"),
+            Self::TwoEquilibria => f.write_str("two different equilibria"),
+            Self::OutOfEquilibrium { force, moment } => miss(f, force, moment),
+            Self::NoEquilibrium { force, moment } => {
+                miss(f, force, moment)?;
+                f.write_str("; no equilibrium exists")
+            }
+            Self::Unknown { force, moment } => {
+                miss(f, force, moment)?;
+                f.write_str("; whether an equilibrium exists is not known")
+            }
+            Self::NoMinimum => f.write_str("the quadratic program has no minimum"),
+            Self::Unsolved => f.write_str("the quadratic program was not solved"),
+        }
+    }
+}
+
+impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
+    /// Whether the minimum is in equilibrium: no friction constraint holds anything up.
+    #[must_use]
+    pub fn is_equilibrium(&self) -> bool {
+        self.imbalance_size <= BALANCED * self.forces_size
+    }
+
+    /// `|Σ F + W|` and the same for moments.
+    #[must_use]
+    pub fn out_of_balance(&self) -> (f64, f64) {
+        let (mut force, mut moment) = (0.0_f64, 0.0_f64);
+        for (k, x) in self.imbalance.as_vector().iter().enumerate() {
+            let sum = if k < C { &mut force } else { &mut moment };
+            *sum = sum.hypot(*x);
+        }
+        (force, moment)
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Complementarity against the paper's quadratic program, with default [`Settings`].
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn compare_with_minimum_energy(&self, load: &Wrench<D>) -> Result<Comparison<D, C>, Error> {
+        self.compare_with_minimum_energy_with(load, &Settings::default())
+    }
+
+    /// Complementarity against the paper's quadratic program. Both on the polygonal cone of the settings.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn compare_with_minimum_energy_with(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<Comparison<D, C>, Error> {
+        let equilibrium = self.solve_with(load, settings)?;
+        let minimum = self.minimum_energy(load, settings)?;
+        let difference = equilibrium
+            .equilibrium()
+            .zip(minimum.minimum())
+            .map(|(equilibrium, minimum)| self.difference(equilibrium, minimum));
+        let verdict = match (&minimum, &equilibrium) {
+            (MinimumOutcome::Unsolved, _) => Verdict::Unsolved,
+            (MinimumOutcome::NoMinimum | MinimumOutcome::Unbounded { .. }, _) => Verdict::NoMinimum,
+            (MinimumOutcome::Minimum(m), _) if m.is_equilibrium() => match &difference {
+                Some(d) if d.differ() => Verdict::TwoEquilibria,
+                _ => Verdict::Agree,
+            },
+            (MinimumOutcome::Minimum(m), answer) => {
+                let (force, moment) = m.out_of_balance();
+                match answer {
+                    Outcome::Equilibrium(_) => Verdict::OutOfEquilibrium { force, moment },
+                    Outcome::NoEquilibrium(_) => Verdict::NoEquilibrium { force, moment },
+                    Outcome::Undecided(_) => Verdict::Unknown { force, moment },
+                }
+            }
+        };
+        Ok(Comparison { equilibrium, minimum, difference, verdict })
+    }
+
+    fn difference(&self, equilibrium: &Equilibrium<D, C>, minimum: &MinimumEnergy<D, C>) -> Difference {
+        let mut d = Difference {
+            displacement: 0.0,
+            force: 0.0,
+            energy: (equilibrium.stored_energy - minimum.stored_energy).abs(),
+            displacement_size: 0.0,
+            force_size: 0.0,
+            energy_size: equilibrium.stored_energy,
+        };
+        // In inside coordinates free motions are orthonormal.
+        let mut apart = self.inside_twist(&equilibrium.twist) - self.inside_twist(&minimum.twist);
+        for _ in 0..2 {
+            for v in equilibrium.free_motions.iter().chain(&minimum.free_motions) {
+                let v = self.inside_twist(v);
+                apart -= v * v.dot(&apart);
+            }
+        }
+        for ((a, b), (site, drive)) in
+            equilibrium.contacts.iter().zip(&minimum.contacts).zip(self.sites().iter().zip(self.drives()))
+        {
+            d.displacement = d.displacement.max(site.map.tr_mul(&apart).norm());
+            d.displacement_size = d.displacement_size.max(a.body_core.norm()).max(drive.norm());
+            d.force = d.force.max((a.force - b.force).norm());
+            d.force_size = d.force_size.max(a.force.norm());
+        }
+        d
+    }
+}

@@ -1,0 +1,193 @@
+//! The minimum of the paper's program, solved so that stiffness ratios do not cost digits.
+//!
+//! The program is solved through its optimality conditions (`conditions`): Lemke's method says which gaps open and which
+//! friction constraints bind, the springs that then hold say the rest. The multipliers of the constraints are forces on the
+//! **object** that no contact exerts; the minimum is an equilibrium exactly if they add up to nothing.
+
+use nalgebra::SVector;
+
+use super::conditions::{Faces, Failure, Point, Program, ROUNDING};
+use crate::Settings;
+use crate::error::Error;
+use crate::grasp::{Grasp, Twist, Wrench};
+
+/// How the search for the minimum of the paper's program ends.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum MinimumOutcome<const D: usize, const C: usize> {
+    /// There is one.
+    Minimum(Box<MinimumEnergy<D, C>>),
+    /// The friction constraints contradict each other, or the energy falls for ever as contacts open.
+    NoMinimum,
+    /// The load works on a motion that no spring resists: the energy falls for ever.
+    Unbounded {
+        /// The unit motion.
+        motion: Twist<D>,
+        /// Work of the load on it, J.
+        work: f64,
+    },
+    /// Rounding or a limit on pivots kept the solver from an answer.
+    Unsolved,
+}
+
+impl<const D: usize, const C: usize> MinimumOutcome<D, C> {
+    /// The minimum, if there is one.
+    #[must_use]
+    pub fn minimum(&self) -> Option<&MinimumEnergy<D, C>> {
+        match self {
+            Self::Minimum(minimum) => Some(minimum),
+            _ => None,
+        }
+    }
+}
+
+/// The minimum of potential energy under the friction constraints, everything that has friction rolling: what the
+/// paper's program returns. **An equilibrium only if [`Self::imbalance`] is zero.**
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct MinimumEnergy<const D: usize, const C: usize> {
+    /// The load of the question.
+    pub load: Wrench<D>,
+    /// Motion of the object; the least one where some motions stretch no spring.
+    pub twist: Twist<D>,
+    /// Contact by contact.
+    pub contacts: Vec<MinimumContact<C>>,
+    /// Friction constraints that bind, and their multipliers.
+    pub binding: Vec<Binding>,
+    /// `Σ G_i F_i + W`, N and N m: what is missing to equilibrium. Computed from the multipliers, so that it is exactly zero when
+    /// none is positive.
+    pub imbalance: Wrench<D>,
+    /// Energy stored in the springs, `Σ ½ F²/k`, J.
+    pub stored_energy: f64,
+    /// The minimum itself: stored energy less `W·q`, J.
+    pub potential_energy: f64,
+    /// Unit motions that stretch no spring that holds: the twist is known up to them.
+    pub free_motions: Vec<Twist<D>>,
+    /// Pivots of Lemke's method.
+    pub pivots: usize,
+    /// Size of the largest force: what the imbalance is measured against.
+    pub(super) forces_size: f64,
+    /// Size of the imbalance with moments divided by the size of the grasp, N.
+    pub(super) imbalance_size: f64,
+}
+
+/// One contact of a [`MinimumEnergy`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct MinimumContact<const C: usize> {
+    /// Force on the object in the contact frame, N.
+    pub force: SVector<f64, C>,
+    /// The same along the coordinate axes.
+    pub force_world: SVector<f64, C>,
+    /// Displacement u_c of the body's core, coordinate axes, m.
+    pub body_core: SVector<f64, C>,
+    /// Gap between the surfaces, m.
+    pub gap: f64,
+}
+
+/// A friction constraint that stands on its edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Binding {
+    /// The contact.
+    pub contact: usize,
+    /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n; `None` for F_n = 0 at infinite friction.
+    pub facet: Option<usize>,
+    /// Its multiplier, m: energy per unit of `μ F_n - h·F_t`. Zero where the edge is just touched.
+    pub multiplier: f64,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
+    ///
+    /// The same minimum as that of [`Self::printed_qp`] and [`Self::reduced_qp`], with the springs in series and computed on
+    /// orthogonal factors; rigid sides and series stiffness are welcome.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn minimum_energy(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<MinimumOutcome<D, C>, Error> {
+        let wrench = self.inside(load, "load")?;
+        let program = Program::new(self.sites(), &settings.cone);
+        let drives = self.drives();
+        if let Some(v) = program.stuck.worked_on(&wrench) {
+            return Ok(MinimumOutcome::Unbounded { motion: self.outside(&v), work: v.dot(&wrench) });
+        }
+        let stuck = program.stuck.rest(&drives, &wrench);
+        // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
+        let rolling = Faces { open: vec![false; self.len()], binding: Vec::new() };
+        let solve = |faces: &Faces, near: &SVector<f64, D>| {
+            let point = program.on_faces(faces, &drives, &wrench, near)?;
+            program.holds(&point, faces, &drives, &wrench).then_some(point)
+        };
+        let (point, pivots) = if let Some(point) = solve(&rolling, &SVector::zeros()) {
+            (point, 0)
+        } else {
+            let (faces, pivots, near) = match program.faces(&stuck, settings) {
+                Ok(found) => found,
+                Err(Failure::NoMinimum) => return Ok(MinimumOutcome::NoMinimum),
+                Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
+            };
+            let Some(point) = solve(&faces, &near) else { return Ok(MinimumOutcome::Unsolved) };
+            (point, pivots)
+        };
+        Ok(MinimumOutcome::Minimum(Box::new(self.write_out(load, &program, &point, &drives, pivots))))
+    }
+
+    fn write_out(
+        &self,
+        load: &Wrench<D>,
+        program: &Program<D, C>,
+        point: &Point<D, C>,
+        drives: &[SVector<f64, C>],
+        pivots: usize,
+    ) -> MinimumEnergy<D, C> {
+        let mut pushed = SVector::<f64, D>::zeros();
+        let mut binding = Vec::new();
+        let wrench = self.inside_unchecked(load);
+        let most = point.largest_force(self.sites(), drives, &wrench);
+        for (row, &multiplier) in program.rows.iter().zip(&point.multipliers) {
+            let site = &self.sites()[row.contact];
+            let slack = row.value(site, &point.forces[row.contact]);
+            if multiplier != 0.0 || slack.abs() <= ROUNDING * most * row.weight {
+                binding.push(Binding {
+                    contact: row.contact,
+                    facet: row.facet,
+                    multiplier: multiplier / row.length,
+                });
+            }
+            pushed += site.map * row.in_springs(site) * multiplier;
+        }
+        let contact = |i: usize| {
+            let site = &self.sites()[i];
+            MinimumContact {
+                force: point.forces[i],
+                force_world: site.frame * point.forces[i],
+                body_core: site.frame * site.map.tr_mul(&point.twist),
+                gap: point.gaps[i],
+            }
+        };
+        let stored_energy = self
+            .sites()
+            .iter()
+            .zip(&point.forces)
+            .map(|(site, f)| (0..site.axes).map(|a| 0.5 * f[a] * f[a] / site.k[a]).sum::<f64>())
+            .sum::<f64>();
+        let own_work = load.as_vector().dot(self.outside(&point.twist).as_vector());
+        MinimumEnergy {
+            load: *load,
+            twist: self.outside(&point.twist),
+            contacts: (0..self.len()).map(contact).collect(),
+            binding,
+            imbalance: self.wrench_outside(&pushed),
+            stored_energy,
+            potential_energy: stored_energy - own_work,
+            free_motions: point.free.iter().map(|v| self.outside(v)).collect(),
+            pivots,
+            forces_size: most,
+            imbalance_size: pushed.norm(),
+        }
+    }
+}

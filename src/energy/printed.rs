@@ -1,0 +1,316 @@
+//! The quadratic program as the paper prints it (section 5.1), for any number of contacts, in the plane and in space.
+//!
+//! Every displacement is an unknown. With c axes a contact (n, t in the plane; n, t₁, t₂ in space) the unknowns are
+//!
+//! ```text
+//! Q   = (Q_1 … Q_N, Q_b)            Q_i = (u_c, u_d, u_e in the frame of contact i),   Q_b = the twist
+//! G_i = (0, 0, -k_f u_f)            G_b = -W
+//! H_i = [ k_b  -k_b   0 ;           energy of the springs ½ k_b (u_d - u_c)² + ½ k_f (u_f - u_e)², its constant
+//!        -k_b   k_b   0 ;           ½ k_f u_f² left out
+//!          0     0   k_f]
+//! ```
+//!
+//! and, with `α = k_nf/k_nb`, `β = k_tf/k_tb`, `γ = k_tb/k_nb`, contact by contact,
+//!
+//! ```text
+//! A Q = C     -u_c·n + u_d·n + α u_e·n = α u_f·n        the springs of body and finger carry the same force
+//!             -u_c·t + u_d·t + β u_e·t = β u_f·t
+//!              u_d·t - u_e·t           = 0              rolling
+//! B Q >= D    (u_d - u_c)·n            >= 0             F_n >= 0, from the body's spring
+//!             (u_d - u_e)·n            >= -clearance    no penetration
+//!             -u_e·n                   >= -u_f·n        F_n >= 0, from the finger's spring
+//!             μ (u_d - u_c)·n ∓ γ (u_d - u_c)·t >= 0    (μ F_n ∓ F_t) / k_nb, one row a facet of the cone
+//! ```
+//!
+//! after which c rows for each contact close A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the
+//! print: the last diagonal entry of H_i is k_tf, and A, which is not printed, is the only one that fits C.
+//!
+//! A frictionless contact has neither rolling rows nor friction rows: the surfaces move past each other as they like. A
+//! contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
+//! one, and one with infinite friction, have no friction rows.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::program::QuadraticProgram;
+use crate::error::{Error, Field, LARGEST};
+use crate::formulation::{Polygon, PolygonCone};
+use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench, displacement_of};
+
+/// What an equality row of the printed program says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Equality {
+    /// The springs of body and finger carry the same force along this axis.
+    SpringContinuity {
+        /// The contact.
+        contact: usize,
+        /// The axis of its frame, 0 for the normal.
+        axis: usize,
+    },
+    /// The surfaces do not slip along this axis.
+    Rolling {
+        /// The contact.
+        contact: usize,
+        /// The axis of its frame, from 1.
+        axis: usize,
+    },
+    /// The contact is kept closed.
+    Closed {
+        /// The contact.
+        contact: usize,
+    },
+    /// u_c along this axis is that of the object. The multiplier is minus the contact force along it as long as no inequality
+    /// of the contact binds.
+    BodyMotion {
+        /// The contact.
+        contact: usize,
+        /// The axis of its frame, 0 for the normal.
+        axis: usize,
+    },
+}
+
+/// What an inequality row of the printed program says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Inequality {
+    /// The body's normal spring pushes.
+    BodyPushes {
+        /// The contact.
+        contact: usize,
+    },
+    /// The surfaces do not penetrate.
+    NoPenetration {
+        /// The contact.
+        contact: usize,
+    },
+    /// The finger's normal spring pushes.
+    FingerPushes {
+        /// The contact.
+        contact: usize,
+    },
+    /// The force does not pass this facet of the friction cone.
+    Friction {
+        /// The contact.
+        contact: usize,
+        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n.
+        facet: usize,
+    },
+}
+
+/// The paper's program with the meaning of its rows and columns.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct PrintedQp<const D: usize, const C: usize> {
+    /// G, H, A, C, B, D.
+    pub program: QuadraticProgram,
+    /// What each row of A says.
+    pub equalities: Vec<Equality>,
+    /// What each row of B says.
+    pub inequalities: Vec<Inequality>,
+    /// `Σ ½ k_f u_f²`, J, which the printed cost leaves out.
+    pub constant: f64,
+    contacts: usize,
+}
+
+/// The three displacements of one contact in its frame, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Displacements<const C: usize> {
+    /// u_c, core of the body.
+    pub body_core: SVector<f64, C>,
+    /// u_d, surface of the body.
+    pub body_surface: SVector<f64, C>,
+    /// u_e, surface of the finger.
+    pub finger_surface: SVector<f64, C>,
+}
+
+impl<const D: usize, const C: usize> PrintedQp<D, C> {
+    /// The twist Q_b in a vector of unknowns.
+    ///
+    /// # Panics
+    /// If x is not a vector of unknowns of this program.
+    #[must_use]
+    pub fn twist(&self, x: &DVector<f64>) -> Twist<D> {
+        Twist::from_vector(x.fixed_rows::<D>(3 * C * self.contacts).into_owned())
+    }
+
+    /// The displacements Q_i of a contact in a vector of unknowns.
+    ///
+    /// # Panics
+    /// If x is not a vector of unknowns of this program, or there is no such contact.
+    #[must_use]
+    pub fn displacements(&self, x: &DVector<f64>, contact: usize) -> Displacements<C> {
+        let part = |k: usize| x.fixed_rows::<C>(C * (3 * contact + k)).into_owned();
+        Displacements { body_core: part(0), body_surface: part(1), finger_surface: part(2) }
+    }
+
+    /// Contact force in the contact frame, N, from the spring of the body: `k_b (u_d - u_c)`.
+    ///
+    /// A difference of displacements: of a contact that is stiffer than the others by 10^p it has p digits less than x.
+    ///
+    /// # Panics
+    /// As [`Self::displacements`].
+    #[must_use]
+    pub fn force(&self, x: &DVector<f64>, contact: usize) -> SVector<f64, C> {
+        let u = self.displacements(x, contact);
+        let stretch = u.body_surface - u.body_core;
+        SVector::from_fn(|a, _| self.program.h[(C * 3 * contact + a, C * 3 * contact + a)] * stretch[a])
+    }
+
+    /// What the balance of the object counts at a contact, in its frame, N: minus the multipliers of its [`Equality::BodyMotion`]
+    /// rows. As long as no inequality of the contact binds this is the contact force, and as exact as the multipliers
+    /// whatever the stiffness; where one binds it is the force together with what the constraint adds to it.
+    ///
+    /// # Panics
+    /// If y does not belong to this program, or there is no such contact.
+    #[must_use]
+    pub fn force_on_object(&self, equality_multipliers: &DVector<f64>, contact: usize) -> SVector<f64, C> {
+        let first = self.equalities.len() - C * (self.contacts - contact);
+        -equality_multipliers.fixed_rows::<C>(first).into_owned()
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The paper's quadratic program under a load, in all displacements; `cone` stands for the round cone in space.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite; [`Error::Contact`] for a contact of which one side is rigid or whose
+    /// stiffness is only known in series: the paper's program has a spring on both sides.
+    pub fn printed_qp(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<PrintedQp<D, C>, Error> {
+        self.inside(load, "load")?;
+        let springs = self.springs_of_both_sides()?;
+        let polygon = Polygon::<C>::new(cone);
+        let columns = 3 * C * self.len() + D;
+        let mut rows = Rows::new(columns);
+        let (mut g, mut h) = (DVector::zeros(columns), DMatrix::zeros(columns, columns));
+        let mut constant = 0.0;
+        for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
+            let (body, finger) = &springs[i];
+            let at = |part: usize, axis: usize| C * (3 * i + part) + axis;
+            let u_f = &contact.command;
+            for a in 0..C {
+                let (c, d, e) = (at(0, a), at(1, a), at(2, a));
+                (h[(c, c)], h[(d, d)], h[(e, e)]) = (body[a], body[a], finger[a]);
+                (h[(c, d)], h[(d, c)]) = (-body[a], -body[a]);
+                g[e] = -finger[a] * u_f[a];
+                constant += 0.5 * finger[a] * u_f[a] * u_f[a];
+                let ratio = finger[a] / body[a];
+                let continuity = Equality::SpringContinuity { contact: i, axis: a };
+                rows.equality(continuity, &[(c, -1.0), (d, 1.0), (e, ratio)], ratio * u_f[a]);
+            }
+            let (c, d, e) = (at(0, 0), at(1, 0), at(2, 0));
+            if site.axes == C {
+                for a in 1..C {
+                    let rolling = Equality::Rolling { contact: i, axis: a };
+                    rows.equality(rolling, &[(at(1, a), 1.0), (at(2, a), -1.0)], 0.0);
+                }
+            }
+            if site.hold == Hold::Unilateral {
+                rows.inequality(Inequality::BodyPushes { contact: i }, &[(c, -1.0), (d, 1.0)], 0.0);
+                let gap = [(d, 1.0), (e, -1.0)];
+                rows.inequality(Inequality::NoPenetration { contact: i }, &gap, -contact.clearance);
+                rows.inequality(Inequality::FingerPushes { contact: i }, &[(e, -1.0)], -u_f[0]);
+            } else {
+                rows.equality(Equality::Closed { contact: i }, &[(d, 1.0), (e, -1.0)], -contact.clearance);
+            }
+            if site.hold != Hold::Bonded && site.mu > 0.0 && site.mu.is_finite() {
+                for (facet, normal) in polygon.normals.iter().enumerate() {
+                    let mut terms = vec![(c, -site.mu), (d, site.mu)];
+                    for a in 1..C {
+                        let along = normal[a] * (body[a] / body[0]);
+                        terms.extend([(at(0, a), along), (at(1, a), -along)]);
+                    }
+                    rows.inequality(Inequality::Friction { contact: i, facet }, &terms, 0.0);
+                }
+            }
+        }
+        for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
+            for a in 0..C {
+                let mut terms = vec![(C * 3 * i + a, 1.0)];
+                for k in 0..D {
+                    let unit = SVector::<f64, D>::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
+                    let moved = displacement_of::<D, C>(&contact.point, &unit);
+                    terms.push((columns - D + k, -site.frame.column(a).dot(&moved)));
+                }
+                rows.equality(Equality::BodyMotion { contact: i, axis: a }, &terms, 0.0);
+            }
+        }
+        for k in 0..D {
+            g[columns - D + k] = -load.as_vector()[k];
+        }
+        let (a, c) = stack(&rows.a, columns);
+        let (b, d) = stack(&rows.b, columns);
+        Ok(PrintedQp {
+            program: QuadraticProgram { g, h, a, c, b, d },
+            equalities: rows.equalities,
+            inequalities: rows.inequalities,
+            constant,
+            contacts: self.len(),
+        })
+    }
+
+    /// Stiffness of body and finger at each contact.
+    #[expect(clippy::type_complexity, reason = "a pair for each contact")]
+    fn springs_of_both_sides(&self) -> Result<Vec<(SVector<f64, C>, SVector<f64, C>)>, Error> {
+        let usable = |k: &f64| (1.0 / LARGEST..=LARGEST).contains(k);
+        let both = self.contacts().iter().enumerate().map(|(i, contact)| {
+            let fault = |field, value| Error::Contact {
+                contact: contact.label(i),
+                field,
+                value,
+                allowed: "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)",
+            };
+            match &contact.stiffness {
+                Stiffness::BodyAndFinger { body, finger } => {
+                    for (field, side) in [(Field::BodyStiffness, body), (Field::FingerStiffness, finger)] {
+                        if let Some(&k) = side.iter().find(|k| !usable(k)) {
+                            return Err(fault(field, k));
+                        }
+                    }
+                    Ok((*body, *finger))
+                }
+                Stiffness::Series(k) => Err(fault(Field::SeriesStiffness, k[0])),
+            }
+        });
+        both.collect()
+    }
+}
+
+type Row = (DVector<f64>, f64);
+
+/// Rows as they are written down, one after the other.
+struct Rows {
+    columns: usize,
+    a: Vec<Row>,
+    b: Vec<Row>,
+    equalities: Vec<Equality>,
+    inequalities: Vec<Inequality>,
+}
+
+impl Rows {
+    fn new(columns: usize) -> Self {
+        Self { columns, a: Vec::new(), b: Vec::new(), equalities: Vec::new(), inequalities: Vec::new() }
+    }
+
+    fn row(&self, terms: &[(usize, f64)]) -> DVector<f64> {
+        let mut row = DVector::zeros(self.columns);
+        for &(column, value) in terms {
+            row[column] += value;
+        }
+        row
+    }
+
+    fn equality(&mut self, says: Equality, terms: &[(usize, f64)], right: f64) {
+        self.a.push((self.row(terms), right));
+        self.equalities.push(says);
+    }
+
+    fn inequality(&mut self, says: Inequality, terms: &[(usize, f64)], right: f64) {
+        self.b.push((self.row(terms), right));
+        self.inequalities.push(says);
+    }
+}
+
+fn stack(rows: &[Row], columns: usize) -> (DMatrix<f64>, DVector<f64>) {
+    let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i].0[j]);
+    (matrix, DVector::from_fn(rows.len(), |i, _| rows[i].1))
+}

@@ -1,0 +1,201 @@
+//! A convex quadratic program and the linear complementarity problem of its optimality conditions.
+//!
+//! ```text
+//! minimise Gᵀx + ½ xᵀH x     subject to  A x = C,  B x >= D
+//!
+//! 0 = H x - Aᵀy - Bᵀλ + G
+//! 0 = A x - C                                     x, y free
+//! 0 <= λ  ⟂  B x - D >= 0
+//! ```
+//!
+//! For a positive semidefinite H the second problem says the same as the first, and Lemke's method, which was made for
+//! it (Lemke 1965), cannot fail on it: it finds a minimum or a ray, and a ray means that there is none.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::lcp::{LcpError, MixedLcp, MixedOutcome, MixedResiduals, MixedSolution};
+
+/// Steps of iterative refinement: two settle what a factorisation leaves, one more costs nothing.
+const REFINEMENTS: usize = 3;
+/// A refined point is taken even if its largest relative residual is above that of the pivots, as long as both are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper.
+///
+/// H must be symmetric and positive semidefinite; nothing here checks that.
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuadraticProgram {
+    /// G, linear cost (n).
+    pub g: DVector<f64>,
+    /// H, quadratic cost (n × n).
+    pub h: DMatrix<f64>,
+    /// A, equality rows (m × n).
+    pub a: DMatrix<f64>,
+    /// C, their right-hand sides (m).
+    pub c: DVector<f64>,
+    /// B, inequality rows (k × n).
+    pub b: DMatrix<f64>,
+    /// D, their right-hand sides (k).
+    pub d: DVector<f64>,
+}
+
+/// How solving a [`QuadraticProgram`] ends.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum QpOutcome {
+    /// A minimum.
+    Minimum(QpMinimum),
+    /// The optimality conditions were not solved. With a positive semidefinite H a
+    /// [`Ray`](crate::lcp::Outcome::Ray) means that the constraints contradict each other or that the cost falls for ever.
+    NoMinimum(Box<MixedOutcome>),
+}
+
+impl QpOutcome {
+    /// The minimum, if there is one.
+    #[must_use]
+    pub fn minimum(&self) -> Option<&QpMinimum> {
+        match self {
+            Self::Minimum(minimum) => Some(minimum),
+            Self::NoMinimum(_) => None,
+        }
+    }
+}
+
+/// A minimum of a [`QuadraticProgram`] with its multipliers.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct QpMinimum {
+    /// x (n).
+    pub x: DVector<f64>,
+    /// y, multipliers of the equality rows (m): cost per unit of C.
+    pub equality_multipliers: DVector<f64>,
+    /// λ >= 0, multipliers of the inequality rows (k): cost per unit of D. Positive only where the row binds.
+    pub multipliers: DVector<f64>,
+    /// B x - D >= 0 (k).
+    pub slacks: DVector<f64>,
+    /// `Gᵀx + ½ xᵀH x`.
+    pub value: f64,
+    /// How well the optimality conditions are satisfied, relative to the sizes of their terms.
+    pub residuals: MixedResiduals,
+    /// Pivots of Lemke's method.
+    pub pivots: usize,
+}
+
+impl QuadraticProgram {
+    /// The optimality conditions above: free variables (x, y), complementary pairs (λ, B x - D).
+    ///
+    /// # Errors
+    /// [`LcpError`] if the sizes do not fit or a number is not finite.
+    pub fn optimality_conditions(&self) -> Result<MixedLcp, LcpError> {
+        let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
+        let shapes =
+            [("H", self.h.shape(), (n, n)), ("A", self.a.shape(), (m, n)), ("B", self.b.shape(), (k, n))];
+        for (what, (rows, columns), (needed_rows, needed_columns)) in shapes {
+            if (rows, columns) != (needed_rows, needed_columns) {
+                return Err(LcpError::BlockShape { what, rows, columns, needed_rows, needed_columns });
+            }
+        }
+        let mut free = DMatrix::zeros(n + m, n + m);
+        free.view_mut((0, 0), (n, n)).copy_from(&self.h);
+        free.view_mut((0, n), (n, m)).copy_from(&-self.a.transpose());
+        free.view_mut((n, 0), (m, n)).copy_from(&self.a);
+        let mut pull = DMatrix::zeros(n + m, k);
+        pull.view_mut((0, 0), (n, k)).copy_from(&-self.b.transpose());
+        let mut rows = DMatrix::zeros(k, n + m);
+        rows.view_mut((0, 0), (k, n)).copy_from(&self.b);
+        let constant = DVector::from_fn(n + m, |i, _| if i < n { self.g[i] } else { -self.c[i - n] });
+        MixedLcp::new(&free, &pull, &rows, &DMatrix::zeros(k, k), &constant, &-&self.d)
+    }
+
+    /// The minimum and its multipliers, by Lemke's method on [`Self::optimality_conditions`].
+    ///
+    /// # Errors
+    /// [`LcpError`] if the sizes do not fit or a number is not finite.
+    pub fn solve(&self) -> Result<QpOutcome, LcpError> {
+        let n = self.g.len();
+        let conditions = self.optimality_conditions()?;
+        Ok(match conditions.solve() {
+            MixedOutcome::Solved(mut solution) => {
+                let determined = solution.undetermined.is_empty() && solution.dependent.is_empty();
+                if let Some((u, z)) = self.refined(&solution).filter(|_| determined) {
+                    let residuals = conditions.residuals(&u, &z);
+                    if residuals.max() <= solution.residuals.max().max(ROUNDING) {
+                        (solution.u, solution.z, solution.residuals) = (u, z, residuals);
+                    }
+                }
+                let x = solution.u.rows(0, n).into_owned();
+                QpOutcome::Minimum(QpMinimum {
+                    value: self.value(&x),
+                    equality_multipliers: solution.u.rows(n, self.c.len()).into_owned(),
+                    multipliers: solution.z,
+                    slacks: solution.w,
+                    residuals: solution.residuals,
+                    pivots: solution.pivots,
+                    x,
+                })
+            }
+            other => QpOutcome::NoMinimum(Box::new(other)),
+        })
+    }
+
+    /// The same point from the rows that bind, with iterative refinement: each condition is then satisfied to the rounding
+    /// of its own terms (Skeel 1980), so that forces balance to the last digits beside springs a million times
+    /// stiffer. `None` where the rows that bind do not determine the point, or would pull.
+    fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
+        let (n, m) = (self.g.len(), self.c.len());
+        let binding: Vec<usize> = solution.basis.iter().collect();
+        let size = n + m + binding.len();
+        let mut matrix = DMatrix::zeros(size, size);
+        matrix.view_mut((0, 0), (n, n)).copy_from(&self.h);
+        for i in 0..m + binding.len() {
+            let row = if i < m { self.a.row(i) } else { self.b.row(binding[i - m]) };
+            matrix.view_mut((n + i, 0), (1, n)).copy_from(&row);
+            matrix.view_mut((0, n + i), (n, 1)).copy_from(&-row.transpose());
+        }
+        let right = DVector::from_fn(size, |i, _| match i {
+            i if i < n => -self.g[i],
+            i if i < n + m => self.c[i - n],
+            i => self.d[binding[i - n - m]],
+        });
+        // Rows and columns of like size first, so that pivots are chosen by their worth.
+        let mut scale = DVector::from_element(size, 1.0);
+        for _ in 0..3 {
+            for i in 0..size {
+                let largest =
+                    (0..size).map(|j| (matrix[(i, j)] * scale[i] * scale[j]).abs()).fold(0.0, f64::max);
+                if largest > 0.0 {
+                    scale[i] /= largest.sqrt();
+                }
+            }
+        }
+        let scaled = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+        let factor = scaled.lu();
+        let mut point = DVector::from_fn(size, |i, _| match i {
+            i if i < n + m => solution.u[i],
+            i => solution.z[binding[i - n - m]],
+        });
+        let largest = point.amax();
+        for _ in 0..REFINEMENTS {
+            let left = (&right - &matrix * &point).component_mul(&scale);
+            point += factor.solve(&left)?.component_mul(&scale);
+        }
+        // Motions that nothing resists make the matrix singular: rounding would send the point along them.
+        if !point.iter().all(|x| x.abs() <= 2.0 * largest) {
+            return None;
+        }
+        let mut z = DVector::zeros(self.d.len());
+        for (place, &row) in binding.iter().enumerate() {
+            z[row] = point[n + m + place].max(0.0);
+        }
+        Some((point.rows(0, n + m).into_owned(), z))
+    }
+
+    /// `Gᵀx + ½ xᵀH x`.
+    ///
+    /// # Panics
+    /// If x has another length than G.
+    #[must_use]
+    pub fn value(&self, x: &DVector<f64>) -> f64 {
+        self.g.dot(x) + 0.5 * x.dot(&(&self.h * x))
+    }
+}

@@ -1,0 +1,246 @@
+//! Equilibrium with the second-order displacement of equation 4.1.
+//!
+//! To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)` (in the plane the last term is `-½ θ² r`) and the
+//! moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. Outer iterations: at the twist q_k
+//! u is replaced by its tangent,
+//!
+//! ```text
+//! u ≈ J_k q + (u(q_k) - J_k q_k)
+//! ```
+//!
+//! which is a first-order grasp with other maps and commands, solved as ever, contacts sliding and opening included. Each
+//! iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before; where that is
+//! not small the equilibrium is close to instability and the iterations do not settle, which is said.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::stability::Stability;
+use crate::equilibrium::{ContactState, Equilibrium, Outcome, Settled, settle};
+use crate::error::Error;
+use crate::formulation::{Polygon, Problem, State};
+use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
+use crate::{PolygonCone, Settings};
+use std::sync::Arc;
+
+/// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
+const MOST_ITERATIONS: usize = 100;
+/// Changes of the displacements below this part of them are rounding.
+const SETTLED: f64 = 1e-14;
+/// Where rounding keeps the changes from falling below that, this is good enough.
+const GOOD_ENOUGH: f64 = 1e-11;
+
+/// How the search for a second-order equilibrium ends.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum SecondOrderOutcome<const D: usize, const C: usize> {
+    /// Found.
+    Equilibrium(Box<SecondOrder<D, C>>),
+    /// First order has no equilibrium, or none was found.
+    NoFirstOrder(Box<Outcome<D, C>>),
+    /// The outer iterations do not settle: the geometric stiffness is not small beside the elastic one, or the displacements
+    /// are too large for second order.
+    NotSettled {
+        /// Iterations made.
+        iterations: usize,
+        /// The last change of a displacement at a contact, relative to the largest of them.
+        change: f64,
+    },
+    /// At some iteration the linearised grasp had no equilibrium: second order gives way where first order holds.
+    GivesWay {
+        /// Iterations made.
+        iterations: usize,
+    },
+}
+
+impl<const D: usize, const C: usize> SecondOrderOutcome<D, C> {
+    /// The equilibrium, if there is one.
+    #[must_use]
+    pub fn equilibrium(&self) -> Option<&SecondOrder<D, C>> {
+        match self {
+            Self::Equilibrium(found) => Some(found),
+            _ => None,
+        }
+    }
+}
+
+/// An equilibrium with second-order displacements.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct SecondOrder<const D: usize, const C: usize> {
+    /// The first-order equilibrium it started from.
+    pub first_order: Equilibrium<D, C>,
+    /// Motion of the object: translation of its point at the origin, rotation vector.
+    pub twist: Twist<D>,
+    /// Force on the object at each contact, in its contact frame, N.
+    pub forces: Vec<SVector<f64, C>>,
+    /// What each contact does.
+    pub states: Vec<ContactState<C>>,
+    /// The largest `½ θ × (θ × r)` of a contact, m: the term of equation 4.1 that first order drops.
+    pub dropped_displacement: f64,
+    /// The largest change of a contact force that comes of it, N.
+    pub force_left_out: f64,
+    /// The largest change of the displacement of the object at a contact, m.
+    pub displacement_left_out: f64,
+    /// Outer iterations made.
+    pub iterations: usize,
+    /// Stability there, with the moved arms.
+    pub stability: Stability<D>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
+    /// load's force acts at the object's point there. In space on the polygonal cone of the settings.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn second_order_equilibrium(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<SecondOrderOutcome<D, C>, Error> {
+        let first_order = match self.solve_with(load, settings)? {
+            Outcome::Equilibrium(equilibrium) => *equilibrium,
+            other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
+        };
+        let mut twist = *first_order.twist.as_vector();
+        let mut last = f64::INFINITY;
+        for iterations in 1..=MOST_ITERATIONS {
+            let Some(found) = self.iterate(&twist, load, settings) else {
+                return Ok(SecondOrderOutcome::GivesWay { iterations });
+            };
+            let change = self.largest_displacement(&(found.twist - twist));
+            let size = self.largest_displacement(&found.twist);
+            twist = found.twist;
+            let relative = if change == 0.0 { 0.0 } else { change / size };
+            let stuck = relative >= last && relative <= GOOD_ENOUGH;
+            if relative <= SETTLED || stuck {
+                let found = self.second_order(first_order, &twist, found, iterations);
+                return Ok(SecondOrderOutcome::Equilibrium(Box::new(found)));
+            }
+            if !relative.is_finite() {
+                return Ok(SecondOrderOutcome::NotSettled { iterations, change: relative });
+            }
+            last = relative;
+        }
+        Ok(SecondOrderOutcome::NotSettled { iterations: MOST_ITERATIONS, change: last })
+    }
+
+    /// The first-order problem about a twist, solved.
+    fn iterate(&self, twist: &SVector<f64, D>, load: &Wrench<D>, settings: &Settings) -> Option<Step<D, C>> {
+        let unit = self.length();
+        let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / unit });
+        let mut drives = self.drives();
+        let sites: Vec<Site<D, C>> = self
+            .sites()
+            .iter()
+            .zip(self.contacts())
+            .zip(&mut drives)
+            .map(|((site, contact), drive)| {
+                let tangent = tangent::<D, C>(&contact.point, twist);
+                let rest = second_order_displacement(&contact.point, twist) - tangent.tr_mul(twist);
+                *drive -= site.frame.tr_mul(&rest);
+                let mut map = tangent * site.frame;
+                for k in C..D {
+                    map.row_mut(k).scale_mut(in_units[k]);
+                }
+                Site { map, ..site.clone() }
+            })
+            .collect();
+        let wrench = load.as_vector().component_mul(&in_units);
+        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let problem = Problem::at_rest(&sites, polygon, drives, wrench);
+        let (Settled::Found(found, _), _) = settle(&problem, settings) else { return None };
+        Some(Step {
+            twist: found.twist.component_mul(&in_units),
+            forces: found.forces,
+            states: found.states,
+            cone: settings.cone,
+        })
+    }
+
+    fn second_order(
+        &self,
+        first_order: Equilibrium<D, C>,
+        twist: &SVector<f64, D>,
+        step: Step<D, C>,
+        iterations: usize,
+    ) -> SecondOrder<D, C> {
+        let polygon = Polygon::<C>::new(&step.cone);
+        let (mut dropped, mut force, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut arms, mut world, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
+            let u = second_order_displacement(&contact.point, twist);
+            dropped = dropped.max(0.5 * turned(&turned(&contact.point, twist), twist).norm());
+            displacement = displacement.max((u - first_order.contacts[i].body_core).norm());
+            force = force.max((step.forces[i] - first_order.contacts[i].force).norm());
+            let moved = SVector::<f64, C>::from_fn(|a, _| u[a] - twist[a]);
+            arms.push(contact.point + moved);
+            world.push(site.frame * step.forces[i]);
+            states.push(match step.states[i] {
+                State::Open => ContactState::Separated,
+                State::Rolling if site.axes == 1 => ContactState::Frictionless,
+                State::Rolling => ContactState::Rolling,
+                State::Sliding { first, second } => {
+                    let normal = polygon.normals[first];
+                    let out = second.map_or(normal, |second| normal + polygon.normals[second]);
+                    ContactState::Sliding { direction: site.frame * out.normalize() }
+                }
+            });
+        }
+        SecondOrder {
+            stability: self.stability_with(&arms, &world, &states),
+            first_order,
+            twist: Twist::from_vector(*twist),
+            forces: step.forces,
+            states,
+            dropped_displacement: dropped,
+            force_left_out: force,
+            displacement_left_out: displacement,
+            iterations,
+        }
+    }
+
+    fn largest_displacement(&self, twist: &SVector<f64, D>) -> f64 {
+        let at = |point: &SVector<f64, C>| displacement_of::<D, C>(point, twist).norm();
+        self.contacts().iter().map(|contact| at(&contact.point)).fold(0.0, f64::max)
+    }
+}
+
+/// One outer iteration.
+struct Step<const D: usize, const C: usize> {
+    twist: SVector<f64, D>,
+    forces: Vec<SVector<f64, C>>,
+    states: Vec<State>,
+    cone: PolygonCone,
+}
+
+/// `θ × v`.
+fn turned<const D: usize, const C: usize>(v: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
+    let rotation = SVector::<f64, D>::from_fn(|k, _| if k < C { 0.0 } else { twist[k] });
+    displacement_of::<D, C>(v, &rotation)
+}
+
+/// `δ + θ × r + ½ θ × (θ × r)`.
+fn second_order_displacement<const D: usize, const C: usize>(
+    point: &SVector<f64, C>,
+    twist: &SVector<f64, D>,
+) -> SVector<f64, C> {
+    displacement_of::<D, C>(point, twist) + turned(&turned(point, twist), twist) * 0.5
+}
+
+/// Jᵀ: the columns are the derivatives of the components of the displacement.
+fn tangent<const D: usize, const C: usize>(
+    point: &SVector<f64, C>,
+    twist: &SVector<f64, D>,
+) -> SMatrix<f64, D, C> {
+    let mut jt = SMatrix::<f64, D, C>::zeros();
+    for k in 0..D {
+        let unit = SVector::<f64, D>::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
+        let mut change = displacement_of::<D, C>(point, &unit);
+        change += turned(&turned(point, twist), &unit) * 0.5 + turned(&turned(point, &unit), twist) * 0.5;
+        for a in 0..C {
+            jt[(k, a)] = change[a];
+        }
+    }
+    jt
+}

@@ -1,0 +1,171 @@
+//! Is an equilibrium stable? The second derivative of the potential energy.
+//!
+//! The contact springs stand in space (fingers do not turn with the object). Let the object move from the equilibrium by a
+//! translation δ of its point at the origin and a rotation θ. A contact at r moves by
+//!
+//! ```text
+//! u = δ + θ × r + ½ θ × (θ × r)        in the plane (equation 4.1): ½ θ×(θ×r) = -½ θ² r
+//! ```
+//!
+//! and the energy of springs that carry F already is `Σ ½ (a-u)·K (a-u) - W·q`. Its second derivative has two parts,
+//!
+//! ```text
+//! Hessian = Σ G_i K_i G_iᵀ  -  Σ F_i · ∂²u_i/∂q²
+//!           elastic            geometric: in the plane + Σ F_i·r_i on the rotation,
+//!                              in space  (F·r) 1 - ½ (F rᵀ + r Fᵀ), summed, on the rotations
+//! ```
+//!
+//! The geometric part comes of the arms turning while the forces do not: seen from the object, the contact forces turn.
+//! Fingers that press against each other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs
+//! tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's force acts at the object's point at the origin and keeps its
+//! direction, the moment keeps its components. What rolls counts with all its springs, an open contact with none; where something slides
+//! friction is not conservative and no energy decides.
+
+use nalgebra::{SMatrix, SVector, SymmetricEigen};
+
+use crate::equilibrium::{ContactState, Equilibrium};
+use crate::grasp::{Grasp, Twist, grasp_map};
+
+/// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
+const ZERO: f64 = 1e-12;
+
+/// The second derivative of the potential energy at an equilibrium.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Stability<const D: usize> {
+    /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that the
+    /// object feels.
+    pub elastic: SMatrix<f64, D, D>,
+    /// What the contact forces add as their arms turn, same units.
+    pub geometric: SMatrix<f64, D, D>,
+    /// Curvature of the energy along the softest motion, N/m: the least eigenvalue of the Hessian, rotations counted as in
+    /// `softest`.
+    pub least_curvature: f64,
+    /// The largest eigenvalue, N/m.
+    pub most_curvature: f64,
+    /// The unit motion along which the energy rises least. A rotation is counted in radians times the root mean square distance
+    /// of the contacts from their centroid, a translation is that of the centroid.
+    pub softest: Twist<D>,
+    /// What follows.
+    pub verdict: StabilityVerdict,
+}
+
+/// Whether an equilibrium is stable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StabilityVerdict {
+    /// The energy rises along every motion.
+    Stable,
+    /// The energy does not change along the softest motion, to second order and as far as rounding can tell.
+    Neutral,
+    /// The energy falls along the softest motion.
+    Unstable,
+    /// Something slides: energy does not decide. The matrices count sliding contacts with their normal springs alone.
+    Sliding,
+}
+
+impl<const D: usize> Stability<D> {
+    /// Elastic and geometric stiffness together.
+    #[must_use]
+    pub fn hessian(&self) -> SMatrix<f64, D, D> {
+        self.elastic + self.geometric
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The stability of an equilibrium of this grasp, its contacts where they are at first (displacements are small).
+    #[must_use]
+    pub fn stability(&self, equilibrium: &Equilibrium<D, C>) -> Stability<D> {
+        let arms = self.contacts().iter().map(|contact| contact.point);
+        let forces = equilibrium.contacts.iter().map(|c| c.force_world);
+        let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
+        self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states)
+    }
+
+    /// The same with given arms from the object's point at the origin.
+    pub(super) fn stability_with(
+        &self,
+        arms: &[SVector<f64, C>],
+        forces: &[SVector<f64, C>],
+        states: &[ContactState<C>],
+    ) -> Stability<D> {
+        let (mut elastic, mut geometric) = (SMatrix::zeros(), SMatrix::zeros());
+        let mut slides = false;
+        for (i, site) in self.sites().iter().enumerate() {
+            let holds = match states[i] {
+                ContactState::Separated => 0,
+                ContactState::Sliding { .. } => {
+                    slides = true;
+                    1
+                }
+                _ => site.axes,
+            };
+            let map = grasp_map::<D, C>(&arms[i], &site.frame);
+            for a in 0..holds {
+                let column = map.column(a);
+                elastic += column * column.transpose() * site.k[a];
+            }
+            geometric += turning_arm(&arms[i], &forces[i]);
+        }
+        let units = self.inside_units();
+        let hessian = units.transpose() * (elastic + geometric) * units;
+        let (least, most, motion) = extremes(&hessian);
+        let size = least.abs().max(most.abs());
+        let verdict = if slides {
+            StabilityVerdict::Sliding
+        } else if least.abs() <= ZERO * size {
+            StabilityVerdict::Neutral
+        } else if least > 0.0 {
+            StabilityVerdict::Stable
+        } else {
+            StabilityVerdict::Unstable
+        };
+        Stability {
+            elastic,
+            geometric,
+            least_curvature: least,
+            most_curvature: most,
+            softest: self.outside(&motion),
+            verdict,
+        }
+    }
+
+    /// Columns: the twists about the origin that are unit twists in inside coordinates.
+    fn inside_units(&self) -> SMatrix<f64, D, D> {
+        let mut units = SMatrix::<f64, D, D>::zeros();
+        for k in 0..D {
+            let unit = SVector::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
+            units.set_column(k, self.outside(&unit).as_vector());
+        }
+        units
+    }
+}
+
+/// `-F · ∂²u/∂q²` of one contact.
+fn turning_arm<const D: usize, const C: usize>(
+    arm: &SVector<f64, C>,
+    force: &SVector<f64, C>,
+) -> SMatrix<f64, D, D> {
+    let mut part = SMatrix::<f64, D, D>::zeros();
+    let along = arm.dot(force);
+    if C == 2 {
+        part[(2, 2)] = along;
+        return part;
+    }
+    for a in 0..C {
+        for b in 0..C {
+            let mixed = 0.5 * (force[a] * arm[b] + arm[a] * force[b]);
+            part[(C + a, C + b)] = if a == b { along - mixed } else { -mixed };
+        }
+    }
+    part
+}
+
+/// Least and largest eigenvalue of a symmetric matrix, and a unit eigenvector of the least.
+fn extremes<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64, SVector<f64, D>) {
+    let dynamic = nalgebra::DMatrix::from_fn(D, D, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+    let eigen = SymmetricEigen::new(dynamic);
+    let at = eigen.eigenvalues.imin();
+    let vector = SVector::from_fn(|k, _| eigen.eigenvectors[(k, at)]);
+    (eigen.eigenvalues[at], eigen.eigenvalues.max(), vector)
+}
