@@ -3,50 +3,11 @@
 //!
 //! Each test derives its numbers by hand in the comment above it, from the springs, Coulomb's law and equilibrium alone.
 
-use grasp_lcp::load_path::{Change, Event, PathEnd};
+mod common_story;
+
+use common_story::{assert_close, assert_story, completed, story};
+use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::planar;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * (1.0 + b.abs())
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
-
-fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> bool {
-    matches!(end, Some(PathEnd::Completed))
-}
-
-/// Leg, fraction, and what the contacts do.
-type Line = (usize, f64, Vec<(usize, &'static str)>);
-
-/// Leg, fraction and what changes, without directions.
-fn story<const D: usize, const C: usize>(events: &[Event<D, C>]) -> Vec<Line> {
-    let word = |change: &Change<C>| match change {
-        Change::Slides { .. } => "slides",
-        Change::Sticks => "sticks",
-        Change::Reverses { .. } => "reverses",
-        Change::Turns { .. } => "turns",
-        Change::Opens => "opens",
-        Change::Closes => "closes",
-        Change::ClosesSliding { .. } => "closes sliding",
-    };
-    let all = |e: &Event<D, C>| e.changes.iter().map(|(i, change)| (*i, word(change))).collect();
-    events.iter().map(|e| (e.leg, e.fraction, all(e))).collect()
-}
-
-fn assert_story<const D: usize, const C: usize>(events: &[Event<D, C>], expected: &[Line]) {
-    let got = story(events);
-    assert_eq!(got.len(), expected.len(), "{got:#?}");
-    for (got, want) in got.iter().zip(expected) {
-        assert_eq!((got.0, &got.2), (want.0, &want.2), "{got:?}");
-        assert_close!(got.1, want.1);
-    }
-}
 
 /// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
 /// without them it may as well turn, one flank sliding and the other not, under the very same forces.

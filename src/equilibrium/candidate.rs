@@ -29,6 +29,9 @@ pub(crate) struct Found<const D: usize, const C: usize> {
     pub(crate) twist: SVector<f64, D>,
     pub(crate) free_motions: Vec<SVector<f64, D>>,
     pub(crate) neutral_motions: Vec<SVector<f64, D>>,
+    /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
+    /// they vanish. Zero for a solution of its own.
+    pub(crate) sizes: [f64; 2],
 }
 
 /// What became of a proposal.
@@ -88,7 +91,15 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
     if out_of_balance(problem, &state.forces, &state.twist) > OUT_OF_BALANCE {
         return Verdict::Violated { doubtful: true };
     }
-    Verdict::Holds(Found { states, forces: state.forces, twist: state.twist, free_motions, neutral_motions })
+    let sizes = [0.0; 2];
+    Verdict::Holds(Found {
+        states,
+        forces: state.forces,
+        twist: state.twist,
+        free_motions,
+        neutral_motions,
+        sizes,
+    })
 }
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp

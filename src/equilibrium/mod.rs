@@ -160,7 +160,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             .sum();
         Equilibrium {
             load: *load,
-            residuals: self.residuals(problem, load, &twist, &contacts, cone),
+            residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
             twist,
             contacts,
             rule,

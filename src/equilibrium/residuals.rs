@@ -42,7 +42,8 @@ impl Residuals {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load.
+    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load. `sizes` are those of the
+    /// forces and displacements that the answer is a sum of, if it is one.
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
@@ -50,6 +51,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         twist: &Twist<D>,
         answers: &[ContactAnswer<C>],
         cone: Cone,
+        [force_terms, travel_terms]: [f64; 2],
     ) -> Residuals {
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
         let drives = &problem.drives;
@@ -65,13 +67,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 let contact = &self.contacts()[i];
                 let own = drives[i].norm() + contact.clearance + compression(i).norm();
                 let moved = twist.as_vector().norm() + turned * contact.point.norm();
-                (own + moved + answers[i].gap.abs() + slip(i).norm()).max(SMALLEST)
+                (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })
             .collect();
-        let largest = answers.iter().fold(load_force.norm(), |most, c| most.max(c.force.norm()));
+        let largest =
+            answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         let spring_force = least_spring_force(self.sites(), sizes.iter().copied());
         let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
-        let equilibrium = self.out_of_balance(load, answers, spring_force);
+        let equilibrium = self.out_of_balance(load, answers, spring_force.max(force_terms));
         let mut r = Residuals { equilibrium, ..Residuals::default() };
         for (i, (answer, site)) in answers.iter().zip(self.sites()).enumerate() {
             let (f, s, g, size) = (&answer.force, slip(i), answer.gap, sizes[i]);
@@ -115,7 +118,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         r
     }
 
-    /// `spring_force` is the least force that a spring could have from the displacements of its contact.
+    /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
+    /// are sums of.
     fn out_of_balance(&self, load: &Wrench<D>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);

@@ -23,9 +23,9 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
         let motion = segment.grasp.outside(&v);
         return PathEnd::GivesWay { leg: loss.leg, fraction: loss.fraction, motion };
     }
-    let motion = leaving_motion(rates, sliding);
-    loss.motion = motion.map(|v| segment.grasp.outside(&v));
     let here = segment.problem_at(loss.fraction);
+    let motion = leaving_motion(rates, &here.wrench, sliding);
+    loss.motion = motion.map(|v| segment.grasp.outside(&v));
     if motion.is_some_and(|v| separates_from_here_on(&here, &v, &rates.wrench)) {
         return PathEnd::LimitLoad(loss);
     }
@@ -38,16 +38,19 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
 /// slips were not against friction: taken the other way, they are along it.
 fn leaving_motion<const D: usize, const C: usize>(
     rates: &Problem<D, C>,
+    load: &SVector<f64, D>,
     states: &[State],
 ) -> Option<SVector<f64, D>> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(&rates.drives, &rates.wrench) {
         Err(unbalanced) => {
-            // Where friction is exhausted, no spring resists, but the friction forces feel the motion.
-            let free = piece.free_motions().iter();
-            let along = free.fold(SVector::zeros(), |sum, v| sum + v * v.dot(&rates.wrench));
-            let size = along.norm();
-            return unbalanced.motion.or_else(|| (size > 0.0).then(|| along / size));
+            // Where friction is exhausted no spring resists, but the friction forces feel the motion. Where only commands
+            // change it is the load itself that drives the object out.
+            let along = |wrench: &SVector<f64, D>| {
+                let v = piece.free_motions().iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
+                (v.norm() > 0.0).then(|| v.normalize())
+            };
+            return unbalanced.motion.or_else(|| along(&rates.wrench)).or_else(|| along(load));
         }
         Ok(solved) => solved,
     };

@@ -31,6 +31,9 @@ pub(super) struct Here<const D: usize, const C: usize> {
     pub(super) neutral_motions: Vec<SVector<f64, D>>,
     /// Gap of every contact, its rate, and the sizes that the rounding of both is measured against.
     pub(super) gaps: Vec<[f64; 4]>,
+    /// Largest force and displacement of the terms that the state and its rates are sums of.
+    pub(super) sizes: [f64; 2],
+    pub(super) rate_sizes: [f64; 2],
 }
 
 /// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
@@ -71,22 +74,30 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
                 }
             }
         }
-        let load = self.problem.wrench + self.direction * factor;
+        // Where everything vanishes on the way, what is left is the rounding of the terms: those at factor 0 and the way from there.
         let sites = self.grasp.sites();
-        let most = largest_force(sites, &drives, &twist, load.norm(), forces.iter().map(Matrix::norm));
-        let rates = rate.forces.iter().map(Matrix::norm);
-        let most_rate = largest_force(sites, &self.change, &rate.twist, self.direction.norm(), rates);
+        let sizes =
+            |drives: &[SVector<f64, C>], twist: &SVector<f64, D>, load: f64, forces: &[SVector<f64, C>]| {
+                let travel =
+                    sites.iter().zip(drives).map(|(site, a)| span(site, a, twist)).fold(0.0, f64::max);
+                [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
+            };
+        let [base_force, base_travel] =
+            sizes(&self.problem.drives, &base.twist, self.problem.wrench.norm(), &base.forces);
+        let rate_sizes = sizes(&self.change, &rate.twist, self.direction.norm(), &rate.forces);
+        let most = base_force + factor * rate_sizes[0];
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (moved, moving) = (site.map.tr_mul(&twist), site.map.tr_mul(&rate.twist));
-            let (span, span_rate) =
-                (span(site, &drives[i], &twist), span(site, &self.change[i], &rate.twist));
+            let span_rate = span(site, &self.change[i], &rate.twist);
+            let span_here = span(site, &drives[i], &twist);
+            let span = span_here.max(span(site, &self.problem.drives[i], &base.twist) + factor * span_rate);
             lines.push(Line {
                 force: forces[i],
                 rate: rate.forces[i],
                 force_size: force_size(site, &forces[i], span, most),
-                rate_size: force_size(site, &rate.forces[i], span_rate, most_rate),
+                rate_size: force_size(site, &rate.forces[i], span_rate, rate_sizes[0]),
             });
             gaps.push([moved[0] - drives[i][0], moving[0] - self.change[i][0], span, span_rate]);
         }
@@ -97,6 +108,8 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             free_motions: piece.free_motions().to_vec(),
             neutral_motions,
             gaps,
+            sizes: [most, base_travel + factor * rate_sizes[1]],
+            rate_sizes,
         })
     }
 

@@ -33,6 +33,7 @@ impl<const D: usize, const C: usize> Stretch<'_, D, C> {
             twist: self.here.twist + self.here.twist_rate * step,
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
+            sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
         };
         let load = self.load[0] + (self.load[1] - self.load[0]) * fraction;
         let problem = Problem {

@@ -133,6 +133,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             twist: here.twist,
             free_motions: here.free_motions.clone(),
             neutral_motions: Vec::new(),
+            sizes: here.sizes,
         };
         let state = self.segment.grasp.equilibrium(
             &problem,
