@@ -62,6 +62,7 @@
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory; sensitivities |
+//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
 //! | `picture` | grasps and load curves as SVG (feature `plot`) |
 //!
@@ -73,7 +74,8 @@
 //! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all.
 //!
 //! The model is that of "Position Control for Multifingered Robot Hand", which solves the rolling case as a quadratic
-//! program; `paper-notes.md` in the repository tells what is taken from it, its misprints, and where this crate goes on.
+//! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what
+//! is taken from it, its misprints, and where this crate goes on.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

@@ -6,7 +6,9 @@
 mod paper;
 
 mod common;
-mod common_qp;
+#[path = "../examples/support/interior_point.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod interior_point;
 
 use std::cell::Cell;
 
@@ -18,7 +20,7 @@ use proptest::prelude::*;
 
 use common::random::{Spread, for_all, scene};
 use common::scene::{Scene, wrench};
-use common_qp::{Oracle, interior_point};
+use interior_point::{Oracle, interior_point};
 
 /// `minimise Σ ½ F·K⁻¹F - a·F` over polygonal cones and `Σ G F + W = 0`, forces as unknowns.
 fn complementary_energy<const D: usize, const C: usize>(scene: &Scene<D, C>) -> QuadraticProgram {

@@ -7,7 +7,9 @@
 //! * the program as printed and the reduced one by an interior-point method of another library.
 
 mod common;
-mod common_qp;
+#[path = "../examples/support/interior_point.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod interior_point;
 
 use std::cell::Cell;
 
@@ -20,7 +22,7 @@ use proptest::prelude::*;
 use common::random::{Spread, for_all, scene};
 use common::rolling;
 use common::scene::{Scene, displacement};
-use common_qp::{Oracle, interior_point};
+use interior_point::{Oracle, interior_point};
 
 const CASES: u32 = 1500;
 

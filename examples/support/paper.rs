@@ -98,3 +98,23 @@ pub const TWO_FINGER_MISPRINTS: [(usize, &str); 3] = [
     (13, "beyond the onset: no equilibrium; the QP stopped at the cone's edge"),
     (14, "beyond the onset: no equilibrium; the QP stopped at the cone's edge"),
 ];
+
+/// Two fingers like those of example 2, their normals inclined by `slope` downwards, and two smooth, soft rests under the object
+/// that take over what the fingers cannot carry.
+pub fn two_fingers_on_rests(slope: f64) -> Result<Grasp, Error> {
+    let finger = |side: f64, name: &str| {
+        Contact::new([4.0 * side, 1.8], [-side, -slope])
+            .body_stiffness(10.0, 10.0)
+            .finger_stiffness(10.0, 10.0)
+            .friction(0.25)
+            .command([0.1, 0.0])
+            .name(name)
+    };
+    let rest = |x: f64| Contact::new([x, -1.0], [0.0, 1.0]).series_stiffness(1.0, 1.0);
+    Grasp::new([
+        finger(-1.0, "finger 1"),
+        finger(1.0, "finger 2"),
+        rest(-1.0).name("left rest"),
+        rest(1.0).name("right rest"),
+    ])
+}

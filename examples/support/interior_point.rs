@@ -25,7 +25,7 @@ fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
 
 /// What the interior-point method says.
 #[derive(Debug)]
-pub(crate) enum Oracle {
+pub enum Oracle {
     /// A minimum, and the relative tolerance to which the method believes it.
     Minimum(DVector<f64>, f64),
     None,
@@ -33,7 +33,7 @@ pub(crate) enum Oracle {
     Silent,
 }
 
-pub(crate) fn interior_point(qp: &QuadraticProgram) -> Oracle {
+pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
     let (n, m, k) = (qp.g.len(), qp.c.len(), qp.d.len());
     let mut upper = qp.h.clone();
     upper.fill_lower_triangle(0.0, 1);
