@@ -35,7 +35,8 @@ fn same_onset<const D: usize, const C: usize>(
     cases: u32,
 ) -> Tally {
     let tally = Tally::default();
-    let settings = Settings::default();
+    // The program's friction constraints are those of the polygon.
+    let settings = Settings::default().on_the_polygon();
     for_all(file!(), cases, &ramps::<D, C>(counts, spread), |(mut scene, change)| {
         // Frictionless contacts may open without an end to the agreement: they have their own test.
         for datum in &mut scene.contacts {

@@ -25,9 +25,9 @@ const AGREEMENT: f64 = 1e-9;
 const JITTER: f64 = 1e-12;
 const CHANGE: f64 = 1e-8;
 
-/// Three facets in space: few enough states to list.
+/// Three facets in space: few enough states to list. The round cone has a file of its own.
 fn settings() -> Settings {
-    Settings::default().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
+    Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
 }
 
 /// What is compared: forces and displacements of the body at the contacts, coordinate axes.

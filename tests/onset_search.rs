@@ -74,19 +74,33 @@ fn check_both_sides<const D: usize, const C: usize>(
     change: &Change<D, C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
+    check_both_sides_on(scene, change, Friction::Polygon, tally)?;
+    if C == 3 { check_both_sides_on(scene, change, Friction::Round, tally) } else { Ok(()) }
+}
+
+fn check_both_sides_on<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    change: &Change<D, C>,
+    friction: Friction,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
     // A base clearly inside.
-    if slack(scene, Friction::Polygon).is_none_or(|slack| slack < 1e-6) {
+    if slack(scene, friction).is_none_or(|slack| slack < 1e-6) {
         return Ok(());
     }
-    let onset =
-        scene.grasp().onset_on_polygon(&change.ramp(scene), &Settings::default()).expect("a finite ramp");
+    let (grasp, ramp, round) = (scene.grasp(), change.ramp(scene), Settings::default());
+    let (onset, settings) = match friction {
+        Friction::Round => (grasp.onset(&ramp, &round), round),
+        Friction::Polygon => (grasp.onset_on_polygon(&ramp, &round), round.on_the_polygon()),
+    };
+    let onset = onset.expect("a finite ramp");
     let Some(event) = onset.event() else { return Ok(()) };
     // In a stiff scene 1e-9 of the factor may be less than rounding leaves of the largest force.
-    let beyond = slack(&change.at(scene, event.factor * (1.0 + 1e-9)), Friction::Polygon);
+    let beyond = slack(&change.at(scene, event.factor * (1.0 + 1e-9)), friction);
     let Some(beyond) = beyond.filter(|slack| *slack < -2e-12) else { return Ok(()) };
     let solve = |part: f64| {
         let there = change.at(scene, event.factor * part);
-        there.grasp().solve(&there.wrench()).expect("a finite load")
+        there.grasp().solve_with(&there.wrench(), &settings).expect("a finite load")
     };
     let below = solve(1.0 - 1e-9);
     let rolls = below.equilibrium().is_some_and(|e| e.rule == Rung::EverythingRolls);
@@ -99,7 +113,8 @@ fn check_both_sides<const D: usize, const C: usize>(
             .any(|c| matches!(c.state, ContactState::Sliding { .. } | ContactState::Separated)),
         Outcome::NoEquilibrium(_) => true,
         // Where a state is nearly singular nothing can be said so close to the edge.
-        _ => beyond > -3e-10,
+        // On the round cone nothing is proved where the nearest equilibrium is a millionth away.
+        _ => friction == Friction::Round || beyond > -3e-10,
     };
     prop_assert!(leaves, "above the onset {event:?}\n{above:?}");
     is_at_the_edge(scene, event)?;

@@ -17,7 +17,7 @@ use nalgebra::{SMatrix, SVector};
 use super::stability::Stability;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, Settled, settle};
 use crate::error::Error;
-use crate::formulation::{Polygon, Problem, State};
+use crate::formulation::{Polygon, Problem, Slide, State};
 use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
 use crate::{PolygonCone, Settings};
 use std::sync::Arc;
@@ -89,7 +89,7 @@ pub struct SecondOrder<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
-    /// load's force acts at the object's point there. In space on the polygonal cone of the settings.
+    /// load's force acts at the object's point there.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
@@ -149,11 +149,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let wrench = load.as_vector().component_mul(&in_units);
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(&sites, polygon, drives, wrench);
+        let problem = Problem { round: settings.is_round::<C>(), ..problem };
         let (Settled::Found(found, _), _) = settle(&problem, settings) else { return None };
         Some(Step {
             twist: found.twist.component_mul(&in_units),
             forces: found.forces,
             states: found.states,
+            slides: found.slides,
             cone: settings.cone,
         })
     }
@@ -182,7 +184,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 State::Rolling => ContactState::Rolling,
                 State::Sliding { first, second } => {
                     let normal = polygon.normals[first];
-                    let out = second.map_or(normal, |second| normal + polygon.normals[second]);
+                    let out = match step.slides.get(i) {
+                        Some(Some(slide)) => slide.direction,
+                        _ => second.map_or(normal, |second| normal + polygon.normals[second]),
+                    };
                     ContactState::Sliding { direction: site.frame * out.normalize() }
                 }
             });
@@ -211,6 +216,7 @@ struct Step<const D: usize, const C: usize> {
     twist: SVector<f64, D>,
     forces: Vec<SVector<f64, C>>,
     states: Vec<State>,
+    slides: Vec<Option<Slide<C>>>,
     cone: PolygonCone,
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
 use super::slack::{for_each_slack, largest_force};
-use crate::formulation::{Law, Piece, Problem, State};
+use crate::formulation::{Law, Piece, PieceState, Problem, Slide, State};
 use crate::lcp::{Lcp, Outcome};
 
 /// Inequalities may be violated by this much of their size, times the growth of errors in the piece. Ties are the
@@ -32,6 +32,10 @@ pub(crate) struct Found<const D: usize, const C: usize> {
     /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
     /// they vanish. Zero for a solution of its own.
     pub(crate) sizes: [f64; 2],
+    /// On the round cone, how each contact slides; empty where the states are those of a polygon.
+    pub(crate) slides: Vec<Option<Slide<C>>>,
+    /// On the round cone, the largest change of a contact force from the polygon's answer.
+    pub(crate) from_polygon: Option<f64>,
 }
 
 /// What became of a proposal.
@@ -60,9 +64,19 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
         return Verdict::Violated { doubtful: false };
     }
     let piece = Piece::new(problem, &states);
-    let Ok(mut state) = piece.solve(&problem.drives, &problem.wrench) else {
-        return Verdict::Unbalanced;
-    };
+    match piece.solve(&problem.drives, &problem.wrench) {
+        Ok(state) => admit(problem, states, &piece, state),
+        Err(_) => Verdict::Unbalanced,
+    }
+}
+
+/// Checks every inequality for a solution of the piece with these states.
+pub(super) fn admit<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State>,
+    piece: &Piece<D, C>,
+    mut state: PieceState<D, C>,
+) -> Verdict<D, C> {
     let rounding = (ROUNDING * piece.growth()).min(MOST_ROUNDING);
     let doubtful = (DOUBTFUL * piece.growth()).min(MOST_ROUNDING);
     let (values, sizes) = slacks(problem, &states, &state.forces, &state.twist);
@@ -99,6 +113,8 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
         free_motions,
         neutral_motions,
         sizes,
+        slides: Vec::new(),
+        from_polygon: None,
     })
 }
 

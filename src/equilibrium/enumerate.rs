@@ -1,6 +1,7 @@
 //! Trying every combination of contact states: complete, and affordable for a few contacts.
 
-use super::candidate::{Found, Verdict, try_states};
+use super::candidate::{Found, Verdict};
+use super::polish::accept;
 use crate::formulation::{Problem, State};
 
 /// The number of combinations of contact states, in floating point because it overflows soon.
@@ -45,7 +46,7 @@ pub(crate) fn search<const D: usize, const C: usize>(
     let mut search = Search { found: Vec::new(), tried: 0, doubtful: false };
     for_each_combination(problem, |states| {
         search.tried += 1;
-        match try_states(problem, states) {
+        match accept(problem, states) {
             Verdict::Holds(found) => {
                 search.found.push(found);
                 first_only

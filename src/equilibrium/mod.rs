@@ -4,7 +4,10 @@ mod answer;
 mod candidate;
 mod decomposition;
 mod enumerate;
+mod polish;
 mod residuals;
+mod sector_conditions;
+mod sectors;
 mod settings;
 mod settle;
 mod slack;
@@ -36,6 +39,8 @@ use crate::lcp;
 /// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
 /// more than the working precision come near this.
 pub(crate) const ACCURATE: f64 = 1e-10;
+/// The same on the round cone, where a larger residual means that Newton's method has not arrived.
+const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load, with default [`Settings`].
@@ -55,8 +60,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
+        let problem = Problem { round: settings.is_round::<C>(), ..problem };
         let (settled, effort) = settle(&problem, settings);
-        Ok(self.outcome(&problem, load, settled, &effort, polygonal::<C>(settings)))
+        Ok(self.outcome(&problem, load, settled, &effort, settings.cone_of::<C>()))
     }
 
     /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
@@ -70,6 +76,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
+        let problem = Problem { round: settings.is_round::<C>(), ..problem };
         let combinations = combinations(&problem);
         if combinations > settings.most_states as f64 {
             return Err(Error::TooManyStates {
@@ -82,16 +89,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<D, C>> = Vec::new();
         for found in search.found {
-            let equilibrium = self.equilibrium(
-                &problem,
-                load,
-                &found,
-                Rung::Enumeration,
-                &effort,
-                polygonal::<C>(settings),
-            );
-            let accurate = equilibrium.residuals.worst() <= ACCURATE;
-            if accurate && !list.iter().any(|known| same(known, &equilibrium)) {
+            let equilibrium =
+                self.equilibrium(&problem, load, &found, Rung::Enumeration, &effort, settings.cone_of::<C>());
+            if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
         }
@@ -111,7 +111,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         match settled {
             Settled::Found(found, rule) => {
                 let equilibrium = self.equilibrium(problem, load, &found, rule, effort, cone);
-                if equilibrium.residuals.worst() <= ACCURATE {
+                if accurate(&equilibrium) {
                     Outcome::Equilibrium(Box::new(equilibrium))
                 } else {
                     Outcome::Undecided(Undecided { doubt: Doubt::Inaccurate, work: equilibrium.work })
@@ -178,6 +178,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 combinations: effort.combinations,
             },
             cone,
+            change_from_polygon: found.from_polygon,
             states: found.states.clone(),
         }
     }
@@ -209,7 +210,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             State::Sliding { first, second } => {
                 // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
                 // direction is the one in which it would start.
-                let outward = second.map_or(normals[first], |second| normals[first] + normals[second]);
+                let outward = match found.slides.get(i) {
+                    Some(Some(slide)) => slide.direction,
+                    _ => second.map_or(normals[first], |second| normals[first] + normals[second]),
+                };
                 let along = if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward };
                 ContactState::Sliding { direction: site.frame * along.normalize() }
             }
@@ -220,7 +224,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 site.mu * force[0] - force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
             }
             ContactState::Rolling => problem
-                .polygon
+                .polygon(i)
                 .normals
                 .iter()
                 .fold(f64::INFINITY, |least, h| least.min(site.mu * force[0] - h.dot(&force))),
@@ -273,6 +277,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
         list
     }
+}
+
+/// Whether residuals are those of an equilibrium.
+fn accurate<const D: usize, const C: usize>(equilibrium: &Equilibrium<D, C>) -> bool {
+    let most = if equilibrium.cone == Cone::Round { ACCURATE_ON_THE_ROUND_CONE } else { ACCURATE };
+    equilibrium.residuals.worst() <= most
 }
 
 /// Two answers of the same question are one equilibrium.

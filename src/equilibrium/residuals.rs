@@ -108,7 +108,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                     let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
                         list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
                     };
-                    (most(&problem.polygon.normals, f), most(&problem.polygon.corners, &s))
+                    (most(&problem.polygon(i).normals, f), most(&problem.polygon(i).corners, &s))
                 };
                 r.cone = r.cone.max((used - site.mu * f[0]) / scale);
                 let missing = site.mu * f[0] * support - f.dot(&s);

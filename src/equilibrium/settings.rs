@@ -1,5 +1,6 @@
 //! What a caller may choose.
 
+use super::answer::Cone;
 use crate::formulation::PolygonCone;
 
 /// Choices that have sound defaults.
@@ -9,6 +10,8 @@ pub struct Settings {
     /// The polygonal friction cone in space: 8 facets, inscribed. More facets come closer to the round cone (the
     /// onset's error falls like 1/m², a sliding state's like 1/m) and cost more pivots. Not looked at in the plane.
     pub cone: PolygonCone,
+    /// In space, whether equilibria are for the round cone (the default) or for the polygon itself. Not looked at in the plane.
+    pub round: bool,
     /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
     /// exponential problems, which contact problems are not known to be.
     pub max_pivots: Option<usize>,
@@ -20,7 +23,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { cone: PolygonCone::default(), max_pivots: None, most_states: 20_000 }
+        Self { cone: PolygonCone::default(), round: true, max_pivots: None, most_states: 20_000 }
     }
 }
 
@@ -30,6 +33,27 @@ impl Settings {
     pub fn with_cone(mut self, cone: PolygonCone) -> Self {
         self.cone = cone;
         self
+    }
+
+    /// The same with answers for the polygonal cone itself instead of the round one.
+    #[must_use]
+    pub fn on_the_polygon(mut self) -> Self {
+        self.round = false;
+        self
+    }
+
+    /// Whether equilibria with C axes a contact are for the round cone.
+    pub(crate) fn is_round<const C: usize>(&self) -> bool {
+        C == 3 && self.round
+    }
+
+    /// The cone that equilibria are for.
+    pub(crate) fn cone_of<const C: usize>(&self) -> Cone {
+        match C {
+            2 => Cone::Planar,
+            _ if self.round => Cone::Round,
+            _ => Cone::Polygon(self.cone),
+        }
     }
 
     /// The same with another limit on the combinations of contact states.

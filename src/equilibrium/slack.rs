@@ -11,7 +11,7 @@
 use nalgebra::SVector;
 
 use crate::formulation::{Problem, State};
-use crate::grasp::Site;
+use crate::grasp::{Hold, Site};
 
 /// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
 const SMALLEST: f64 = 1e-250;
@@ -98,7 +98,12 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
                 }
             }
             State::Rolling => {
-                facets_left_alone([None, None]);
+                if problem.round && site.axes == C && site.hold != Hold::Bonded && mu.is_finite() {
+                    let friction = f.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x));
+                    visit(mu * f[0] - friction, force_size * (1.0 + mu));
+                } else {
+                    facets_left_alone([None, None]);
+                }
                 if problem.may_open(contact) {
                     visit(f[0], force_size);
                 }

@@ -9,11 +9,17 @@
 //!
 //! is a **separating motion**: γ_k·r >= 0 for all k (no admissible contact force works against it) and W·r = |r|² > 0
 //! (the load drives it). Stiffness, commands and history play no part in this.
+//!
+//! A round cone has infinitely many generators: a motion that separates the load from the inscribed polygons proves nothing yet. It
+//! does if no generator of the round cones works against it, and so does one that separates the load from
+//! polygons around the round cones; their corners are cut off where they carry the load, until one is found.
+
+use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
-use crate::formulation::{Law, Problem};
+use crate::formulation::{Law, Polygon, Problem};
 use crate::lcp::{Lcp, Outcome};
 
 /// Above this the dense least-squares problem costs more than the proof is worth.
@@ -23,25 +29,113 @@ const CLEAR: f64 = 1e-9;
 /// Generators may work against the motion by this much (relative): rounding of the residual.
 const ROUNDING: f64 = 1e-13;
 
+/// How often corners of the polygons around the round cones are cut off: each time a corner comes four times nearer.
+const MOST_CUTS: usize = 10;
+
 /// The unit separating motion in inside coordinates, if there is a clear one.
 pub(crate) fn separating_motion<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<SVector<f64, D>> {
-    let generators = generators(problem)?;
     let load = problem.wrench.norm();
-    if load == 0.0 || generators.len() > MOST_GENERATORS {
+    if load == 0.0 {
         return None;
     }
-    let gamma = DMatrix::from_fn(D, generators.len(), |d, k| generators[k][d]);
     let w = problem.wrench / load;
-    let lcp = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&DVector::from_column_slice(w.as_slice()))).ok()?;
-    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
-    let r = generators.iter().zip(solution.z.iter()).fold(w, |sum, (g, beta)| sum + g * *beta);
+    let list = generators(problem)?;
+    let (v, _) = separate(&list, &w);
+    let (v, slack) = v?;
+    if !works_against_round_cones(problem, &v, slack) {
+        return Some(v);
+    }
+    let mut tangents: Vec<Vec<f64>> = (0..problem.len())
+        .map(|i| if is_round(problem, i) { directions(problem.polygon(i)) } else { Vec::new() })
+        .collect();
+    for _ in 0..MOST_CUTS {
+        let (mut around, corners) = corners_around(problem, &tangents);
+        around.extend(straight_generators(problem)?);
+        let (v, shares) = separate(&around, &w);
+        if let Some((v, _)) = v {
+            return Some(v);
+        }
+        let carries = corners.iter().zip(shares.iter()).filter(|(_, share)| **share > 0.0);
+        for ((contact, angle), _) in carries {
+            tangents[*contact].push(*angle);
+        }
+        for list in &mut tangents {
+            list.sort_by(f64::total_cmp);
+        }
+    }
+    None
+}
+
+/// The unit residual of the nearest β >= 0 if it separates the load from these generators clearly, with what rounding lets them
+/// work against it; and β.
+fn separate<const D: usize>(
+    generators: &[SVector<f64, D>],
+    w: &SVector<f64, D>,
+) -> (Option<(SVector<f64, D>, f64)>, DVector<f64>) {
+    let none = (None, DVector::zeros(0));
+    if generators.len() > MOST_GENERATORS {
+        return none;
+    }
+    let gamma = DMatrix::from_fn(D, generators.len(), |d, k| generators[k][d]);
+    let Ok(lcp) = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&DVector::from_column_slice(w.as_slice())))
+    else {
+        return none;
+    };
+    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return none };
+    let r = generators.iter().zip(solution.z.iter()).fold(*w, |sum, (g, beta)| sum + g * *beta);
     let size = r.norm();
-    let v = r / size;
-    let proved =
-        size > CLEAR && v.dot(&w) > CLEAR && generators.iter().all(|g| g.dot(&v) >= -ROUNDING / size);
-    proved.then_some(v)
+    let (v, slack) = (r / size, ROUNDING / size);
+    let proved = size > CLEAR && v.dot(w) > CLEAR && generators.iter().all(|g| g.dot(&v) >= -slack);
+    (proved.then_some((v, slack)), solution.z)
+}
+
+/// Whether friction of this contact has a round cone.
+fn is_round<const D: usize, const C: usize>(problem: &Problem<D, C>, contact: usize) -> bool {
+    problem.round && problem.may_slide(contact)
+}
+
+/// Whether some force of a round cone works against a unit motion: with u = G_iᵀv the one along e_n - μ u_t/|u_t| does most.
+fn works_against_round_cones<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    v: &SVector<f64, D>,
+    slack: f64,
+) -> bool {
+    (0..problem.len()).filter(|&i| is_round(problem, i)).any(|i| {
+        let (u, mu) = (problem.sites[i].map.tr_mul(v), problem.sites[i].mu);
+        let friction = u.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x));
+        (u[0] - mu * friction) / 1.0_f64.hypot(mu) < -slack
+    })
+}
+
+/// The angles of the corners of a polygon.
+fn directions<const C: usize>(polygon: &Polygon<C>) -> Vec<f64> {
+    let mut angles: Vec<f64> = polygon.corners.iter().map(|d| d[2].atan2(d[1])).collect();
+    angles.sort_by(f64::total_cmp);
+    angles
+}
+
+/// Unit wrenches along the corners of the polygons that touch the round cones at these angles, with contact and angle of each.
+fn corners_around<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    tangents: &[Vec<f64>],
+) -> (Vec<SVector<f64, D>>, Vec<(usize, f64)>) {
+    let (mut list, mut corners) = (Vec::new(), Vec::new());
+    for (contact, angles) in tangents.iter().enumerate() {
+        let site = &problem.sites[contact];
+        for (k, &from) in angles.iter().enumerate() {
+            let to = angles.get(k + 1).copied().unwrap_or(angles[0] + TAU);
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            let mut force = SVector::<f64, C>::zeros();
+            (force[1], force[2]) = (middle.cos(), middle.sin());
+            force *= site.mu / half.cos();
+            force[0] = 1.0;
+            list.push((site.map * force).normalize());
+            corners.push((contact, middle));
+        }
+    }
+    (list, corners)
 }
 
 /// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more, by any forces in any state:
@@ -59,10 +153,27 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
     })
 }
 
-/// Unit wrenches that generate the friction wrench cone; `None` where the law is not a cone of forces at rest.
+/// Unit wrenches that generate the friction wrench cone, inscribed polygons for round cones; `None` where the law is
+/// not a cone of forces at rest.
 fn generators<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<Vec<SVector<f64, D>>> {
+    let mut list = straight_generators(problem)?;
+    for contact in (0..problem.len()).filter(|&i| is_round(problem, i)) {
+        let site = &problem.sites[contact];
+        for corner in &problem.polygon(contact).corners {
+            let mut force = corner.normalize() * site.mu;
+            force[0] = 1.0;
+            list.push((site.map * force).normalize());
+        }
+    }
+    Some(list)
+}
+
+/// The same without those of round cones.
+fn straight_generators<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+) -> Option<Vec<SVector<f64, D>>> {
     let mut list = Vec::new();
-    for contact in 0..problem.len() {
+    for contact in (0..problem.len()).filter(|&i| !is_round(problem, i)) {
         let site = &problem.sites[contact];
         let mut push = |force: SVector<f64, C>| list.push((site.map * force).normalize());
         let axis = |a: usize, size: f64| {
@@ -72,7 +183,7 @@ fn generators<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option
         };
         let bonded = match problem.laws[contact] {
             Law::Absent => continue,
-            Law::Edge(_) => return None,
+            Law::Edge(_) | Law::Turning { .. } => return None,
             Law::Bonded => true,
             Law::Cone { .. } => false,
         };
@@ -87,7 +198,7 @@ fn generators<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option
                 push(axis(a, -1.0));
             }
         } else {
-            for corner in &problem.polygon.corners {
+            for corner in &problem.polygon(contact).corners {
                 push(axis(0, 1.0) + corner * mu);
             }
         }

@@ -51,11 +51,6 @@ impl PolygonCone {
         }
     }
 
-    /// The polygon with as many facets around the circle.
-    pub(crate) fn circumscribed(self) -> Self {
-        Self { fit: Fit::Circumscribed, ..self }
-    }
-
     /// Number of facets m.
     #[must_use]
     pub fn facets(&self) -> usize {
@@ -99,16 +94,54 @@ impl<const C: usize> Polygon<C> {
         };
         let corner_distance = facet_distance / half.cos();
         let ray = |half_turns: usize, length: f64| {
-            let (sin, cos) = (half * half_turns as f64).sin_cos();
-            // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
-            let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
-            tangential(&[length * clean(cos), length * clean(sin)])
+            let [cos, sin] = direction(half * half_turns as f64);
+            tangential(&[length * cos, length * sin])
         };
         Self {
             normals: (0..m).map(|j| ray((2 * j + 2 * m - 1) % (2 * m), 1.0 / facet_distance)).collect(),
             corners: (0..m).map(|j| ray(2 * j, corner_distance)).collect(),
         }
     }
+
+    /// The same polygon with its first corner along a tangent direction (of any length but zero).
+    pub(crate) fn turned_to(&self, to: &SVector<f64, C>) -> Self {
+        let (cos, sin) = (to[1] / to[1].hypot(to[2]), to[2] / to[1].hypot(to[2]));
+        let turn = |v: &SVector<f64, C>| tangential(&[cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
+        Self {
+            normals: self.normals.iter().map(turn).collect(),
+            corners: self.corners.iter().map(turn).collect(),
+        }
+    }
+
+    /// The inscribed polygon with corners where this one has them and two more beside a tangent direction, at this angle on both
+    /// sides.
+    pub(crate) fn refined_about(&self, along: &SVector<f64, C>, angle: f64) -> Self {
+        let towards = along[2].atan2(along[1]);
+        let mut angles: Vec<f64> = self.corners.iter().map(|d| d[2].atan2(d[1])).collect();
+        angles
+            .extend([-angle, 0.0, angle].map(|beside| (towards + beside).sin_cos()).map(|(y, x)| y.atan2(x)));
+        angles.sort_by(f64::total_cmp);
+        // Corners closer than rounding can tell apart are one.
+        angles.dedup_by(|b, a| *b - *a < 1e-6);
+        let before = |j: usize| if j == 0 { angles[angles.len() - 1] - TAU } else { angles[j - 1] };
+        let normal = |j: usize| {
+            let (from, to) = (before(j), angles[j]);
+            let [cos, sin] = direction(0.5 * (from + to));
+            let distance = (0.5 * (to - from)).cos();
+            tangential(&[cos / distance, sin / distance])
+        };
+        Self {
+            normals: (0..angles.len()).map(normal).collect(),
+            corners: angles.iter().map(|&angle| tangential(&direction(angle))).collect(),
+        }
+    }
+}
+
+/// Cosine and sine.
+fn direction(angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
+    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 
 fn tangential<const C: usize>(components: &[f64]) -> SVector<f64, C> {

@@ -188,7 +188,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         }
         let root_t = site.k[1].sqrt();
         let size_row = next + facets;
-        let corners = &problem.polygon.corners;
+        let corners = &problem.polygon(contact).corners;
         for (j, d) in corners.iter().enumerate() {
             let row = next + j;
             q[row] = -root_t * d.dot(a);

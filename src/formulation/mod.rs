@@ -7,6 +7,7 @@ mod kinematic;
 mod orthogonal;
 mod piece;
 mod problem;
+mod return_map;
 mod rows;
 
 pub use cone::{Fit, PolygonCone};
@@ -14,10 +15,12 @@ pub use rows::{Form, LeftOut, Row, Why};
 
 pub(crate) use cone::Polygon;
 pub(crate) use force_form::{force_form, force_states};
+pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
-pub(crate) use piece::{Piece, edge_direction, least_combination, least_forces};
+pub(crate) use piece::{Piece, PieceState, edge_direction, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State};
+pub(crate) use return_map::{Returned, Slide, return_map};
 
 use std::sync::Arc;
 

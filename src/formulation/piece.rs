@@ -7,6 +7,7 @@
 //! rolling          left = right = √k_a e_a on every axis with a spring
 //! sliding          F_t = μ F_n p on a corner p:   right = √k_n e_n,  left = √k_n (e_n + μ p)
 //!                  on a facet h (space):          p = K_t h / (h·K_t h) and the spring across h stays
+//!                  on the round cone (space):     the same with S for K_t, see [`super::return_map`]
 //! open             none
 //! ```
 //!
@@ -18,7 +19,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::full_pivot::FullPivot;
 use super::orthogonal::{Orthogonal, orthonormalise_against};
-use super::problem::{Problem, State};
+use super::problem::{Law, Problem, State};
 use crate::grasp::Site;
 
 /// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
@@ -209,7 +210,13 @@ fn push_springs<const D: usize, const C: usize>(
                 right: along(0, root * balance),
                 left: (along(0, 1.0) + pull * problem.mu(contact)) * (root / balance),
             });
-            if C == 3 && second.is_none() {
+            if let Law::Turning { slide, .. } = &problem.laws[contact] {
+                let (across, stiffness) = slide.across();
+                if stiffness > 0.0 {
+                    let spring = across * stiffness.sqrt();
+                    springs.push(Spring { contact, right: spring, left: spring });
+                }
+            } else if C == 3 && second.is_none() {
                 // Across the slip direction the tangential springs still hold: √K_t times the unit vector at right
                 // angles to √K_t h.
                 let (r1, r2) = (site.k[1].sqrt(), site.k[2].sqrt());
@@ -234,6 +241,9 @@ pub(crate) fn edge_direction<const D: usize, const C: usize>(
     let h = normals[first];
     if let Some(second) = second {
         return corner(&h, &normals[second]);
+    }
+    if let Law::Turning { slide, .. } = &problem.laws[contact] {
+        return slide.pull();
     }
     let stretched = problem.sites[contact].k.component_mul(&h);
     stretched / h.dot(&stretched)

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::cone::Polygon;
+use super::return_map::Slide;
 use crate::grasp::{Hold, Site};
 
 /// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
@@ -28,6 +29,15 @@ pub(crate) enum Law<const C: usize> {
     },
     /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most C - 1 of them.
     Edge(Vec<SVector<f64, C>>),
+    /// Sliding on the round cone, to first order: one facet that turns with the slip.
+    Turning {
+        /// Whether the contact may open.
+        gap: bool,
+        /// The direction of the slip, [`Slide::direction`], as the normal of the only facet.
+        facet: [SVector<f64, C>; 1],
+        /// How the springs hold across it.
+        slide: Slide<C>,
+    },
 }
 
 /// The state of a contact as a complementary basis knows it.
@@ -45,7 +55,10 @@ pub(crate) enum State {
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) sites: &'g [Site<D, C>],
+    /// The polygon of every contact that has none of its own.
     pub(crate) polygon: Arc<Polygon<C>>,
+    /// Polygons of their own, turned to the traction: none, or one a contact.
+    pub(crate) turned: Vec<Polygon<C>>,
     pub(crate) laws: Vec<Law<C>>,
     /// Commanded displacement less clearance and less the slip so far.
     pub(crate) drives: Vec<SVector<f64, C>>,
@@ -54,6 +67,8 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) wrench: SVector<f64, D>,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_facets: bool,
+    /// In space: rolling contacts are held by the round cone; the polygon only proposes.
+    pub(crate) round: bool,
 }
 
 impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
@@ -66,11 +81,26 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
     ) -> Self {
         let laws = sites.iter().map(whole_law).collect();
         let slips = vec![SVector::zeros(); sites.len()];
-        Self { sites, polygon, laws, drives, slips, wrench, infinite_friction_has_facets: false }
+        Self {
+            sites,
+            polygon,
+            turned: Vec::new(),
+            laws,
+            drives,
+            slips,
+            wrench,
+            infinite_friction_has_facets: false,
+            round: false,
+        }
     }
 
     pub(crate) fn len(&self) -> usize {
         self.sites.len()
+    }
+
+    /// The polygon that stands for the cone of a contact.
+    pub(crate) fn polygon(&self, contact: usize) -> &Polygon<C> {
+        self.turned.get(contact).unwrap_or(&self.polygon)
     }
 
     pub(crate) fn mu(&self, contact: usize) -> f64 {
@@ -84,7 +114,18 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
 
     /// Whether the contact has a row `0 <= gap ⟂ F_n >= 0`.
     pub(crate) fn may_open(&self, contact: usize) -> bool {
-        matches!(self.laws[contact], Law::Cone { gap: true })
+        matches!(self.laws[contact], Law::Cone { gap: true } | Law::Turning { gap: true, .. })
+    }
+
+    /// The law of a contact that slides on the round cone, to first order.
+    pub(crate) fn turning(&self, contact: usize, slide: Slide<C>) -> Law<C> {
+        Law::Turning { gap: self.may_open(contact), facet: [slide.direction], slide }
+    }
+
+    /// Whether the contact has a friction cone of its own, neither empty nor without limit.
+    pub(crate) fn may_slide(&self, contact: usize) -> bool {
+        let mu = self.sites[contact].mu;
+        matches!(self.laws[contact], Law::Cone { .. }) && mu > 0.0 && mu.is_finite()
     }
 
     /// The facets the contact has rows for.
@@ -92,9 +133,10 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         match &self.laws[contact] {
             Law::Absent | Law::Bonded => &[],
             Law::Edge(normals) => normals,
+            Law::Turning { facet, .. } => facet,
             Law::Cone { .. } => {
                 let mu = self.mu(contact);
-                if mu > 0.0 && mu.is_finite() { &self.polygon.normals } else { &[] }
+                if mu > 0.0 && mu.is_finite() { &self.polygon(contact).normals } else { &[] }
             }
         }
     }

@@ -10,7 +10,6 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::beyond::Beyond;
-use super::margin::ROUNDING;
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::walk::Walk;
@@ -19,7 +18,7 @@ use crate::equilibrium::{
 };
 use crate::error::{Error, Field};
 use crate::formulation::{Polygon, Problem, State};
-use crate::grasp::{Grasp, Hold, Wrench};
+use crate::grasp::{Grasp, Wrench};
 
 /// The answer to "at which load factor does the first contact leave rolling?"
 #[derive(Debug, Clone)]
@@ -172,40 +171,19 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
         cone: Cone,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<D, C>>> {
+        let problem = &Problem { round: cone == Cone::Round, ..problem.clone() };
         let slides = |found: &Found<D, C>| found.states.iter().any(|s| matches!(s, State::Sliding { .. }));
-        if cone == Cone::Round {
-            // A circumscribed polygon lets everything roll that rolls on the round cone, and a little more.
-            let polygon = Arc::new(Polygon::new(&settings.cone.circumscribed()));
-            let (settled, _) = settle(&Problem { polygon, ..problem.clone() }, settings);
-            if let Settled::Found(found, rule) = settled
-                && !slides(&found)
-                && self.inside_round_cones(&found)
-            {
-                return Ok((found, rule));
-            }
-        }
         let (settled, effort) = settle(problem, settings);
         match &settled {
-            Settled::Found(found, rule) if cone != Cone::Round && !slides(found) => {
+            Settled::Found(found, rule) if !slides(found) => {
                 return Ok((found.clone(), *rule));
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &ramp.base, settled, &effort, polygonal::<C>(settings)) {
+        Err(Box::new(match self.outcome(problem, &ramp.base, settled, &effort, cone) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),
         }))
-    }
-
-    fn inside_round_cones(&self, found: &Found<D, C>) -> bool {
-        let largest = found.forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
-        self.sites().iter().zip(&found.forces).all(|(site, f)| {
-            let friction = f.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x));
-            site.axes == 1
-                || site.hold == Hold::Bonded
-                || site.mu.is_infinite()
-                || friction <= site.mu * f[0] + ROUNDING * largest * (1.0 + site.mu)
-        })
     }
 }

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::onset::OnsetEvent;
 use super::ramp::Ramp;
 use crate::equilibrium::{Cone, Equilibrium, Settings};
-use crate::formulation::{Piece, Polygon, Problem, State, edge_direction, least_combination};
+use crate::formulation::{Law, Piece, Polygon, Problem, Slide, State, edge_direction, least_combination};
 use crate::grasp::{Grasp, Twist, Wrench};
 
 /// One datum of a grasp or its load.
@@ -221,8 +221,19 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             Cone::Polygon(cone) => Polygon::new(&cone),
             _ => Polygon::new(&Settings::default().cone),
         };
-        let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), grasp.drives(), SVector::zeros());
+        let mut problem =
+            Problem::at_rest(grasp.sites(), Arc::new(polygon), grasp.drives(), SVector::zeros());
         let states = equilibrium.states.clone();
+        if equilibrium.cone == Cone::Round {
+            for (i, contact) in equilibrium.contacts.iter().enumerate() {
+                if matches!(states[i], State::Sliding { .. }) && contact.friction_force() > 0.0 {
+                    // The slip is λ F_t.
+                    let lambda = contact.slip.norm() / contact.friction_force();
+                    problem.laws[i] =
+                        problem.turning(i, Slide::new(&grasp.sites()[i], &contact.force, lambda));
+                }
+            }
+        }
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.contacts.iter().map(|c| c.force).collect();
         Some(Self { grasp, problem, states, forces, piece })
@@ -284,10 +295,14 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             f = edge_direction(&self.problem, contact, first, second) * (site.mu * stretch);
             f[0] = stretch;
         } else if second.is_none() {
-            // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n.
+            // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n; on the round cone softened by the slip.
+            let softened = match &self.problem.laws[contact] {
+                Law::Turning { slide, .. } => stretch * slide.held[axis] / site.k[axis],
+                _ => stretch,
+            };
             let h = self.problem.normals(contact)[first];
-            f = edge_direction(&self.problem, contact, first, None) * (-h[axis] * stretch);
-            f[axis] += stretch;
+            f = edge_direction(&self.problem, contact, first, None) * (-h[axis] * softened);
+            f[axis] += softened;
         }
         f
     }

@@ -34,6 +34,8 @@ impl<const D: usize, const C: usize> Stretch<'_, D, C> {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
+            slides: Vec::new(),
+            from_polygon: None,
         };
         let load = self.load[0] + (self.load[1] - self.load[0]) * fraction;
         let problem = Problem {

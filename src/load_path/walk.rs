@@ -134,6 +134,8 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             free_motions: here.free_motions.clone(),
             neutral_motions: Vec::new(),
             sizes: here.sizes,
+            slides: Vec::new(),
+            from_polygon: None,
         };
         let state = self.segment.grasp.equilibrium(
             &problem,

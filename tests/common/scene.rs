@@ -10,11 +10,11 @@
 //! Σ F + W = 0, forces and moments
 //! ```
 //!
-//! where P is [-1, 1] in the plane and a regular polygon with corners on the unit circle in space.
+//! where P is [-1, 1] in the plane, and in space the disc or a regular polygon with corners on the unit circle, whichever the answer is for.
 
 use std::f64::consts::TAU;
 
-use grasp_lcp::equilibrium::Equilibrium;
+use grasp_lcp::equilibrium::{Cone, Equilibrium};
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use nalgebra::{SMatrix, SVector};
 
@@ -197,8 +197,14 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
                     list.iter().map(|d| along(d, x)).fold(0.0, f64::max)
                 };
-                check(most(&facet_normals(facets), &c.force) - limit, size);
-                let missing = limit * most(&corners(facets), &c.slip) - along(&c.force, &c.slip);
+                let tangential = |x: &SVector<f64, C>| x.rows_range(1..).norm();
+                let (used, support) = if answer.cone == Cone::Round {
+                    (tangential(&c.force), tangential(&c.slip))
+                } else {
+                    (most(&facet_normals(facets), &c.force), most(&corners(facets), &c.slip))
+                };
+                check(used - limit, size);
+                let missing = limit * support - along(&c.force, &c.slip);
                 check(missing, size * sizes.motion);
             }
             sum += wrench::<D, C>(&datum.point, &c.force_world);

@@ -1,0 +1,230 @@
+//! The linear conditions that a case of [`super::sectors`] implies, and whether they contradict equilibrium.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::sectors::Label;
+use crate::formulation::{PieceState, Problem};
+use crate::grasp::Hold;
+use crate::lcp::{self, Lcp, Outcome};
+
+/// Conditions that can be met but for this part of their terms are not contradicted clearly.
+const CLEAR: f64 = 1e-9;
+/// A column of the conditions below this part of the largest adds no direction: rounding.
+const DEPENDENT: f64 = 1e-12;
+/// Covering vectors tried where the least-squares problem, singular by nature, leads the first path astray.
+const RETRIES: usize = 3;
+
+/// The conditions `row·y >= right` and `row·y = right` on y = (twist in its unit, forces of their own).
+pub(super) struct Conditions<const D: usize, const C: usize> {
+    columns: usize,
+    twist_unit: f64,
+    inequalities: Vec<(Vec<f64>, f64)>,
+    equalities: Vec<(Vec<f64>, f64)>,
+    /// Force of each contact as an affine function of y, axis by axis.
+    forces: Vec<Vec<Affine>>,
+}
+
+/// `row·y + constant`.
+#[derive(Debug, Clone)]
+struct Affine {
+    row: Vec<f64>,
+    constant: f64,
+}
+
+impl Affine {
+    fn zero(columns: usize) -> Self {
+        Self { row: vec![0.0; columns], constant: 0.0 }
+    }
+
+    fn plus(mut self, factor: f64, other: &Self) -> Self {
+        self.row.iter_mut().zip(&other.row).for_each(|(x, y)| *x += factor * y);
+        self.constant += factor * other.constant;
+        self
+    }
+
+    fn times(&self, factor: f64) -> Self {
+        Self::zero(self.row.len()).plus(factor, self)
+    }
+}
+
+impl<const D: usize, const C: usize> Conditions<D, C> {
+    pub(super) fn new(problem: &Problem<D, C>, labels: &[Label], tangents: &[Vec<f64>]) -> Self {
+        let own = |(i, label): (usize, &Label)| match label {
+            Label::Undecided => problem.sites[i].axes,
+            Label::Sector(..) => 2,
+            _ => 0,
+        };
+        let columns = D + labels.iter().enumerate().map(own).sum::<usize>();
+        // The motion that stretches a spring of the scene by a force of one.
+        let stiffest = problem.sites.iter().map(|site| site.k.amax()).fold(0.0, f64::max);
+        let mut c = Self {
+            columns,
+            twist_unit: 1.0 / stiffest,
+            inequalities: Vec::new(),
+            equalities: Vec::new(),
+            forces: Vec::new(),
+        };
+        let mut next = D;
+        for (i, label) in labels.iter().enumerate() {
+            c.add_contact(problem, i, label, &tangents[i], &mut next);
+        }
+        for d in 0..D {
+            let mut sum = Affine { constant: problem.wrench[d], ..Affine::zero(columns) };
+            for (site, force) in problem.sites.iter().zip(&c.forces) {
+                for (a, f) in force.iter().enumerate() {
+                    sum = sum.plus(site.map[(d, a)], f);
+                }
+            }
+            c.equalities.push((sum.row, -sum.constant));
+        }
+        c
+    }
+
+    fn at_least_zero(&mut self, value: Affine) {
+        self.inequalities.push((value.row, -value.constant));
+    }
+
+    fn add_contact(
+        &mut self,
+        problem: &Problem<D, C>,
+        i: usize,
+        label: &Label,
+        tangents: &[f64],
+        next: &mut usize,
+    ) {
+        let (site, columns) = (&problem.sites[i], self.columns);
+        let mut own = || {
+            let mut x = Affine::zero(columns);
+            x.row[*next] = 1.0;
+            *next += 1;
+            x
+        };
+        // k v, the force of a spring that is stretched by the whole of v.
+        let spring = |a: usize| {
+            let mut f = Affine { constant: site.k[a] * problem.drives[i][a], ..Affine::zero(columns) };
+            for d in 0..D {
+                f.row[d] = -site.k[a] * site.map[(d, a)] * self.twist_unit;
+            }
+            f
+        };
+        let force: Vec<Affine> = match *label {
+            Label::Open => vec![Affine::zero(columns); C],
+            Label::Rolling => (0..site.axes).map(spring).collect(),
+            Label::Undecided => (0..site.axes).map(|_| own()).collect(),
+            Label::Sector(from, to) => {
+                let (alpha, beta) = (own(), own());
+                let along = |u: f64, v: f64| alpha.times(u).plus(v, &beta);
+                let friction = [along(from.cos(), to.cos()), along(from.sin(), to.sin())];
+                let limit = spring(0).times(site.mu);
+                let toward = |angle: f64| friction[0].times(angle.cos()).plus(angle.sin(), &friction[1]);
+                // The slip in units of force: K_t v - F_t, each axis divided by its stiffness.
+                let stiffest = site.k[1].max(site.k[2]);
+                let slip = [1, 2].map(|a| spring(a).plus(-1.0, &friction[a - 1]).times(stiffest / site.k[a]));
+                let left_of = |angle: f64| slip[1].times(angle.cos()).plus(-angle.sin(), &slip[0]);
+                let implied = [
+                    along(1.0, 1.0).plus(-1.0, &limit),
+                    limit.clone().plus(-1.0, &toward(from)),
+                    limit.plus(-1.0, &toward(to)),
+                    left_of(from),
+                    left_of(to).times(-1.0),
+                    alpha,
+                    beta,
+                ];
+                self.inequalities.extend(implied.map(|value| (value.row, -value.constant)));
+                let [f1, f2] = friction;
+                vec![spring(0), f1, f2]
+            }
+        };
+        match label {
+            Label::Open => {
+                let value = spring(0).times(-1.0);
+                self.at_least_zero(value);
+            }
+            _ if site.hold == Hold::Bonded => {}
+            _ => {
+                let slack = force[0].clone().plus(-1.0, &spring(0));
+                if *label == Label::Undecided {
+                    if problem.may_open(i) {
+                        self.at_least_zero(slack);
+                    } else {
+                        self.equalities.push((slack.row, -slack.constant));
+                    }
+                }
+                if problem.may_open(i) || site.mu > 0.0 {
+                    self.at_least_zero(force[0].clone());
+                }
+                if problem.may_slide(i) && !matches!(label, Label::Sector(..)) {
+                    for angle in tangents {
+                        let limit = force[0].times(site.mu);
+                        let value = limit.plus(-angle.cos(), &force[1]).plus(-angle.sin(), &force[2]);
+                        self.at_least_zero(value);
+                    }
+                }
+            }
+        }
+        self.forces.push(force);
+    }
+
+    /// Twist and forces of the least-squares problem
+    ///
+    /// ```text
+    /// min |A y - b - s|² + |E y - e|²,  s >= 0      ⟺      0 <= s ⟂ P s + P (b, e) >= 0,   P the projector across (A, E)
+    /// ```
+    ///
+    /// unless its residual r = P (b + s, e) is clearly not zero: r is then a combination of the rows that contradicts itself.
+    pub(super) fn meet(&self) -> Option<PieceState<D, C>> {
+        let rows: Vec<_> = self.inequalities.iter().chain(&self.equalities).collect();
+        let (m, n) = (rows.len(), self.inequalities.len());
+        let sizes: Vec<f64> = rows
+            .iter()
+            .map(|(row, _)| row.iter().map(|x| x * x).sum::<f64>().sqrt().max(f64::MIN_POSITIVE))
+            .collect();
+        let matrix = DMatrix::from_fn(m, self.columns, |i, j| rows[i].0[j] / sizes[i]);
+        let right = DVector::from_fn(m, |i, _| rows[i].1 / sizes[i]);
+        let unit = right.norm();
+        let right = if unit > 0.0 { right / unit } else { right };
+        let qr = matrix.col_piv_qr();
+        let (q, r) = (qr.q(), qr.r());
+        let rank = (0..r.nrows().min(r.ncols()))
+            .take_while(|&k| r[(k, k)].abs() > DEPENDENT * r[(0, 0)].abs())
+            .count();
+        let q = q.columns(0, rank).into_owned();
+        let across = |v: &DVector<f64>| v - &q * q.tr_mul(v);
+        let start = across(&right);
+        // A condition that some y meets without disturbing the others costs nothing: its row of P is rounding of zero.
+        let costs: Vec<usize> = (0..n).filter(|&i| 1.0 - q.row(i).norm_squared() > DEPENDENT).collect();
+        let projector = DMatrix::from_fn(costs.len(), costs.len(), |i, j| {
+            f64::from(u8::from(i == j)) - q.row(costs[i]).dot(&q.row(costs[j]))
+        });
+        let lcp = Lcp::new(projector, DVector::from_fn(costs.len(), |i, _| start[costs[i]])).ok()?;
+        let mut slack = DVector::zeros(n);
+        // Singular by nature: where noise leads one path astray another one arrives.
+        let settings = lcp::Settings { retries: RETRIES, enumerate_up_to: 0, ..lcp::Settings::default() };
+        // Without an answer nothing is contradicted: the start is as good a guess as any.
+        if let Outcome::Solved(solution) = lcp.solve_with(&settings) {
+            costs.iter().zip(&solution.z).for_each(|(&i, s)| slack[i] = *s);
+        }
+        let mut target = right;
+        for i in 0..n {
+            target[i] += slack[i];
+        }
+        let residual = across(&target);
+        let contradicts = residual.rows(0, n).iter().all(|x| *x >= -CLEAR * residual.norm());
+        if contradicts && residual.norm() > CLEAR {
+            return None;
+        }
+        let mut y = DVector::zeros(self.columns);
+        let solved = r
+            .view((0, 0), (rank, rank))
+            .solve_upper_triangular(&q.tr_mul(&target))
+            .unwrap_or_else(|| DVector::zeros(rank));
+        y.rows_mut(0, rank).copy_from(&solved);
+        qr.p().inv_permute_rows(&mut y);
+        y *= unit;
+        let forces = self.forces.iter().map(|force| {
+            let value = |f: &Affine| f.row.iter().zip(y.iter()).map(|(a, b)| a * b).sum::<f64>() + f.constant;
+            SVector::from_fn(|a, _| force.get(a).map_or(0.0, value))
+        });
+        Some(PieceState { forces: forces.collect(), twist: SVector::from_fn(|d, _| y[d] * self.twist_unit) })
+    }
+}
