@@ -24,8 +24,8 @@ pub struct Event<const D: usize, const C: usize> {
     /// along them.
     pub free_motions: Vec<Twist<D>>,
     /// Other ways in which the contacts on an edge could go on, if all were tried (few of them): the continuation is not
-    /// unique unless this is `Some(0)`. The path prefers that what slides goes on sliding, then that everything sticks,
-    /// then what Lemke's method finds.
+    /// unique unless this is `Some(0)`. The path prefers that nothing changes, then that what slides goes on sliding and what has
+    /// reached an edge slides, then that everything sticks, then what Lemke's method finds.
     pub other_continuations: Option<usize>,
 }
 

@@ -7,7 +7,7 @@ use super::event::{Change, Loss, PathEnd};
 use super::loss::end_of_path;
 use super::margin::ROUNDING;
 use super::segment::{Here, Segment, Standing};
-use super::transition::{change, everything_slides, in_the_whole_law, others};
+use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
     ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, settle, try_states,
 };
@@ -125,13 +125,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             (0..self.states.len()).map(|i| self.stands[i].law(&segment.problem, i, self.states[i])).collect();
         let rates = segment.rates(laws);
         let sliding = everything_slides(&rates);
-        // At the apex there is no telling: every state is as good a guess.
-        let guess = if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
-            Verdict::Unbalanced
-        } else {
-            try_states(&rates, sliding.clone())
-        };
-        let (settled, effort) = match guess {
+        let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
             Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
             _ => settle(&rates, settings),
         };
@@ -163,6 +157,27 @@ impl<const D: usize, const C: usize> Node<D, C> {
             stand.leave(&segment.problem, i, self.states[i], &here.lines[i], [rate, size]);
         }
         Ok(Onward { here, changes, other_continuations })
+    }
+
+    /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.
+    fn guess(
+        &self,
+        segment: &Segment<'_, D, C>,
+        factor: f64,
+        rates: &Problem<D, C>,
+        sliding: &[State],
+    ) -> Verdict<D, C> {
+        // Within a leg something has just left its cone, and must change.
+        let as_before =
+            (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
+        if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
+            return holds;
+        }
+        // At the apex there is no telling: every state is as good a guess.
+        if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
+            return Verdict::Unbalanced;
+        }
+        try_states(rates, sliding.to_vec())
     }
 
     /// Takes the states of the rates over and says what changed.

@@ -6,6 +6,26 @@ use super::event::Change;
 use crate::equilibrium::{Found, search};
 use crate::formulation::{Law, Problem, State};
 
+/// Nothing changes: the states so far in terms of the laws of the rates, if these have them.
+pub(super) fn nothing_changes<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    rates: &Problem<D, C>,
+    states: &[State],
+) -> Option<Vec<State>> {
+    let in_the_rates = |(contact, &state): (usize, &State)| {
+        let (Law::Edge(facets), State::Sliding { first, second }) = (&rates.laws[contact], state) else {
+            return Some(state);
+        };
+        let normals = problem.normals(contact);
+        let at = |k: usize| facets.iter().position(|h| *h == normals[k]);
+        match second {
+            None => Some(State::Sliding { first: at(first)?, second: None }),
+            Some(second) => Some(State::Sliding { first: at(first)?, second: Some(at(second)?) }),
+        }
+    };
+    states.iter().enumerate().map(in_the_rates).collect()
+}
+
 /// What slides goes on sliding and what has reached an edge slides along it: the common case, one solve. What is at the
 /// apex of its cone opens.
 pub(super) fn everything_slides<const D: usize, const C: usize>(rates: &Problem<D, C>) -> Vec<State> {
