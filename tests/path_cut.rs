@@ -118,29 +118,29 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
 #[test]
 fn cutting_planar_legs_changes_nothing() {
     let cases = (planar_scenes(), 0.05..0.95_f64);
-    let t = over(1000, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    let t = over(600, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
     println!("{t:?}");
-    assert!(t.checked > 600 && t.events > 1000, "{t:?}");
+    assert!(t.checked > 350 && t.events > 700, "{t:?}");
 }
 
 #[test]
 fn cutting_spatial_legs_changes_nothing() {
     let cases = (spatial_scenes(), 0.05..0.95_f64);
-    let t = over(200, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    let t = over(120, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
     println!("{t:?}");
-    assert!(t.checked > 75 && t.events > 125, "{t:?}");
+    assert!(t.checked > 50 && t.events > 150, "{t:?}");
 }
 
 #[test]
 fn cutting_planar_legs_at_events_changes_nothing() {
-    let t = over(1000, &planar_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    let t = over(600, &planar_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 600 && t.limits + t.snaps > 100, "{t:?}");
+    assert!(t.checked > 600 && t.limits + t.snaps > 80, "{t:?}");
 }
 
 #[test]
 fn cutting_spatial_legs_at_events_changes_nothing() {
-    let t = over(200, &spatial_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    let t = over(120, &spatial_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 75 && t.turns > 25, "{t:?}");
+    assert!(t.checked > 60 && t.turns > 60, "{t:?}");
 }

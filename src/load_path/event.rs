@@ -25,7 +25,8 @@ pub struct Event<const D: usize, const C: usize> {
     pub free_motions: Vec<Twist<D>>,
     /// Other ways in which the contacts on an edge could go on, if all were tried (few of them): the continuation is not
     /// unique unless this is `Some(0)`. The path prefers that nothing changes, then that what slides goes on sliding and what has
-    /// reached an edge slides, then that everything sticks, then what Lemke's method finds.
+    /// reached an edge slides, then that everything sticks, then what Lemke's method finds; and of the motions that the same forces allow,
+    /// one in which contacts without force do not drag the object along.
     pub other_continuations: Option<usize>,
 }
 

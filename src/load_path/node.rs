@@ -1,6 +1,6 @@
 //! A node of the load path: what stands where, and how it goes on from there.
 
-use nalgebra::SVector;
+use nalgebra::{Matrix, SVector};
 
 use super::edge::Stand;
 use super::event::{Change, Loss, PathEnd};
@@ -9,7 +9,8 @@ use super::margin::ROUNDING;
 use super::segment::{Here, Segment, Standing};
 use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, settle, try_states,
+    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, force_size, settle, span,
+    try_states,
 };
 use crate::formulation::{Law, Problem, State};
 use crate::grasp::{Hold, Wrench};
@@ -17,6 +18,9 @@ use crate::grasp::{Hold, Wrench};
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
 /// goes on in more than one way.
 const FEW_COMBINATIONS: f64 = 256.0;
+
+/// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
+const LESS: f64 = 1e-9;
 
 /// Where the path stands, contact by contact.
 pub(super) struct Node<const D: usize, const C: usize> {
@@ -140,6 +144,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let Settled::Found(found, _) = settled else {
             return Err(end_of_path(segment, &rates, settled, &effort, &sliding, loss(None), settings));
         };
+        let found = self.without_dragging(&rates, found);
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
         let lets_go =
             |i: usize| self.holds[i] && self.states[i] != State::Open && found.states[i] == State::Open;
@@ -178,6 +183,31 @@ impl<const D: usize, const C: usize> Node<D, C> {
             return Verdict::Unbalanced;
         }
         try_states(rates, sliding.to_vec())
+    }
+
+    /// What touches without force, and gets none, does not drag the object along: where the contact may as well part from it, and
+    /// the object moves less then, it parts. Forces are the same.
+    fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
+        let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+        let states: Vec<State> = (0..self.states.len())
+            .map(|i| {
+                let size = force_size(
+                    &rates.sites[i],
+                    &found.forces[i],
+                    span(&rates.sites[i], &rates.drives[i], &found.twist),
+                    largest,
+                );
+                let idle = rates.may_open(i) && found.forces[i].norm() <= ROUNDING * size;
+                if idle { State::Open } else { found.states[i] }
+            })
+            .collect();
+        if states == found.states {
+            return found;
+        }
+        match try_states(rates, states) {
+            Verdict::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,
+            _ => found,
+        }
     }
 
     /// Takes the states of the rates over and says what changed.
