@@ -50,11 +50,13 @@ fn tells_the_same<const D: usize, const C: usize>(
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
     // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.
-    let starts = [path.state_at(0, 0.0), path_there.state_at(0, 0.0)];
-    if let [Some(a), Some(b)] = &starts {
+    let starts = [grasp.solve(&scene.start()).unwrap(), there.solve(&other.start()).unwrap()];
+    if let [Some(a), Some(b)] = starts.each_ref().map(Outcome::equilibrium) {
         let same = |(i, c): (usize, &ContactAnswer<C>)| {
-            let there: f64 = contacts[i].iter().map(|&j| b.contacts[j].normal_force()).sum();
-            (c.normal_force() - there / view.force).abs() <= 1e-9 * scene.press()
+            let force = contacts[i].iter().fold(SVector::zeros(), |sum, &j| sum + b.contacts[j].force_world);
+            let kinds =
+                contacts[i].iter().all(|&j| discriminant(&b.contacts[j].state) == discriminant(&c.state));
+            kinds && (view.direction(&c.force_world) - force / view.force).norm() <= 1e-9 * scene.press()
         };
         if !a.contacts.iter().enumerate().all(same) {
             return Ok(());

@@ -136,9 +136,7 @@ fn the_pad_slips_from_the_rim_inwards() {
                 assert_close!(answer.force_world[0], -(pad.c * x).min(*limit));
             }
         }
-        let Some(PathEnd::LimitLoad(loss) | PathEnd::Ends(loss)) = path.end() else {
-            panic!("{:?}", path.end())
-        };
+        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
         assert_close!(loss.fraction, 0.8);
         assert_eq!(loss.contacts.len(), n, "they all stand on their edge");
         // The continuum: Mindlin's curve, at the events and between them.
