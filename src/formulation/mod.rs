@@ -16,7 +16,7 @@ pub(crate) use cone::Polygon;
 pub(crate) use force_form::{force_form, force_states};
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
-pub(crate) use piece::{Piece, edge_direction, least_combination, least_forces};
+pub(crate) use piece::{Piece, PieceState, edge_direction, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State};
 
 use std::sync::Arc;

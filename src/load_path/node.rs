@@ -12,7 +12,7 @@ use crate::equilibrium::{
     ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, force_size, settle, span,
     try_states,
 };
-use crate::formulation::{Law, Problem, State};
+use crate::formulation::{Law, PieceState, Problem, State};
 use crate::grasp::{Hold, Wrench};
 
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
@@ -97,11 +97,10 @@ impl<const D: usize, const C: usize> Node<D, C> {
         segment: &mut Segment<'_, D, C>,
         here: &Here<D, C>,
         factor: f64,
-        step: f64,
+        there: &PieceState<D, C>,
     ) {
-        self.twist = here.twist + here.twist_rate * step;
-        for (i, line) in here.lines.iter().enumerate() {
-            let force = line.force + line.rate * step;
+        self.twist = there.twist;
+        for (i, (line, &force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = self.states[i] != State::Open;
             if closed && line.force.norm() > 0.0 && Stand::is_weightless(&force, line.force_size) {
                 self.stands[i].apex = true;
