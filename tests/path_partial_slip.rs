@@ -130,7 +130,8 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(x_of(event), x);
             assert_close!(event.load.as_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
-            assert_eq!(event.other_continuations.unwrap_or(0), 0);
+            // One, as far as it is asked: among more than 64 contacts on an edge it is not.
+            assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
             for (answer, limit) in event.state.contacts.iter().zip(&pad.limits) {
                 assert_close!(answer.normal_force(), limit / MU);
                 assert_close!(answer.force_world[0], -(pad.c * x).min(*limit));

@@ -9,15 +9,10 @@ use super::margin::ROUNDING;
 use super::segment::{Here, Segment, Standing};
 use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, force_size, settle, span,
-    try_states,
+    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, settle, span, try_states,
 };
 use crate::formulation::{Law, PieceState, Problem, State};
 use crate::grasp::{Hold, Wrench};
-
-/// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
-/// goes on in more than one way.
-const FEW_COMBINATIONS: f64 = 256.0;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
 const LESS: f64 = 1e-9;
@@ -151,7 +146,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
             return Err(PathEnd::Snap(loss(motion)));
         }
-        let other_continuations = (combinations(&rates) <= FEW_COMBINATIONS).then(|| others(&rates, &found));
+        let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
         let here = segment
             .look(&self.states, factor, Some(&self.twist))
