@@ -52,7 +52,7 @@ fn a_torque_takes_all_at_once() {
             let leg = planar::Leg::load_to(planar::Wrench::new([0.0; 2], 1.6 * sign * limit));
             let mut path = grasp.follow(planar::Wrench::ZERO, &[leg]).unwrap();
             assert!(path.run().is_empty(), "{n}");
-            // Up to 7 contacts all their states are tried beyond; among more, none is found and none is ruled out.
+            // Up to 7 contacts all their states are tried beyond; whether among more something else holds is not known.
             let loss = match path.end() {
                 Some(PathEnd::LimitLoad(loss)) if n <= 7 => loss,
                 Some(PathEnd::Ends(loss)) if n > 7 => loss,

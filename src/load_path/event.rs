@@ -72,7 +72,8 @@ pub enum PathEnd<const D: usize, const C: usize> {
     /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
     /// with infinite friction loses its normal force while it still holds a tangential one.
     Snap(Loss<D>),
-    /// This equilibrium ends; whether others exist was not searched (too many contacts).
+    /// This equilibrium ends; whether others exist is not known: there are too many contacts to try all their states, and no proof that
+    /// nothing else holds was found.
     Ends(Loss<D>),
     /// Nothing resists the load from here on; the motion it drives.
     GivesWay {

@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::beyond::{just_beyond, whole_way};
+use super::beyond::{Beyond, just_beyond, whole_way};
 use super::event::{Loss, PathEnd};
+use super::nothing_holds::nothing_holds;
 use super::segment::Segment;
 use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on, separating_motion};
 use crate::formulation::{Piece, Problem, State, kinematic_form};
@@ -11,10 +12,12 @@ use crate::lcp::{self, Outcome, Proof};
 
 /// Part of the whole load or of all commands that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
+/// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
+const FURTHER: f64 = 1e-2;
 
 /// Names the end: a motion that nothing resists; a limit load if a motion proves one, that with which the object leaves or one that
 /// separates the load a little further on from all that friction can do; and else what a search among all combinations of states
-/// says.
+/// says, or among too many of them a proof for each choice of open contacts.
 pub(super) fn end_of_path<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
@@ -43,6 +46,11 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
         settled => settled,
     };
     let beyond = just_beyond(segment.grasp, &here, rates, settled, effort, settings, segment.cone);
+    if matches!(beyond, Beyond::Ends(_))
+        && nothing_holds(&here, &segment.problem_at(loss.fraction + FURTHER * whole_way(&here, rates)))
+    {
+        return PathEnd::LimitLoad(loss);
+    }
     PathEnd::from_beyond(&beyond, loss)
 }
 
