@@ -1,17 +1,9 @@
 //! Load paths whose every event can be written down.
 
+mod common;
+
+use common::close::assert_close;
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * (1.0 + b.abs())
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
 
 fn pull(force: f64) -> Wrench {
     Wrench::force([force, 0.0])

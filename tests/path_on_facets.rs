@@ -4,21 +4,13 @@
 //! All numbers come from the polygon's geometry alone (8 facets, inscribed: corner j at angle jπ/4 of the contact's
 //! tangents on the circle of radius μN, facets between at distance r = μN cos π/8) and from scalar springs.
 
+mod common;
+
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, TAU};
 
+use common::close::assert_close;
 use grasp_lcp::spatial::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use nalgebra::Vector2;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * (1.0 + b.abs())
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
 
 const K: f64 = 60.0;
 const KT: f64 = 25.0;

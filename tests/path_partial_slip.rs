@@ -18,6 +18,9 @@
 //! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀, each of which costs at most h²/8
 //! times its jump, the rest h²/24 ∫|f''|; with h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
 
+mod common;
+
+use common::close::assert_close;
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 
 const MU: f64 = 0.4;
@@ -25,17 +28,6 @@ const P0: f64 = 3.0;
 const KT: f64 = 50.0;
 /// Where the last spring would let go.
 const X_STAR: f64 = MU * P0 / KT;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * (1.0 + b.abs())
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
 
 fn real(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap())
@@ -130,15 +122,14 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(x_of(event), x);
             assert_close!(event.load.as_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
-            assert_eq!(event.other_continuations.unwrap_or(0), 0);
+            // One, as far as it is asked: among more than 64 contacts on an edge it is not.
+            assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
             for (answer, limit) in event.state.contacts.iter().zip(&pad.limits) {
                 assert_close!(answer.normal_force(), limit / MU);
                 assert_close!(answer.force_world[0], -(pad.c * x).min(*limit));
             }
         }
-        let Some(PathEnd::LimitLoad(loss) | PathEnd::Ends(loss)) = path.end() else {
-            panic!("{:?}", path.end())
-        };
+        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
         assert_close!(loss.fraction, 0.8);
         assert_eq!(loss.contacts.len(), n, "they all stand on their edge");
         // The continuum: Mindlin's curve, at the events and between them.

@@ -19,6 +19,8 @@ const STEPS: usize = 100;
 const HALVINGS: usize = 8;
 /// Forces agree to this part of the largest one: the slip of a contact that changes within a step is off by that much.
 const FORCES: f64 = 5e-4;
+/// A step this long leads beyond where a path is lost.
+const AHEAD: f64 = 1e-6;
 /// A state this far from the last one (relative forces and motion) does not continue it.
 const JUMP: f64 = 1e-3;
 
@@ -63,12 +65,21 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             step = next;
         }
     }
-    let lost = path.end().and_then(PathEnd::loss).is_some();
-    if lost && events.iter().all(|e| e.other_continuations == Some(0)) {
+    if let Some(loss) = path.end().and_then(PathEnd::loss)
+        && events.iter().all(|e| e.other_continuations == Some(0))
+    {
         let end = scene.first_step(&end);
-        let beyond = scene.steps_to(last_leg, last + 1e-6, &end);
-        let near = beyond.first().is_some_and(|next| end.apart(next) <= JUMP);
-        prop_assert!(!near, "{:?}, but {:?}", path.end(), beyond[0]);
+        let near = |last: &Step, ahead: f64| -> Vec<Step> {
+            let steps = scene.steps_to(loss.leg, loss.fraction + ahead, last).into_iter();
+            steps.take_while(|next| last.apart(next) <= JUMP).collect()
+        };
+        // And a longer one after it: in the step in which a contact closes it has no friction yet, and where its friction is infinite
+        // that step may exist though the force it gains is lost again while it sticks.
+        for next in near(&end, AHEAD) {
+            let after = near(&next, 30.0 * AHEAD);
+            prop_assert!(after.is_empty(), "{:?}, but {next:?} and {:?}", path.end(), after[0]);
+        }
+        let beyond = scene.steps_to(loss.leg, loss.fraction + AHEAD, &end);
         tally.nothing_beyond += usize::from(beyond.is_empty());
     }
     Ok(())

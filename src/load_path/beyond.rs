@@ -88,18 +88,22 @@ pub(crate) fn just_beyond<const D: usize, const C: usize>(
     }
 }
 
+/// A step of the load factor that makes up the whole load, or all the commands; zero if there is neither.
+pub(super) fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+    let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
+    let load_way = here.wrench.norm() / rates.wrench.norm();
+    let command_way = total(&here.drives) / total(&rates.drives);
+    let way = load_way.min(command_way);
+    if way.is_finite() { way } else { 0.0 }
+}
+
 fn search_beyond<const D: usize, const C: usize>(
     here: &Problem<D, C>,
     rates: &Problem<D, C>,
 ) -> Beyond<D, C> {
     // The whole laws, driven at the rates.
     let rates = &Problem { drives: rates.drives.clone(), wrench: rates.wrench, ..here.clone() };
-    // A step of the load factor that makes up the whole load, or all the commands.
-    let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
-    let load_way = here.wrench.norm() / rates.wrench.norm();
-    let command_way = total(&here.drives) / total(&rates.drives);
-    let way = load_way.min(command_way);
-    let way = if way.is_finite() { way } else { 0.0 };
+    let way = whole_way(here, rates);
     let (mut others, mut tried) = (0, 0);
     for_each_combination(here, |states| {
         tried += 1;

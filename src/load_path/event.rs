@@ -23,9 +23,11 @@ pub struct Event<const D: usize, const C: usize> {
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
     pub free_motions: Vec<Twist<D>>,
-    /// Other ways in which the contacts on an edge could go on, if all were tried (few of them): the continuation is not
-    /// unique unless this is `Some(0)`. The path prefers that what slides goes on sliding, then that everything sticks,
-    /// then what Lemke's method finds.
+    /// Other ways in which the contacts on an edge could go on: the continuation is not unique unless this is `Some(0)`, which
+    /// a P-matrix of the rates proves or, among few contacts, trying all; `None` if neither says. The path prefers that
+    /// nothing changes, then that what slides goes on sliding and what has reached an edge slides, then that everything
+    /// sticks, then what Lemke's method finds; and of the motions that the same forces allow, one in which contacts without
+    /// force do not drag the object along.
     pub other_continuations: Option<usize>,
 }
 
@@ -71,7 +73,8 @@ pub enum PathEnd<const D: usize, const C: usize> {
     /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
     /// with infinite friction loses its normal force while it still holds a tangential one.
     Snap(Loss<D>),
-    /// This equilibrium ends; whether others exist was not searched (too many contacts).
+    /// This equilibrium ends; whether others exist is not known: there are too many contacts to try all their states, and no proof that
+    /// nothing else holds was found.
     Ends(Loss<D>),
     /// Nothing resists the load from here on; the motion it drives.
     GivesWay {

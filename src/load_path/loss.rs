@@ -2,14 +2,22 @@
 
 use nalgebra::SVector;
 
-use super::beyond::just_beyond;
+use super::beyond::{Beyond, just_beyond, whole_way};
 use super::event::{Loss, PathEnd};
+use super::nothing_holds::nothing_holds;
 use super::segment::Segment;
-use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on};
-use crate::formulation::{Piece, Problem, State};
+use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on, separating_motion};
+use crate::formulation::{Piece, Problem, State, kinematic_form};
+use crate::lcp::{self, Outcome, Proof};
 
-/// Names the end: a motion that nothing resists, a limit load if the motion with which the object leaves proves one, and else
-/// what a search among all combinations of states says.
+/// Part of the whole load or of all commands that lies just beyond.
+const A_LITTLE: f64 = 1e-6;
+/// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
+const FURTHER: f64 = 1e-2;
+
+/// Names the end: a motion that nothing resists; a limit load if a motion proves one, that with which the object leaves or one that
+/// separates the load a little further on from all that friction can do; and else what a search among all combinations of states
+/// says, or among too many of them a proof for each choice of open contacts.
 pub(super) fn end_of_path<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
@@ -26,11 +34,35 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
     let here = segment.problem_at(loss.fraction);
     let motion = leaving_motion(rates, &here.wrench, sliding);
     loss.motion = motion.map(|v| segment.grasp.outside(&v));
-    if motion.is_some_and(|v| separates_from_here_on(&here, &v, &rates.wrench)) {
+    // A little further on, for what takes a finite distance to be seen.
+    let past = segment.problem_at(loss.fraction + A_LITTLE * whole_way(&here, rates));
+    let separates = |v: &SVector<f64, D>| separates_from_here_on(&here, v, &rates.wrench);
+    if motion.as_ref().is_some_and(separates) || separating_motion(&past).as_ref().is_some_and(separates) {
         return PathEnd::LimitLoad(loss);
     }
+    // Among many contacts the ladder does not say so by itself.
+    let settled = match settled {
+        Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
+        settled => settled,
+    };
     let beyond = just_beyond(segment.grasp, &here, rates, settled, effort, settings, segment.cone);
+    if matches!(beyond, Beyond::Ends(_))
+        && nothing_holds(&here, &segment.problem_at(loss.fraction + FURTHER * whole_way(&here, rates)))
+    {
+        return PathEnd::LimitLoad(loss);
+    }
     PathEnd::from_beyond(&beyond, loss)
+}
+
+/// Whether Farkas' lemma proves that no slips and gaps make the rates possible: then there are no rates at all.
+fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+    let stuck: Vec<State> = (0..rates.len()).map(|i| rates.unjumped(i)).collect();
+    let trial = Piece::new(rates, &stuck);
+    let Ok(state) = trial.solve(&rates.drives, &rates.wrench) else { return false };
+    let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
+    kinematic_form(rates, &trial, &state).is_some_and(|form| {
+        matches!(form.lcp.solve_with(&settings), Outcome::Ray(ray) if matches!(ray.proof, Proof::Infeasible(_)))
+    })
 }
 
 /// The unit motion with which the object leaves when everything that stands on an edge slides: a motion that nothing resists

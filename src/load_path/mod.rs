@@ -8,6 +8,7 @@ mod leg;
 mod loss;
 mod margin;
 mod node;
+mod nothing_holds;
 mod onset;
 mod path;
 mod questions;

@@ -1,22 +1,21 @@
 //! A node of the load path: what stands where, and how it goes on from there.
 
-use nalgebra::SVector;
+use nalgebra::{Matrix, SVector};
 
 use super::edge::Stand;
 use super::event::{Change, Loss, PathEnd};
 use super::loss::end_of_path;
 use super::margin::ROUNDING;
 use super::segment::{Here, Segment, Standing};
-use super::transition::{change, everything_slides, in_the_whole_law, others};
+use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, combinations, settle, try_states,
+    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, settle, span, try_states,
 };
-use crate::formulation::{Law, Problem, State};
+use crate::formulation::{Law, PieceState, Problem, State};
 use crate::grasp::{Hold, Wrench};
 
-/// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
-/// goes on in more than one way.
-const FEW_COMBINATIONS: f64 = 256.0;
+/// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
+const LESS: f64 = 1e-9;
 
 /// Where the path stands, contact by contact.
 pub(super) struct Node<const D: usize, const C: usize> {
@@ -93,11 +92,10 @@ impl<const D: usize, const C: usize> Node<D, C> {
         segment: &mut Segment<'_, D, C>,
         here: &Here<D, C>,
         factor: f64,
-        step: f64,
+        there: &PieceState<D, C>,
     ) {
-        self.twist = here.twist + here.twist_rate * step;
-        for (i, line) in here.lines.iter().enumerate() {
-            let force = line.force + line.rate * step;
+        self.twist = there.twist;
+        for (i, (line, &force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = self.states[i] != State::Open;
             if closed && line.force.norm() > 0.0 && Stand::is_weightless(&force, line.force_size) {
                 self.stands[i].apex = true;
@@ -125,13 +123,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             (0..self.states.len()).map(|i| self.stands[i].law(&segment.problem, i, self.states[i])).collect();
         let rates = segment.rates(laws);
         let sliding = everything_slides(&rates);
-        // At the apex there is no telling: every state is as good a guess.
-        let guess = if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
-            Verdict::Unbalanced
-        } else {
-            try_states(&rates, sliding.clone())
-        };
-        let (settled, effort) = match guess {
+        let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
             Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
             _ => settle(&rates, settings),
         };
@@ -146,6 +138,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let Settled::Found(found, _) = settled else {
             return Err(end_of_path(segment, &rates, settled, &effort, &sliding, loss(None), settings));
         };
+        let found = self.without_dragging(&rates, found);
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
         let lets_go =
             |i: usize| self.holds[i] && self.states[i] != State::Open && found.states[i] == State::Open;
@@ -153,7 +146,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
             return Err(PathEnd::Snap(loss(motion)));
         }
-        let other_continuations = (combinations(&rates) <= FEW_COMBINATIONS).then(|| others(&rates, &found));
+        let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
         let here = segment
             .look(&self.states, factor, Some(&self.twist))
@@ -163,6 +156,52 @@ impl<const D: usize, const C: usize> Node<D, C> {
             stand.leave(&segment.problem, i, self.states[i], &here.lines[i], [rate, size]);
         }
         Ok(Onward { here, changes, other_continuations })
+    }
+
+    /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.
+    fn guess(
+        &self,
+        segment: &Segment<'_, D, C>,
+        factor: f64,
+        rates: &Problem<D, C>,
+        sliding: &[State],
+    ) -> Verdict<D, C> {
+        // Within a leg something has just left its cone, and must change.
+        let as_before =
+            (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
+        if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
+            return holds;
+        }
+        // At the apex there is no telling: every state is as good a guess.
+        if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
+            return Verdict::Unbalanced;
+        }
+        try_states(rates, sliding.to_vec())
+    }
+
+    /// What touches without force, and gets none, does not drag the object along: where the contact may as well part from it, and
+    /// the object moves less then, it parts. Forces are the same.
+    fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
+        let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+        let states: Vec<State> = (0..self.states.len())
+            .map(|i| {
+                let size = force_size(
+                    &rates.sites[i],
+                    &found.forces[i],
+                    span(&rates.sites[i], &rates.drives[i], &found.twist),
+                    largest,
+                );
+                let idle = rates.may_open(i) && found.forces[i].norm() <= ROUNDING * size;
+                if idle { State::Open } else { found.states[i] }
+            })
+            .collect();
+        if states == found.states {
+            return found;
+        }
+        match try_states(rates, states) {
+            Verdict::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,
+            _ => found,
+        }
     }
 
     /// Takes the states of the rates over and says what changed.

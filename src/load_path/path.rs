@@ -16,11 +16,14 @@ use super::segment::{Here, Segment, Standing};
 use super::stretch::Stretch;
 use crate::equilibrium::{ACCURATE, Equilibrium, Settings, Settled, polygonal, settle};
 use crate::error::Error;
-use crate::formulation::{Polygon, Problem};
+use crate::formulation::{PieceState, Polygon, Problem};
 use crate::grasp::{Grasp, Wrench};
 
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
+
+/// A step is known to this part at least; a larger correction says that there is something else wrong with it.
+const ROUGHLY: f64 = 1e-6;
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it.
 ///
@@ -219,10 +222,32 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     }
 
     fn present_state(&self) -> Option<Equilibrium<D, C>> {
-        self.here.as_ref().map(|here| self.state_on(&self.stretch(here.clone(), self.factor), self.factor))
+        let here = self.here.clone()?;
+        let there = self.state_after(&here, 0.0);
+        Some(self.state_on(&self.stretch(here, self.factor, there), self.factor))
     }
 
-    fn stretch(&self, here: Here<D, C>, to: f64) -> Stretch<'g, D, C> {
+    /// Forces and twist after a step along the present piece.
+    fn state_after(&self, here: &Here<D, C>, step: f64) -> PieceState<D, C> {
+        let twist = here.twist + here.twist_rate * step;
+        self.segment.state(&here.piece, self.factor + step, Some(&twist)).unwrap_or_else(|| PieceState {
+            forces: here.lines.iter().map(|line| line.force + line.rate * step).collect(),
+            twist,
+        })
+    }
+
+    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.
+    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &Standing<C>) -> f64 {
+        let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
+        let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
+            return step;
+        };
+        let there = self.state_after(here, step);
+        let more = self.segment.way_to(i, self.node.states[i], exit, here, self.factor + step, &there);
+        if more.abs() <= ROUGHLY * (self.factor + step) { (step + more).max(0.0) } else { step }
+    }
+
+    fn stretch(&self, here: Here<D, C>, to: f64, there: PieceState<D, C>) -> Stretch<'g, D, C> {
         Stretch {
             leg: self.program.leg,
             from: self.factor,
@@ -233,6 +258,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             load: self.program.load,
             states: self.node.states.clone(),
             here,
+            there,
         }
     }
 
@@ -247,7 +273,10 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         };
         let (step, standing, leg_done) = match exits {
             Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            Some((step, standing)) if self.factor + step < 1.0 => (step, standing, false),
+            Some((step, standing)) if self.factor + step < 1.0 => {
+                let step = self.corrected(&here, step, &standing);
+                if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
+            }
             Some((step, standing)) if step <= rest => (rest, standing, true),
             _ => (rest, Vec::new(), true),
         };
@@ -257,12 +286,12 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
             return;
         }
-        let stretch = self.stretch(here.clone(), to);
+        let there = self.state_after(&here, step);
         if let Some(energy) = self.energy.last_mut() {
             energy.add(&self.segment, &self.node.states, &here, self.factor, step);
         }
-        self.pieces.push(stretch);
-        self.node.arrive(&mut self.segment, &here, to, step);
+        self.pieces.push(self.stretch(here.clone(), to, there.clone()));
+        self.node.arrive(&mut self.segment, &here, to, &there);
         self.node.reach(&standing);
         self.factor = to;
         self.at_node = true;

@@ -1,11 +1,13 @@
 //! One straight stretch of a load program: load and finger commands are affine in a factor, and so is everything else as
 //! long as every contact keeps its state.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix, SVector};
 
 use super::margin::{Exit, Line, ROUNDING, polygon_exits, round_exit};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof, force_size, largest_force, span};
-use crate::formulation::{Law, Piece, Problem, State};
+use crate::formulation::{Law, Piece, PieceState, Problem, State};
 use crate::grasp::Grasp;
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
@@ -29,6 +31,8 @@ pub(super) struct Here<const D: usize, const C: usize> {
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<SVector<f64, D>>,
     pub(super) neutral_motions: Vec<SVector<f64, D>>,
+    /// The linear piece of these states.
+    pub(super) piece: Arc<Piece<D, C>>,
     /// Gap of every contact, its rate, and the sizes that the rounding of both is measured against.
     pub(super) gaps: Vec<[f64; 4]>,
     /// Largest force and displacement of the terms that the state and its rates are sums of.
@@ -48,7 +52,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         factor: f64,
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let piece = Piece::new(&self.problem, states);
+        let piece = Arc::new(Piece::new(&self.problem, states));
         let unbalanced = |motion: Option<SVector<f64, D>>| {
             let v = motion.unwrap_or_else(SVector::zeros);
             let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
@@ -57,23 +61,11 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let base =
             piece.solve(&self.problem.drives, &self.problem.wrench).map_err(|u| unbalanced(u.motion))?;
         let rate = piece.solve(&self.change, &self.direction).map_err(|u| unbalanced(u.motion))?;
-        let mut twist = base.twist + rate.twist * factor;
+        let PieceState { forces, twist } = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
+            forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
+            twist: base.twist + rate.twist * factor,
+        });
         let drives = self.drives(factor);
-        let mut forces: Vec<_> =
-            base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect();
-        let neutral_motions = piece.neutral_motions();
-        if let Some(near) = near {
-            for v in piece.free_motions() {
-                twist += v * v.dot(&(near - twist));
-            }
-            for v in &neutral_motions {
-                let shift = v * v.dot(&(near - twist));
-                twist += shift;
-                for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
-                    *f += change;
-                }
-            }
-        }
         // Where everything vanishes on the way, what is left is the rounding of the terms: those at factor 0 and the way from there.
         let sites = self.grasp.sites();
         let sizes =
@@ -106,11 +98,60 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             twist,
             twist_rate: rate.twist,
             free_motions: piece.free_motions().to_vec(),
-            neutral_motions,
+            neutral_motions: piece.neutral_motions(),
+            piece,
             gaps,
             sizes: [most, base_travel + factor * rate_sizes[1]],
             rate_sizes,
         })
+    }
+
+    /// Forces and twist at a factor, solved there: interpolated from afar they would carry the rounding of what they are there.
+    /// Where the states leave motions free, the twist is that nearest to `near`.
+    pub(super) fn state(
+        &self,
+        piece: &Piece<D, C>,
+        factor: f64,
+        near: Option<&SVector<f64, D>>,
+    ) -> Option<PieceState<D, C>> {
+        let wrench = self.problem.wrench + self.direction * factor;
+        let PieceState { mut forces, mut twist } = piece.solve(&self.drives(factor), &wrench).ok()?;
+        if let Some(near) = near {
+            for v in piece.free_motions() {
+                twist += v * v.dot(&(near - twist));
+            }
+            for v in &piece.neutral_motions() {
+                let shift = v * v.dot(&(near - twist));
+                twist += shift;
+                for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
+                    *f += change;
+                }
+            }
+        }
+        Some(PieceState { forces, twist })
+    }
+
+    /// How far it is from a state, in steps along a straight piece, to where a contact reaches an edge.
+    pub(super) fn way_to(
+        &self,
+        contact: usize,
+        state: State,
+        exit: &Exit<C>,
+        here: &Here<D, C>,
+        factor: f64,
+        at: &PieceState<D, C>,
+    ) -> f64 {
+        let (force, rate) = (&at.forces[contact], &here.lines[contact].rate);
+        if state == State::Open {
+            let site = &self.grasp.sites()[contact];
+            let gap = site.map.column(0).dot(&at.twist)
+                - (self.problem.drives[contact][0] + self.change[contact][0] * factor);
+            return gap / -here.gaps[contact][1];
+        }
+        let slack = |f: &SVector<f64, C>| {
+            if exit.facet.norm() == 0.0 { f[0] } else { self.problem.mu(contact) * f[0] - exit.facet.dot(f) }
+        };
+        slack(force) / -slack(rate)
     }
 
     /// The drives at a factor.

@@ -2,9 +2,10 @@
 
 use nalgebra::SVector;
 
+use super::margin::Line;
 use super::segment::Here;
 use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung};
-use crate::formulation::{Problem, State};
+use crate::formulation::{PieceState, Problem, State};
 use crate::grasp::{Grasp, Wrench};
 
 /// What is needed to tell the state at any fraction on the way.
@@ -21,16 +22,21 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) states: Vec<State>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
+    /// At `to`.
+    pub(super) there: PieceState<D, C>,
 }
 
 impl<const D: usize, const C: usize> Stretch<'_, D, C> {
     /// The equilibrium at a fraction of the leg.
     pub(super) fn state_at(&self, grasp: &Grasp<D, C>, cone: Cone, fraction: f64) -> Equilibrium<D, C> {
         let step = fraction - self.from;
+        // Between the ends, each of which is solved where it is.
+        let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
+        let between = |line: &Line<C>, there: &SVector<f64, C>| line.force * (1.0 - part) + there * part;
         let found = Found {
             states: self.states.clone(),
-            forces: self.here.lines.iter().map(|line| line.force + line.rate * step).collect(),
-            twist: self.here.twist + self.here.twist_rate * step,
+            forces: self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect(),
+            twist: self.here.twist * (1.0 - part) + self.there.twist * part,
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),

@@ -3,8 +3,35 @@
 use nalgebra::SVector;
 
 use super::event::Change;
-use crate::equilibrium::{Found, search};
-use crate::formulation::{Law, Problem, State};
+use crate::equilibrium::{Found, combinations, search};
+use crate::formulation::{Law, Piece, Problem, State, kinematic_form};
+use crate::lcp::MatrixClass;
+
+/// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
+/// goes on in more than one way.
+const FEW_COMBINATIONS: f64 = 256.0;
+/// With more rows than this, the class of their matrix costs more than the event.
+const MOST_ROWS: usize = 64;
+
+/// Nothing changes: the states so far in terms of the laws of the rates, if these have them.
+pub(super) fn nothing_changes<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    rates: &Problem<D, C>,
+    states: &[State],
+) -> Option<Vec<State>> {
+    let in_the_rates = |(contact, &state): (usize, &State)| {
+        let (Law::Edge(facets), State::Sliding { first, second }) = (&rates.laws[contact], state) else {
+            return Some(state);
+        };
+        let normals = problem.normals(contact);
+        let at = |k: usize| facets.iter().position(|h| *h == normals[k]);
+        match second {
+            None => Some(State::Sliding { first: at(first)?, second: None }),
+            Some(second) => Some(State::Sliding { first: at(first)?, second: Some(at(second)?) }),
+        }
+    };
+    states.iter().enumerate().map(in_the_rates).collect()
+}
 
 /// What slides goes on sliding and what has reached an edge slides along it: the common case, one solve. What is at the
 /// apex of its cone opens.
@@ -57,8 +84,18 @@ pub(super) fn change<const C: usize>(
     }
 }
 
-/// How many other solutions the rates have: other forces, or other motions than one along what is free anyway.
-pub(super) fn others<const D: usize, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> usize {
+/// How many other solutions the rates have: other forces, or other motions than one along what is free anyway. None if a P-matrix says
+/// that there is only one; else all combinations of states are tried if they are few.
+pub(super) fn others<const D: usize, const C: usize>(
+    rates: &Problem<D, C>,
+    found: &Found<D, C>,
+) -> Option<usize> {
+    if has_one_solution(rates) {
+        return Some(0);
+    }
+    if combinations(rates) > FEW_COMBINATIONS {
+        return None;
+    }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
     for other in search(rates, false).found {
@@ -75,5 +112,19 @@ pub(super) fn others<const D: usize, const C: usize>(rates: &Problem<D, C>, foun
             distinct.push(other);
         }
     }
-    distinct.len() - 1
+    Some(distinct.len() - 1)
+}
+
+/// Whether the kinematic form of the rates has a P-matrix: one solution whatever the load does.
+fn has_one_solution<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+    let rows: usize = (0..rates.len()).map(|i| rates.normals(i).len() + usize::from(rates.may_open(i))).sum();
+    if rows == 0 || rows > MOST_ROWS {
+        return rows == 0;
+    }
+    let stuck: Vec<State> = (0..rates.len()).map(|i| rates.unjumped(i)).collect();
+    let trial = Piece::new(rates, &stuck);
+    let Ok(state) = trial.solve(&rates.drives, &rates.wrench) else { return false };
+    kinematic_form(rates, &trial, &state)
+        .and_then(|form| MatrixClass::of(form.lcp.matrix()).ok())
+        .is_some_and(|class| class.p_matrix == Some(true))
 }

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "no test file uses all of it")]
 
 mod affine;
+pub(crate) mod close;
 pub(crate) mod exact;
 pub(crate) mod ramps;
 pub(crate) mod random;

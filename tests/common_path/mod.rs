@@ -5,6 +5,7 @@
 pub(crate) mod draw;
 pub(crate) mod steps;
 pub(crate) mod tally;
+pub(crate) mod views;
 
 use std::f64::consts::{PI, TAU};
 

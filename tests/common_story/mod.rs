@@ -3,17 +3,9 @@
 
 use grasp_lcp::load_path::{Change, Event, PathEnd};
 
-pub(crate) fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * (1.0 + b.abs())
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(crate::common_story::close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
-pub(crate) use assert_close;
+#[path = "../common/close.rs"]
+mod close;
+pub(crate) use close::assert_close;
 
 pub(crate) fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))

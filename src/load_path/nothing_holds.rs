@@ -1,0 +1,159 @@
+//! A proof that nothing holds beyond a load, for contacts too many to try all their states: for each choice of which contacts are
+//! open, all that friction could do is a convex question.
+//!
+//! With the closed contacts chosen, forces that balance the load exist only if there are a motion q and friction forces with
+//!
+//! ```text
+//! Σ G_i F_i + W = 0,    F_n = k (a_n - n·u(q)),    F_t in F_n times the friction polygon    closed
+//! n·u(q) - a_n >= 0                                                                        open
+//! ```
+//!
+//! which forgets where friction points. It is linear, Γ x + w = 0 with x >= 0; the residual y of the nearest x >= 0 has y·γ >= 0 for all columns γ
+//! of Γ and proves that there is none if y·w > 0 (Farkas). As w is linear in the load, y·w >= 0 at the load and y·w > 0 a little
+//! further on prove it for all loads in between.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use crate::formulation::{Law, Problem};
+use crate::lcp::{Lcp, Outcome, Settings};
+
+/// Up to this many contacts that may open all choices of open ones are looked at.
+const MOST_CONTACTS: usize = 8;
+/// y·w at the load itself may be zero, up to this rounding.
+const ROUNDING: f64 = 1e-12;
+/// A proof must be larger than its rounding by far: columns may work against y by this part of y·w.
+const SMALL: f64 = 1e-9;
+
+/// Whether no forces whatsoever hold between a load (not included) and another a little further on.
+pub(super) fn nothing_holds<const D: usize, const C: usize>(
+    here: &Problem<D, C>,
+    past: &Problem<D, C>,
+) -> bool {
+    let free: Vec<usize> = (0..here.len()).filter(|&i| here.may_open(i)).collect();
+    let whole = !here.laws.iter().any(|law| matches!(law, Law::Absent | Law::Edge(_)));
+    whole
+        && free.len() <= MOST_CONTACTS
+        && (0..1_usize << free.len()).all(|choice| {
+            let mut open = vec![false; here.len()];
+            for (bit, &i) in free.iter().enumerate() {
+                open[i] = choice >> bit & 1 == 1;
+            }
+            proved(&columns(here, &open), &constant(here, &open), &constant(past, &open))
+        })
+}
+
+/// Rows of the inequalities come after the D of the balance, contact by contact in the same order here and in [`constant`].
+fn has_row<const D: usize, const C: usize>(problem: &Problem<D, C>, contact: usize) -> bool {
+    problem.may_open(contact) || !problem.normals(contact).is_empty()
+}
+
+fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
+    D + (0..problem.len()).filter(|&i| has_row(problem, i)).count()
+}
+
+/// Which axes of a closed contact are springs here; friction is a force of its own.
+fn springs<const D: usize, const C: usize>(problem: &Problem<D, C>, contact: usize) -> usize {
+    if problem.laws[contact] == Law::Bonded { problem.sites[contact].axes } else { 1 }
+}
+
+/// What the drives and the load contribute.
+fn constant<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+    let mut w = DVector::zeros(rows(problem));
+    let mut row = D;
+    let mut sum = problem.wrench;
+    for (i, site) in problem.sites.iter().enumerate() {
+        let push = site.k[0] * problem.drives[i][0];
+        if has_row(problem, i) {
+            w[row] = if open[i] { -push } else { push };
+            row += 1;
+        }
+        if !open[i] {
+            for axis in 0..springs(problem, i) {
+                sum += site.map.column(axis) * (site.k[axis] * problem.drives[i][axis]);
+            }
+        }
+    }
+    w.rows_mut(0, D).copy_from(&sum);
+    w
+}
+
+/// Unit columns: motions both ways, friction, slacks.
+fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
+    let count = rows(problem);
+    let mut list = Vec::new();
+    let mut push = |column: DVector<f64>, both_ways: bool| {
+        let size = column.norm();
+        if size > 0.0 {
+            if both_ways {
+                list.push(&column / -size);
+            }
+            list.push(column / size);
+        }
+    };
+    for axis in 0..D {
+        let mut unit = SVector::<f64, D>::zeros();
+        unit[axis] = 1.0;
+        let mut column = DVector::zeros(count);
+        let mut row = D;
+        for (i, site) in problem.sites.iter().enumerate() {
+            let moved = site.map.tr_mul(&unit);
+            if has_row(problem, i) {
+                column[row] = site.k[0] * if open[i] { moved[0] } else { -moved[0] };
+                row += 1;
+            }
+            if !open[i] {
+                for axis in 0..springs(problem, i) {
+                    let pulled = site.map.column(axis) * (-site.k[axis] * moved[axis]);
+                    for d in 0..D {
+                        column[d] += pulled[d];
+                    }
+                }
+            }
+        }
+        push(column, true);
+    }
+    let mut row = D;
+    for (i, site) in problem.sites.iter().enumerate() {
+        let own = has_row(problem, i).then_some(row);
+        let force = |f: &SVector<f64, C>, taken: f64| {
+            let mut column = DVector::zeros(count);
+            column.rows_mut(0, D).copy_from(&(site.map * f));
+            if let Some(row) = own {
+                column[row] = -taken;
+            }
+            column
+        };
+        if !open[i] && site.mu.is_infinite() && problem.laws[i] != Law::Bonded {
+            for axis in 1..site.axes {
+                let mut f = SVector::zeros();
+                f[axis] = 1.0;
+                push(force(&f, 0.0), true);
+            }
+        } else if !open[i] && !problem.normals(i).is_empty() {
+            for corner in &problem.polygon.corners {
+                push(force(&(corner * site.mu), 1.0), false);
+            }
+        }
+        if let Some(row) = own {
+            let mut slack = DVector::zeros(count);
+            slack[row] = -1.0;
+            push(slack, false);
+        }
+        row += usize::from(own.is_some());
+    }
+    list
+}
+
+fn proved(columns: &[DVector<f64>], here: &DVector<f64>, past: &DVector<f64>) -> bool {
+    let size = past.norm();
+    let gamma = DMatrix::from_columns(columns);
+    let w = past / size;
+    let Ok(lcp) = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&w)) else { return false };
+    let settings = Settings { enumerate_up_to: 0, ..Settings::default() };
+    let Outcome::Solved(solution) = lcp.solve_with(&settings) else { return false };
+    let y = (&gamma * &solution.z + &w).normalize();
+    let work = y.dot(&w);
+    work > 0.0
+        && y.dot(here) >= -ROUNDING * size
+        && columns.iter().all(|column| y.dot(column) >= -SMALL * work)
+}

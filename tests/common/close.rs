@@ -1,0 +1,11 @@
+//! When a number is the one that was worked out by hand.
+#![allow(unused_imports, unused_macros, reason = "not every test file has numbers worked out by hand")]
+
+/// Equal to 1e-12, relative for large numbers and absolute for small ones.
+macro_rules! assert_close {
+    ($a:expr, $b:expr) => {
+        let (a, b): (f64, f64) = ($a, $b);
+        assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{} = {a}, expected {b}", stringify!($a));
+    };
+}
+pub(crate) use assert_close;
