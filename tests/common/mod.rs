@@ -3,6 +3,7 @@
 
 mod affine;
 pub(crate) mod exact;
+pub(crate) mod pinch;
 pub(crate) mod ramps;
 pub(crate) mod random;
 pub(crate) mod rolling;
