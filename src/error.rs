@@ -61,6 +61,16 @@ pub enum Error {
         /// The largest number of facets that is accepted.
         most: usize,
     },
+    /// A soft fingertip without extent or points, or with too many.
+    #[error("soft fingertip: {what} is {value}, must be {allowed}")]
+    Fingertip {
+        /// Radius or width, or a number of bands or points.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// Listing every equilibrium would mean trying too many combinations of contact states.
     #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
     TooManyStates {

@@ -57,7 +57,7 @@
 //! | module | room |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
-//! | [`grasp`] | the question: contacts, stiffness, friction, wrench and twist |
+//! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist |
 //! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
@@ -72,6 +72,9 @@
 //! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
 //! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
 //! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all.
+//!
+//! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
+//! ([`equilibrium::Equilibrium::free_motions`]). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
 //!
 //! The model is that of "Position Control for Multifingered Robot Hand", which solves the rolling case as a quadratic
 //! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what

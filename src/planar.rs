@@ -3,8 +3,12 @@
 //! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. Nothing is approximated: the planar
 //! friction cone is a polygonal one.
 
+pub use crate::grasp::Pressure;
+
 /// A point contact in the plane; see [`crate::grasp::Contact`].
 pub type Contact = crate::grasp::Contact<2>;
+/// A row of point contacts that stands for one finger pad; see [`crate::grasp::SoftFingertip`].
+pub type SoftFingertip = crate::grasp::SoftFingertip<2>;
 /// A planar grasp; see [`crate::grasp::Grasp`].
 pub type Grasp = crate::grasp::Grasp<3, 2>;
 /// Force (x, y) and moment; see [`crate::grasp::Wrench`].

@@ -2,8 +2,12 @@
 //!
 //! The contact frame is (n, t₁, t₂) with n into the object and `t₂ = n × t₁`.
 
+pub use crate::grasp::Pressure;
+
 /// A point contact in space; see [`crate::grasp::Contact`].
 pub type Contact = crate::grasp::Contact<3>;
+/// A ring or disc of point contacts that stands for one fingertip; see [`crate::grasp::SoftFingertip`].
+pub type SoftFingertip = crate::grasp::SoftFingertip<3>;
 /// A spatial grasp; see [`crate::grasp::Grasp`].
 pub type Grasp = crate::grasp::Grasp<6, 3>;
 /// Force (x, y, z) and moment (x, y, z); see [`crate::grasp::Wrench`].

@@ -1,10 +1,12 @@
-//! The question: contacts, stiffness, friction, wrench and twist, grasp.
+//! The question: contacts, soft fingertips, stiffness, friction, wrench and twist, grasp.
 //!
 //! Written once for the plane and for space: `D` is the number of degrees of freedom of the object and `C` the number
 //! of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names in [`crate::planar`] and
 //! [`crate::spatial`].
 
 mod contact;
+mod fingertip;
+mod pressure;
 mod rotation;
 mod stiffness;
 mod wrench;
@@ -12,6 +14,8 @@ mod wrench;
 use nalgebra::{SMatrix, SVector};
 
 pub use contact::{Contact, Hold};
+pub use fingertip::SoftFingertip;
+pub use pressure::Pressure;
 pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
 pub use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};

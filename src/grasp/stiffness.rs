@@ -25,6 +25,16 @@ impl<const C: usize> Stiffness<C> {
             Self::Series(k) => *k,
         }
     }
+
+    /// The springs of a part that carries this share of them; a rigid side stays rigid.
+    pub(super) fn share(&self, share: f64) -> Self {
+        match self {
+            Self::BodyAndFinger { body, finger } => {
+                Self::BodyAndFinger { body: body * share, finger: finger * share }
+            }
+            Self::Series(k) => Self::Series(k * share),
+        }
+    }
 }
 
 impl<const C: usize> Default for Stiffness<C> {

@@ -4,6 +4,7 @@
 mod affine;
 pub(crate) mod close;
 pub(crate) mod exact;
+pub(crate) mod pinch;
 pub(crate) mod ramps;
 pub(crate) mod random;
 pub(crate) mod rolling;

@@ -1,0 +1,268 @@
+//! Soft fingertips: one contact spread over a patch.
+//!
+//! A point contact carries no moment: two of them let the object turn freely about the line through them. A fingertip
+//! touches over a patch and does carry one. The patch is made of point contacts in the tangent plane that share the
+//! springs of the one they replace, so everything the crate says of contacts holds for it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use super::contact::Contact;
+use super::pressure::{Layer, Pressure};
+use crate::error::{Error, LARGEST};
+
+/// A patch of point contacts that stands for one fingertip, with its stiffness and its friction in closed form.
+///
+/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and [`crate::spatial`].
+/// [`Self::contacts`] puts it in the place of a contact.
+///
+/// With w_i the shares, Σ w_i = 1, ρ_i the places about the centre, r_i = |ρ_i|, and `⟨f⟩ = Σ w_i f(ρ_i)`, a tip with
+/// normal and tangential stiffness k_n, k_t (N/m) that is squeezed by N (N) has
+///
+/// | | formula | ring | disc: uniform | parabolic | Hertz |
+/// |---|---|---|---|---|---|
+/// | normal, tangential stiffness, N/m | k_n, k_t | | | | |
+/// | torsional stiffness, N m/rad | k_t ⟨r²⟩ | k_t R² | k_t R²/2 | k_t R²/3 | 2/5 k_t R² |
+/// | first sliding under torsion, N m | μ N ⟨r²⟩/R | μ N R | μ N R/2 | μ N R/3 | 2/5 μ N R |
+/// | torsional friction limit, N m | μ N ⟨r⟩ | μ N R | 2/3 μ N R | 8/15 μ N R | 3π/16 μ N R |
+/// | tilting stiffness, N m/rad | k_n ⟨r²⟩/2 | k_n R²/2 | k_n R²/4 | k_n R²/6 | k_n R²/5 |
+/// | first opening under tilting, N m | N ⟨r²⟩/2R | N R/2 | N R/4 | N R/6 | N R/5 |
+///
+/// and a pad of width 2b in the plane
+///
+/// | | formula | pair | pad: uniform | parabolic | Hertz |
+/// |---|---|---|---|---|---|
+/// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
+/// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
+///
+/// These are the values of the continuum, and those of the points too, to rounding, from the coarsest patch on: every
+/// band of a disc carries its share of the load, of ⟨r⟩ and of ⟨r²⟩ exactly, and one layer of points lies on the rim
+/// (see [`Pressure`]). Where the stiffness k_1, k_2 differs along the two tangents, their mean takes the place of k_t in the
+/// torsional stiffness, and the first sliding comes earlier, by up to the factor mean/max(k_1, k_2).
+///
+/// Under torsion slip starts at the rim and works inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide.
+/// On the uniform disc `M = μ N R (2/3 - (r_s/R)³/6)`; the continuum comes near its limit only as θ grows without end, a
+/// patch of points reaches it when its innermost ring slides. In between, the M of the points differs from that of the continuum by
+/// an amount that falls with the square of the number of bands: at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4
+/// bands of the uniform disc.
+///
+/// The springs set the profile of the pressure: it is p under an even squeeze, however strong, and changes as the tip is
+/// tilted; the patch does not grow with the squeeze. A measured torsional stiffness is met by a ring of radius
+/// √(k_θ/k_t), a measured friction limit by one of radius τ/(μ N).
+///
+/// ```
+/// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
+///
+/// let finger = |x: f64| {
+///     Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2000.0, 1000.0).friction(0.5).command([0.005, 0.0, 0.0])
+/// };
+/// let tip = SoftFingertip::disc(0.006, 1, 4, Pressure::Hertz)?;
+/// let pinch = Grasp::new([tip.contacts(&finger(-0.03))?, tip.contacts(&finger(0.03))?].concat())?;
+///
+/// // About the line of the pinch the two tips share a moment (N m), which two points would not carry at all.
+/// let state = pinch.solve(&Wrench::new([0.0; 3], [0.01, 0.0, 0.0]))?;
+/// let turn = state.equilibrium().expect("within friction").twist.rotation()[0];
+/// let k_theta = 2.0 / 5.0 * 1000.0 * 0.006_f64.powi(2);
+/// assert!((turn - 0.01 / (2.0 * k_theta)).abs() < 1e-12);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SoftFingertip<const C: usize> {
+    /// Distance of the outermost points from the centre.
+    radius: f64,
+    places: Vec<Place<C>>,
+}
+
+/// One point of the patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place<const C: usize> {
+    /// Where, in the frame of the contact (its normal component is zero), from the centre.
+    offset: SVector<f64, C>,
+    share: f64,
+}
+
+impl SoftFingertip<3> {
+    /// `points` points with equal shares on a circle of this radius (m), the first one along the first tangent.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (two would tilt freely) to
+    /// [`Self::MOST_POINTS`].
+    pub fn ring(radius: f64, points: usize) -> Result<Self, Error> {
+        Self::check_points(1, points)?;
+        Self::of_rings(radius, &[Layer { distance: 1.0, share: 1.0 }], points)
+    }
+
+    /// A disc of this radius (m) cut into `annuli` of equal width, each of which is stood for by two rings of `points`
+    /// points. Every other ring is turned by half a spacing; the one on the rim has a point along the first tangent.
+    ///
+    /// The closed forms above hold for any number of annuli and points; more annuli refine how slip spreads from the rim,
+    /// more points how a tip behaves that slides and spins at once.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, there are at least 3 points
+    /// on a ring and, in all, at most [`Self::MOST_POINTS`].
+    pub fn disc(radius: f64, annuli: usize, points: usize, pressure: Pressure) -> Result<Self, Error> {
+        check(annuli >= 1, "number of annuli", annuli as f64, "at least 1")?;
+        let rings = annuli.saturating_mul(2);
+        Self::check_points(rings, points)?;
+        Self::of_rings(radius, &pressure.layers::<3>(annuli), points)
+    }
+
+    fn check_points(rings: usize, points: usize) -> Result<(), Error> {
+        check(points >= 3, "number of points on a ring", points as f64, "at least 3")?;
+        let all = rings.saturating_mul(points);
+        check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")
+    }
+
+    fn of_rings(radius: f64, rings: &[Layer], points: usize) -> Result<Self, Error> {
+        let radius = usable(radius, "radius")?;
+        let place = |from_rim: usize, ring: &Layer, i: usize| {
+            let half_spacings = 2 * i + from_rim % 2;
+            let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
+            // A cosine of 6e-17 instead of 0 would only blur the ties of symmetric grasps.
+            let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
+            Place {
+                offset: SVector::from([0.0, clean(cos), clean(sin)]) * (ring.distance * radius),
+                share: ring.share / points as f64,
+            }
+        };
+        let places = rings
+            .iter()
+            .enumerate()
+            .flat_map(|(j, ring)| (0..points).map(move |i| place(rings.len() - 1 - j, ring, i)))
+            .collect();
+        Ok(Self { radius, places })
+    }
+
+    /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1 y_i² + k_2 x_i²)` with x
+    /// along the first tangent and y along the second one, that is `(k_1 + k_2)/2 ⟨r²⟩`, as long as friction holds.
+    #[must_use]
+    pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
+        let k = contact.series_stiffness_of_axes();
+        self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
+    }
+
+    /// The moment about the normal at which the first points slide, N m, if the tip is squeezed by `normal_force` (N) and
+    /// carries nothing else: `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal
+    /// tangential stiffness all points slide at once, and this is [`Self::torsional_limit`].
+    #[must_use]
+    pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
+        let k = contact.series_stiffness_of_axes();
+        let fastest = self.largest(|at| (k[1] * at[2]).hypot(k[2] * at[1]));
+        contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
+    }
+
+    /// The largest moment about the normal that friction can carry, N m, if the tip is squeezed by `normal_force` (N) and
+    /// carries nothing else: `μ N ⟨r⟩`, whatever the springs.
+    #[must_use]
+    pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
+        contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
+    }
+}
+
+impl SoftFingertip<2> {
+    /// Two points with half a share each at the edges of a pad of this width (m).
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
+    pub fn pair(width: f64) -> Result<Self, Error> {
+        Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
+    }
+
+    /// A pad of this width (m); each half is cut into `strips` of equal width, each of which is stood for by two points, one
+    /// of them on its outer edge. The closed forms above hold for any number of strips.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and there are at most
+    /// [`Self::MOST_POINTS`] points.
+    pub fn pad(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
+        check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
+        let all = strips.saturating_mul(4);
+        check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
+        Self::of_layers(width, &pressure.layers::<2>(strips))
+    }
+
+    /// In order along the tangent.
+    fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
+        let radius = 0.5 * usable(width, "width")?;
+        let side = |sign: f64| {
+            move |layer: &Layer| Place {
+                offset: SVector::from([0.0, sign * layer.distance * radius]),
+                share: 0.5 * layer.share,
+            }
+        };
+        let places = layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0))).collect();
+        Ok(Self { radius, places })
+    }
+}
+
+impl<const C: usize> SoftFingertip<C> {
+    /// More points than this say nothing that the model of a fingertip would not blur.
+    pub const MOST_POINTS: usize = 4096;
+
+    /// The point contacts that take the place of `contact`.
+    ///
+    /// Each has its normal, its tangents, friction, command, clearance and hold, and the share w_i of the stiffness of its
+    /// body and its finger along every axis; its name is that of `contact` and a number from 0, "thumb 3".
+    ///
+    /// # Errors
+    /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
+    pub fn contacts(&self, contact: &Contact<C>) -> Result<Vec<Contact<C>>, Error> {
+        contact.check(0)?;
+        let frame = contact.frame(0)?;
+        let child = |(i, place): (usize, &Place<C>)| Contact {
+            name: contact.name.as_ref().map(|name| format!("{name} {i}")),
+            point: contact.point + frame * place.offset,
+            tangent: Some(frame.column(1).into_owned()),
+            stiffness: contact.stiffness.share(place.share),
+            ..contact.clone()
+        };
+        Ok(self.places.iter().enumerate().map(child).collect())
+    }
+
+    /// Distance of the outermost points from the centre, m: the radius R, or half the width.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The points, in the order of [`Self::contacts`]: coordinates about the centre along the axes of the contact frame
+    /// (the normal one is zero), m, and the share w_i of the stiffness.
+    #[must_use]
+    pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
+        self.places.iter().map(|place| (place.offset, place.share))
+    }
+
+    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane.
+    #[must_use]
+    pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
+        contact.series_stiffness_of_axes()[0] * self.mean(|at| at[1] * at[1])
+    }
+
+    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by `normal_force` (N):
+    /// `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the plane. In space this is for a tilt towards a point on the rim; half a spacing
+    /// beside it the first opening comes later, by up to the factor 1/cos(π/points).
+    #[must_use]
+    pub fn first_opening(&self, normal_force: f64) -> f64 {
+        normal_force * (self.mean(|at| at[1] * at[1]) / self.radius)
+    }
+
+    /// `Σ w_i f(ρ_i)`.
+    fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
+        self.places.iter().map(|place| place.share * f(&place.offset)).sum()
+    }
+
+    fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
+        self.places.iter().map(|place| f(&place.offset)).fold(0.0, f64::max)
+    }
+}
+
+fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
+    let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
+    check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
+}
+
+fn check(good: bool, what: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+    if good { Ok(()) } else { Err(Error::Fingertip { what, value, allowed }) }
+}

@@ -1,0 +1,140 @@
+//! How the pressure is distributed over a soft fingertip, and the few distances from its centre that stand for it.
+
+/// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r from its centre.
+///
+/// Means over the load, ⟨f⟩ = ∫ f p / ∫ p:
+///
+/// | profile | p(r) ~ | disc ⟨r⟩ | disc ⟨r²⟩ | line ⟨r²⟩ |
+/// |---|---|---|---|---|
+/// | uniform | 1 | 2/3 R | 1/2 R² | 1/3 R² |
+/// | parabolic | 1 - (r/R)² | 8/15 R | 1/3 R² | 1/5 R² |
+/// | Hertz | √(1 - (r/R)²) | 3π/16 R | 2/5 R² | 1/4 R² |
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Pressure {
+    /// The same everywhere: a flat punch on a bed of springs, a cup.
+    #[default]
+    Uniform,
+    /// A paraboloid, zero at the rim: a ball pressed into a bed of springs.
+    Parabolic,
+    /// An ellipsoid, zero at the rim: a ball pressed into an elastic half-space (Hertz 1882).
+    Hertz,
+}
+
+/// Everything at one distance from the centre, as if the pressure stood there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Layer {
+    /// Distance from the centre, in units of the radius.
+    pub(super) distance: f64,
+    /// Share of the load; the shares sum to one.
+    pub(super) share: f64,
+}
+
+impl Pressure {
+    /// `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two layers for each.
+    ///
+    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments
+    /// `m_k = ∫ ρ^k density dρ`. One layer lies on the outer edge b; the other one, at x, and the two shares are what is
+    /// needed to have m_0, m_1 and m_2 exactly (Radau's rule with two points):
+    ///
+    /// ```text
+    /// x = (b m_1 - m_2) / (b m_0 - m_1),   share at x = (b m_0 - m_1) / (b - x),   at b = (m_1 - x m_0) / (b - x)
+    /// ```
+    ///
+    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim are those of the continuum whatever the number of bands.
+    pub(super) fn layers<const C: usize>(self, bands: usize) -> Vec<Layer> {
+        let around = i32::from(C == 3);
+        let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
+        let total = moment(0, 0.0, 1.0);
+        let edge = |j: usize| j as f64 / bands as f64;
+        (0..bands)
+            .flat_map(|j| {
+                let (a, b) = (edge(j), edge(j + 1));
+                let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
+                let x = (b * m1 - m2) / (b * m0 - m1);
+                let inner = (b * m0 - m1) / (b - x);
+                [Layer { distance: x, share: inner }, Layer { distance: b, share: m0 - inner }]
+            })
+            .collect()
+    }
+
+    /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3.
+    fn integral(self, power: i32, rho: f64) -> f64 {
+        let monomial = |k: i32| rho.powi(k + 1) / f64::from(k + 1);
+        match self {
+            Self::Uniform => monomial(power),
+            Self::Parabolic => monomial(power) - monomial(power + 2),
+            Self::Hertz => {
+                let s = ((1.0 - rho) * (1.0 + rho)).sqrt();
+                match power {
+                    0 => 0.5 * (rho.asin() + rho * s),
+                    1 => -s.powi(3) / 3.0,
+                    2 => (rho.asin() - rho * s * (1.0 - 2.0 * rho * rho)) / 8.0,
+                    _ => s.powi(5) / 5.0 - s.powi(3) / 3.0,
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the midpoint rule on the density itself, band by band, in the plane and in space.
+    fn layers_carry_the_moments_of_their_band<const C: usize>() {
+        let density = |pressure: Pressure, r: f64| {
+            (if C == 3 { r } else { 1.0 })
+                * match pressure {
+                    Pressure::Uniform => 1.0,
+                    Pressure::Parabolic => 1.0 - r * r,
+                    Pressure::Hertz => (1.0 - r * r).sqrt(),
+                }
+        };
+        let steps = 200_000_u32;
+        for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {
+            for bands in [1, 2, 5] {
+                let samples: Vec<_> = (0..steps)
+                    .map(|i| (f64::from(i) + 0.5) / f64::from(steps))
+                    .map(|r| (r, density(pressure, r)))
+                    .collect();
+                let total: f64 = samples.iter().map(|(_, p)| p).sum();
+                let layers = pressure.layers::<C>(bands);
+                for (band, samples) in layers.chunks(2).zip(samples.chunks(steps as usize / bands)) {
+                    for k in 0..=2 {
+                        let from_layers: f64 = band.iter().map(|l| l.share * l.distance.powi(k)).sum();
+                        let integral = samples.iter().map(|(r, p)| p * r.powi(k)).sum::<f64>() / total;
+                        assert!((from_layers - integral).abs() < 1e-8, "{pressure:?} {bands} {k}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn layers_carry_the_moments_of_a_disc() {
+        layers_carry_the_moments_of_their_band::<3>();
+    }
+
+    #[test]
+    fn layers_carry_the_moments_of_a_line() {
+        layers_carry_the_moments_of_their_band::<2>();
+    }
+
+    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, and carry something.
+    #[test]
+    fn layers_lie_in_their_bands() {
+        for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {
+            for bands in [1, 7, 64, 1024] {
+                for layers in [pressure.layers::<2>(bands), pressure.layers::<3>(bands)] {
+                    for (j, band) in layers.chunks(2).enumerate() {
+                        let (a, b) = (j as f64 / bands as f64, (j + 1) as f64 / bands as f64);
+                        assert!(a < band[0].distance && band[0].distance < b && band[1].distance == b);
+                        assert!(band.iter().all(|layer| layer.share > 0.0), "{pressure:?} {bands} {band:?}");
+                    }
+                    let sum: f64 = layers.iter().map(|layer| layer.share).sum();
+                    assert!((sum - 1.0).abs() < 1e-13, "{sum}");
+                }
+            }
+        }
+    }
+}
