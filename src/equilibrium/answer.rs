@@ -206,9 +206,10 @@ pub enum Proof<const D: usize> {
         /// Work of the load on it, J.
         work: f64,
     },
-    /// Every combination of contact states was tried; each violates a condition clearly.
+    /// Every combination of contact states was tried; each violates a condition clearly. On the round cone the directions of
+    /// sliding are tried in sectors, halved where that does not decide.
     EveryStateTried {
-        /// How many.
+        /// How many combinations or cases.
         combinations: usize,
     },
 }

@@ -66,7 +66,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
-    /// [`Self::solve_with`] returns is among them. Combinations that share one equilibrium (a contact exactly on an
+    /// [`Self::solve_with`] returns is among them. On the round cone: those that Newton's method reaches from the equilibria of
+    /// the polygon. Combinations that share one equilibrium (a contact exactly on an
     /// edge) are listed once; a line of equilibria by one of its points, with its
     /// [`neutral_motions`](Equilibrium::neutral_motions).
     ///
@@ -254,7 +255,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
-        let facets = cone.facets();
+        let facets = if effort.facets > 0 { effort.facets } else { cone.facets() };
         let mut list = Vec::new();
         for (contact, site) in self.sites().iter().enumerate() {
             let mut push = |rows, why| list.push(LeftOut { contact, rows, why });

@@ -146,7 +146,15 @@ fn finish<const D: usize, const C: usize>(
     mut twist: SVector<f64, D>,
 ) -> Option<Found<D, C>> {
     let n = problem.len();
-    let mut linear = problem.clone();
+    // Facets play no part in it.
+    let mut linear = Problem {
+        polygon: problem.polygon.clone(),
+        turned: Vec::new(),
+        laws: problem.laws.clone(),
+        drives: problem.drives.clone(),
+        slips: problem.slips.clone(),
+        ..*problem
+    };
     let mut forces = vec![SVector::<f64, C>::zeros(); n];
     let mut states = vec![State::Open; n];
     let mut slides: Vec<Option<Slide<C>>> = vec![None; n];

@@ -7,10 +7,13 @@ use crate::formulation::PolygonCone;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// The polygonal friction cone in space: 8 facets, inscribed. More facets come closer to the round cone (the
-    /// onset's error falls like 1/m², a sliding state's like 1/m) and cost more pivots. Not looked at in the plane.
+    /// The polygonal friction cone in space: 8 facets, inscribed. For answers on the round cone it is what Lemke's method pivots
+    /// on, turned at each contact towards the elastic trial traction, and more facets only cost time. For answers on the
+    /// polygon itself more facets come closer to the round cone (the onset's error falls like 1/m², a sliding
+    /// state's like 1/m) and cost more pivots. Not looked at in the plane.
     pub cone: PolygonCone,
-    /// In space, whether equilibria are for the round cone (the default) or for the polygon itself. Not looked at in the plane.
+    /// In space, whether equilibria are for the round cone (the default) or for the polygon itself. Load paths are followed on
+    /// the polygon. Not looked at in the plane.
     pub round: bool,
     /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
     /// exponential problems, which contact problems are not known to be.

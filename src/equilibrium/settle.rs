@@ -40,6 +40,8 @@ pub(crate) struct Effort {
     /// Rows of the largest complementarity problem that was made.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
+    /// Facets of the polygons that a contact would have.
+    pub(crate) facets: usize,
 }
 
 /// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
@@ -93,7 +95,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
-    let mut effort = Effort::default();
+    let mut effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let unjumped: Vec<State> = (0..problem.len()).map(|i| problem.unjumped(i)).collect();
     let trial = Piece::new(problem, &unjumped);
     let state = match trial.solve(&problem.drives, &problem.wrench) {
@@ -306,7 +308,12 @@ fn propose<const D: usize, const C: usize>(
     // Bases are better enumerated as contact states, where each costs one d x d system and is checked as physics.
     let lcp_settings = lcp::Settings {
         max_pivots: settings.max_pivots,
-        retries: if enumerable(problem, settings) { OTHER_PATHS } else { OTHER_PATHS_AT_MOST },
+        // On the round cone other polygons come next.
+        retries: if problem.round || enumerable(problem, settings) {
+            OTHER_PATHS
+        } else {
+            OTHER_PATHS_AT_MOST
+        },
         enumerate_up_to: 0,
         ..lcp::Settings::default()
     };

@@ -29,6 +29,8 @@ const CLEAR: f64 = 1e-9;
 /// Generators may work against the motion by this much (relative): rounding of the residual.
 const ROUNDING: f64 = 1e-13;
 
+/// Part of the work of the load that a force of a round cone may do against a motion.
+const NEGLIGIBLE: f64 = 1e-3;
 /// How often corners of the polygons around the round cones are cut off: each time a corner comes four times nearer.
 const MOST_CUTS: usize = 10;
 
@@ -42,9 +44,10 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     }
     let w = problem.wrench / load;
     let list = generators(problem)?;
-    let (v, _) = separate(&list, &w);
-    let (v, slack) = v?;
-    if !works_against_round_cones(problem, &v, slack) {
+    let (v, _) = separate(&list, &w, f64::INFINITY);
+    let v = v?;
+    // Forces that balance the load may be much larger than the load: their work must not make up for that of the load.
+    if !works_against_round_cones(problem, &v, NEGLIGIBLE * v.dot(&w)) {
         return Some(v);
     }
     let mut tangents: Vec<Vec<f64>> = (0..problem.len())
@@ -53,9 +56,9 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     for _ in 0..MOST_CUTS {
         let (mut around, corners) = corners_around(problem, &tangents);
         around.extend(straight_generators(problem)?);
-        let (v, shares) = separate(&around, &w);
-        if let Some((v, _)) = v {
-            return Some(v);
+        let (v, shares) = separate(&around, &w, NEGLIGIBLE);
+        if v.is_some() {
+            return v;
         }
         let carries = corners.iter().zip(shares.iter()).filter(|(_, share)| **share > 0.0);
         for ((contact, angle), _) in carries {
@@ -68,12 +71,12 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     None
 }
 
-/// The unit residual of the nearest β >= 0 if it separates the load from these generators clearly, with what rounding lets them
-/// work against it; and β.
+/// The unit residual of the nearest β >= 0 if it separates the load from these generators clearly; and β.
 fn separate<const D: usize>(
     generators: &[SVector<f64, D>],
     w: &SVector<f64, D>,
-) -> (Option<(SVector<f64, D>, f64)>, DVector<f64>) {
+    negligible: f64,
+) -> (Option<SVector<f64, D>>, DVector<f64>) {
     let none = (None, DVector::zeros(0));
     if generators.len() > MOST_GENERATORS {
         return none;
@@ -86,9 +89,9 @@ fn separate<const D: usize>(
     let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return none };
     let r = generators.iter().zip(solution.z.iter()).fold(*w, |sum, (g, beta)| sum + g * *beta);
     let size = r.norm();
-    let (v, slack) = (r / size, ROUNDING / size);
+    let (v, slack) = (r / size, (ROUNDING / size).min(negligible * size));
     let proved = size > CLEAR && v.dot(w) > CLEAR && generators.iter().all(|g| g.dot(&v) >= -slack);
-    (proved.then_some((v, slack)), solution.z)
+    (proved.then_some(v), solution.z)
 }
 
 /// Whether friction of this contact has a round cone.
