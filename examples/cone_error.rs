@@ -271,8 +271,8 @@ fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
 struct Measured {
     polygons: Vec<Vec<(u32, f64, f64)>>,
     default: (f64, f64),
-    /// The part of the default that pivots: 8 turned facets, s.
-    proposal: Option<f64>,
+    /// The part of the default that pivots, 8 turned facets, and the whole, s.
+    proposal: Option<(f64, f64)>,
 }
 
 /// The onset on a turned polygon: the traction is known where the first polygon starts to slide.
@@ -356,7 +356,13 @@ fn measure_sliding(scene: &Scene) -> Result<Measured, Failure> {
             };
             if method == 3 && facets == 8 {
                 let ready = scene.turned(factor)?.at(factor)?.0;
-                proposal = Some(timed(|| held(&ready, &on))?.1);
+                // In turns, so that whatever else the machine does slows both.
+                let (start, mut best) = (Instant::now(), (f64::INFINITY, f64::INFINITY));
+                while start.elapsed() < 4 * PATIENCE {
+                    best.0 = best.0.min(once(|| held(&ready, &on))?.1);
+                    best.1 = best.1.min(once(|| held(&grasp, &Settings::default()))?.1);
+                }
+                proposal = Some(best);
             }
             let error = answer.equilibrium().map_or(f64::NAN, |answer| difference(answer, exact));
             row.push((facets, error, time));
@@ -413,11 +419,11 @@ fn report(question: &str, measured: &Measured) {
     }
     let best = all().fold((f64::INFINITY, 0.0), |b, r| if r.1 < b.0 { (r.1, r.2) } else { b });
     println!("    the best polygon of all: {:.1e} in {:.1} times that time", best.0, best.1 / time);
-    if let Some(proposal) = measured.proposal {
+    if let Some((proposal, whole)) = measured.proposal {
         println!(
             "    turned polygon alone {:.1} µs: turning it and the polish take {:.1} µs",
             1e6 * proposal,
-            1e6 * (time - proposal)
+            1e6 * (whole - proposal)
         );
     }
 }
