@@ -1,5 +1,5 @@
-//! A bottle held by a thumb and three fingers in space: its onset of sliding on polygons of 4 … 64 facets, inscribed,
-//! balanced and circumscribed, and on the round cone.
+//! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, beyond it an answer on the round cone
+//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed.
 //!
 //! `cargo run --release --example spatial_grasp`
 
@@ -8,6 +8,9 @@ mod support;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
+
+/// Where the answer beyond the onset is asked for, in units of the onset.
+const BEYOND: f64 = 1.02;
 
 /// Radius 35 mm, fingers at different heights, the thumb opposite; a rubber tip is softer than the glass.
 fn bottle() -> Result<Grasp, Error> {
@@ -52,9 +55,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         other => println!("  beyond: {other:?}"),
     }
 
-    let half = grasp.solve(&(direction * (0.5 * event.factor)))?;
-    let Outcome::Equilibrium(state) = half else { return Err(format!("{half:?}").into()) };
-    println!("\nAt half of it: {} pivots, residual {:.0e}", state.work.pivots, state.residuals.worst());
+    let beyond = grasp.bracket(&(direction * (BEYOND * event.factor)), &Settings::default())?;
+    let Outcome::Equilibrium(state) = &beyond.round else { return Err(format!("{:?}", beyond.round).into()) };
+    println!(
+        "\nAt {BEYOND} of it, on the round cone: {} pivots on polygons, residual {:.0e}",
+        state.work.pivots,
+        state.residuals.worst()
+    );
+    if let Some(change) = state.change_from_polygon {
+        println!("  no force is farther than {change:.4} N from that of the polygon that it was found from");
+    }
+    if let Some(spread) = beyond.spread {
+        println!(
+            "  8 facets inside the cone, the cone, and 8 around it: forces differ by {:.4} N, the object by {:.4} mm",
+            spread.force,
+            1e3 * spread.displacement
+        );
+    }
     println!("  contact   F_n (N)  |F_t| (N)  |F_t|/F_n");
     for (i, c) in state.contacts.iter().enumerate() {
         let name = grasp.contacts()[i].label_text(i);
@@ -66,7 +83,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
     }
 
-    println!("\nOn polygons, relative to the round cone:");
+    println!("\nThe onset on polygons, relative to the round cone:");
     println!("  facets   inscribed                 balanced                  circumscribed");
     let fits =
         [("inscribed", Fit::Inscribed), ("balanced", Fit::Balanced), ("circumscribed", Fit::Circumscribed)];

@@ -26,6 +26,8 @@ pub type Proof = crate::equilibrium::Proof<6>;
 pub type ContactAnswer = crate::equilibrium::ContactAnswer<3>;
 /// What a contact does; see [`crate::equilibrium::ContactState`].
 pub type ContactState = crate::equilibrium::ContactState<3>;
+/// One load on three friction cones; see [`crate::equilibrium::Bracket`].
+pub type Bracket = crate::equilibrium::Bracket<6, 3>;
 /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
 pub type Decomposition = crate::equilibrium::Decomposition<3>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].

@@ -1,6 +1,7 @@
 //! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
 
 mod answer;
+mod bracket;
 mod candidate;
 mod decomposition;
 mod enumerate;
@@ -20,6 +21,7 @@ use nalgebra::SVector;
 pub use answer::{
     Cone, ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone,
 };
+pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
 pub use residuals::Residuals;
 pub use settings::Settings;

@@ -1,5 +1,6 @@
 //! Curves against a load factor, with events marked.
 
+use plotters::coord::Shift;
 use plotters::element::IntoDynElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor as text_style;
@@ -15,6 +16,7 @@ pub struct Chart {
     series: Vec<Series>,
     marks: Vec<(f64, String)>,
     shaded: Option<(f64, String)>,
+    logarithmic: bool,
 }
 
 /// One series of a chart.
@@ -68,12 +70,47 @@ impl Chart {
         self
     }
 
+    /// Both axes logarithmic. Points without a logarithm are left out.
+    #[must_use]
+    pub fn log_log(mut self) -> Self {
+        self.logarithmic = true;
+        self
+    }
+
     /// Draws it.
     ///
     /// # Errors
     /// [`PictureError`] if there is no finite point to draw.
     pub fn to_svg(&self) -> Result<String, PictureError> {
-        let finite: Vec<(f64, f64)> = self
+        Self::sheet(std::slice::from_ref(self), 1)
+    }
+
+    /// Draws several charts on one sheet, row by row.
+    ///
+    /// # Errors
+    /// [`PictureError`] if there is no chart, or one has no finite point to draw.
+    pub fn sheet(charts: &[Self], columns: usize) -> Result<String, PictureError> {
+        if charts.is_empty() || columns == 0 {
+            return Err(PictureError("no chart".into()));
+        }
+        let rows = charts.len().div_ceil(columns);
+        let pixels = |count: usize, each: u32| u32::try_from(count).unwrap_or(u32::MAX).saturating_mul(each);
+        let mut svg = String::new();
+        {
+            let size = (pixels(columns, 860), pixels(rows, 540));
+            let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+            root.fill(&WHITE).map_err(PictureError::from_backend)?;
+            for (chart, area) in charts.iter().zip(root.split_evenly((rows, columns))) {
+                chart.draw_on(&area)?;
+            }
+            root.present().map_err(PictureError::from_backend)?;
+        }
+        Ok(svg)
+    }
+
+    fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
+        let chart = if self.logarithmic { &self.in_decades() } else { self };
+        let finite: Vec<(f64, f64)> = chart
             .series
             .iter()
             .flat_map(|s| s.points.iter().copied())
@@ -82,17 +119,30 @@ impl Chart {
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
         }
-        let (x0, x1) = range(finite.iter().map(|p| p.0).chain(self.marks.iter().map(|m| m.0)), 0.0);
-        let (y0, y1) = range(finite.iter().map(|p| p.1), 0.06);
-        let mut svg = String::new();
-        self.draw(&mut svg, [x0, x1, y0, y1]).map_err(PictureError::from_backend)?;
-        Ok(svg)
+        let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), 0.0);
+        let (y0, y1) = range(finite.iter().map(|p| p.1), if self.logarithmic { 0.0 } else { 0.06 });
+        let window =
+            if self.logarithmic { [x0.floor(), x1.ceil(), y0.floor(), y1.ceil()] } else { [x0, x1, y0, y1] };
+        chart.draw(area, window).map_err(PictureError::from_backend)
     }
 
-    fn draw(&self, svg: &mut String, [x0, x1, y0, y1]: [f64; 4]) -> Result<(), Box<dyn std::error::Error>> {
-        let root = SVGBackend::with_string(svg, (860, 540)).into_drawing_area();
-        root.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&root)
+    /// The same with decimal logarithms for numbers.
+    fn in_decades(&self) -> Self {
+        let mut chart = self.clone();
+        for (x, y) in chart.series.iter_mut().flat_map(|s| &mut s.points) {
+            (*x, *y) = (x.log10(), y.log10());
+        }
+        for (x, _) in &mut chart.marks {
+            *x = x.log10();
+        }
+        if let Some((from, _)) = &mut chart.shaded {
+            *from = from.log10();
+        }
+        chart
+    }
+
+    fn draw(&self, root: &Area<'_>, [x0, x1, y0, y1]: [f64; 4]) -> Result<(), Box<dyn std::error::Error>> {
+        let mut chart = ChartBuilder::on(root)
             .caption(&self.title, (FONT, 20))
             .margin(14)
             .x_label_area_size(46)
@@ -104,15 +154,21 @@ impl Chart {
             let at = (from + 0.02 * (x1 - x0), y0 + 0.05 * (y1 - y0));
             chart.draw_series([Text::new(label.clone(), at, (FONT, 14).into_font().color(&GREY))])?;
         }
-        chart
-            .configure_mesh()
-            .light_line_style(TRANSPARENT)
+        let mut mesh = chart.configure_mesh();
+        mesh.light_line_style(TRANSPARENT)
             .bold_line_style(GREY.mix(0.2))
             .x_desc(&self.x_label)
             .y_desc(&self.y_label)
             .label_style((FONT, 14))
-            .axis_desc_style((FONT, 15))
-            .draw()?;
+            .axis_desc_style((FONT, 15));
+        // Lines at whole decades only.
+        let decades =
+            |from: f64, to: f64| (0..=MOST_DECADES).take_while(|&k| from + f64::from(k) <= to).count();
+        if self.logarithmic {
+            mesh.x_labels(decades(x0, x1)).y_labels(decades(y0, y1).min(10));
+            mesh.x_label_formatter(&|x| power_of_ten(*x)).y_label_formatter(&|y| power_of_ten(*y));
+        }
+        mesh.draw()?;
         for (i, series) in self.series.iter().enumerate() {
             let color = PALETTE[i % PALETTE.len()];
             let style = color.stroke_width(2);
@@ -149,9 +205,27 @@ impl Chart {
             .border_style(GREY.mix(0.4))
             .label_font((FONT, 14))
             .draw()?;
-        root.present()?;
         Ok(())
     }
+}
+
+/// Between the least and the largest number.
+const MOST_DECADES: u32 = 700;
+
+/// Where one chart is drawn.
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// The label of a decade.
+fn power_of_ten(exponent: f64) -> String {
+    let raised = |c| match c {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
+    };
+    format!("10{}", format!("{exponent:.0}").chars().map(raised).collect::<String>())
 }
 
 /// Places for the legend, with the lower left corner of each in units of the plot.
@@ -170,16 +244,21 @@ impl Chart {
         let height = 0.08 + 0.06 * self.series.len() as f64;
         let hidden = |&(_, left, anchor): &(SeriesLabelPosition, f64, f64)| {
             let bottom = anchor * (1.0 - height);
+            let inside = |x: f64, y: f64| {
+                let (x, y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0));
+                (left..left + 0.32).contains(&x) && (bottom..bottom + height).contains(&y)
+            };
             let mut count = 0;
-            for series in &self.series {
-                for pair in series.points.windows(2) {
+            for Series { points, stroke, .. } in &self.series {
+                if *stroke == Stroke::Circles {
+                    count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
+                    continue;
+                }
+                for pair in points.windows(2) {
                     for k in 0..=20 {
-                        let s = f64::from(k) / 20.0;
-                        let x = (pair[0].0 + s * (pair[1].0 - pair[0].0) - x0) / (x1 - x0);
-                        let y = (pair[0].1 + s * (pair[1].1 - pair[0].1) - y0) / (y1 - y0);
-                        let inside =
-                            (left..left + 0.32).contains(&x) && (bottom..bottom + height).contains(&y);
-                        count += usize::from(inside);
+                        let along = |a: f64, b: f64| a + f64::from(k) / 20.0 * (b - a);
+                        let (x, y) = (along(pair[0].0, pair[1].0), along(pair[0].1, pair[1].1));
+                        count += usize::from(inside(x, y));
                     }
                 }
             }

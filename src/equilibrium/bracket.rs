@@ -1,0 +1,86 @@
+//! What facets do to an answer: the polygon inside the round cone, the cone itself, the polygon around it.
+
+use super::answer::{Equilibrium, Outcome};
+use super::settings::Settings;
+use crate::error::Error;
+use crate::formulation::{Fit, PolygonCone};
+use crate::grasp::{Grasp, Wrench};
+
+/// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
+///
+/// What follows from the inclusion:
+///
+/// * What rolls on a smaller cone rolls on a larger one with the same forces. If everything that touches rolls on the inscribed
+///   polygon, the three answers are one.
+/// * The onset of sliding is bracketed, from a base that the inscribed polygon answers by
+///   [`Rung::EverythingRolls`](super::Rung::EverythingRolls) or
+///   [`Rung::EverythingTouchingRolls`](super::Rung::EverythingTouchingRolls): until the first contact slides or opens, forces do not
+///   depend on the cone. The factors of [`Grasp::onset_on_polygon`] on the two polygons then have that of [`Grasp::onset`] between
+///   them. From other bases they need not: there the inscribed polygon may have come to rest on fewer contacts.
+/// * A load that [a motion separates](super::Proof::SeparatingMotion) from everything the circumscribed polygon can do is too much
+///   for the round cone as well, with any stiffness.
+///
+/// Once contacts slide there is no such order: a force on a larger cone may be smaller, and the direction of slip on a polygon
+/// jumps from normal to normal. The spread is then the measured effect of the facets, **not a bound** of the round answer's
+/// distance to either, nor must that answer lie between them. Where several equilibria exist the three may be different ones.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Bracket<const D: usize, const C: usize> {
+    /// The answer on the polygon with corners on the round cone.
+    pub inscribed: Outcome<D, C>,
+    /// The answer on the round cone.
+    pub round: Outcome<D, C>,
+    /// The answer on the polygon with facets that touch the round cone.
+    pub circumscribed: Outcome<D, C>,
+    /// How far they lie apart; `None` unless all three are equilibria.
+    pub spread: Option<Spread>,
+}
+
+/// The largest distance between any two of three answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Spread {
+    /// Largest difference of the force of a contact, N.
+    pub force: f64,
+    /// Largest difference of the displacement of the body's core at a contact, m.
+    pub displacement: f64,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as
+    /// `settings.cone` has; its fit and `settings.round` are not looked at. In the plane the three are one.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn bracket(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
+        let on = |fit: Fit| {
+            let polygon = PolygonCone::new(settings.cone.facets(), fit)?;
+            self.solve_with(load, &settings.clone().with_cone(polygon).on_the_polygon())
+        };
+        let (inscribed, circumscribed) = (on(Fit::Inscribed)?, on(Fit::Circumscribed)?);
+        let round = self.solve_with(load, &Settings { round: true, ..settings.clone() })?;
+        let all = [&inscribed, &round, &circumscribed].map(Outcome::equilibrium);
+        let spread = if let [Some(a), Some(b), Some(c)] = all {
+            Some([(a, b), (b, c), (a, c)].map(|(x, y)| Spread::between(x, y)).into_iter().fold(
+                Spread { force: 0.0, displacement: 0.0 },
+                |most, s| Spread {
+                    force: most.force.max(s.force),
+                    displacement: most.displacement.max(s.displacement),
+                },
+            ))
+        } else {
+            None
+        };
+        Ok(Bracket { inscribed, round, circumscribed, spread })
+    }
+}
+
+impl Spread {
+    fn between<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D, C>) -> Self {
+        let pairs = || a.contacts.iter().zip(&b.contacts);
+        Self {
+            force: pairs().map(|(x, y)| (x.force - y.force).norm()).fold(0.0, f64::max),
+            displacement: pairs().map(|(x, y)| (x.body_core - y.body_core).norm()).fold(0.0, f64::max),
+        }
+    }
+}
