@@ -3,6 +3,7 @@
 mod answer;
 mod bracket;
 mod candidate;
+mod climb;
 mod decomposition;
 mod enumerate;
 mod polish;
@@ -13,6 +14,7 @@ mod settings;
 mod settle;
 mod slack;
 mod wrench_cone;
+mod write_out;
 
 use std::sync::Arc;
 
@@ -34,8 +36,8 @@ pub(crate) use slack::{for_each_slack, force_size, largest_force, span};
 pub(crate) use wrench_cone::{separates_from_here_on, separating_motion};
 
 use crate::error::Error;
-use crate::formulation::{LeftOut, Polygon, Problem, State, Why};
-use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
+use crate::formulation::{Polygon, Problem};
+use crate::grasp::{Grasp, Wrench};
 use crate::lcp;
 
 /// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
@@ -139,146 +141,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 Outcome::Undecided(Undecided { doubt, work })
             }
         }
-    }
-
-    /// Writes a solution of the local problem out as physics.
-    pub(crate) fn equilibrium(
-        &self,
-        problem: &Problem<D, C>,
-        load: &Wrench<D>,
-        found: &Found<D, C>,
-        rule: Rung,
-        effort: &Effort,
-        cone: Cone,
-    ) -> Equilibrium<D, C> {
-        let contacts: Vec<_> =
-            (0..self.len()).map(|i| self.contact_answer(problem, found, cone, i)).collect();
-        let twist = self.outside(&found.twist);
-        let motions =
-            |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
-        let stored_energy = contacts
-            .iter()
-            .zip(self.sites())
-            .map(|(c, site)| (0..site.axes).map(|a| 0.5 * c.force[a] * c.force[a] / site.k[a]).sum::<f64>())
-            .sum();
-        Equilibrium {
-            load: *load,
-            residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
-            twist,
-            contacts,
-            rule,
-            stored_energy,
-            free_motions: motions(&found.free_motions),
-            neutral_motions: motions(&found.neutral_motions),
-            work: WorkDone {
-                pivots: effort.pivots,
-                rows_made: effort.rows,
-                rows_left_out: self.left_out(
-                    effort,
-                    cone,
-                    matches!(rule, Rung::EverythingRolls | Rung::EverythingTouchingRolls),
-                ),
-                combinations: effort.combinations,
-            },
-            cone,
-            change_from_polygon: found.from_polygon,
-            states: found.states.clone(),
-        }
-    }
-
-    pub(crate) fn contact_answer(
-        &self,
-        problem: &Problem<D, C>,
-        found: &Found<D, C>,
-        cone: Cone,
-        i: usize,
-    ) -> ContactAnswer<C> {
-        let (site, contact) = (&self.sites()[i], &self.contacts()[i]);
-        let force = found.forces[i];
-        let moved = site.map.tr_mul(&found.twist);
-        let stretch = problem.drives[i] - moved;
-        let compression =
-            SVector::<f64, C>::from_fn(|a, _| if a < site.axes { force[a] / site.k[a] } else { 0.0 });
-        let mut slip = stretch - compression;
-        slip[0] = 0.0;
-        let normals = problem.normals(i);
-        let frictionless = site.axes == 1;
-        let state = match found.states[i] {
-            State::Open => ContactState::Separated,
-            State::Rolling if frictionless => ContactState::Frictionless,
-            State::Rolling => {
-                slip.fill(0.0);
-                ContactState::Rolling
-            }
-            State::Sliding { first, second } => {
-                // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
-                // direction is the one in which it would start.
-                let outward = match found.slides.get(i) {
-                    Some(Some(slide)) => slide.direction,
-                    _ => second.map_or(normals[first], |second| normals[first] + normals[second]),
-                };
-                let along = if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward };
-                ContactState::Sliding { direction: site.frame * along.normalize() }
-            }
-        };
-        let margin = match state {
-            ContactState::Rolling if site.hold == Hold::Bonded || site.mu.is_infinite() => f64::INFINITY,
-            ContactState::Rolling if cone == Cone::Round => {
-                site.mu * force[0] - force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
-            }
-            ContactState::Rolling => problem
-                .polygon(i)
-                .normals
-                .iter()
-                .fold(f64::INFINITY, |least, h| least.min(site.mu * force[0] - h.dot(&force))),
-            _ => 0.0,
-        };
-        slip += problem.slips[i];
-        let mut commanded = problem.drives[i] + problem.slips[i];
-        commanded[0] += contact.clearance;
-        let (body_surface, finger_surface) = match contact.stiffness {
-            Stiffness::BodyAndFinger { body, finger } => {
-                let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
-                (Some(site.frame * (moved + give(&body))), Some(site.frame * (commanded - give(&finger))))
-            }
-            Stiffness::Series(_) => (None, None),
-        };
-        ContactAnswer {
-            state,
-            force,
-            force_world: site.frame * force,
-            body_core: site.frame * moved,
-            body_surface,
-            finger_surface,
-            gap: if state == ContactState::Separated { (-stretch[0]).max(0.0) } else { 0.0 },
-            slip,
-            margin,
-        }
-    }
-
-    fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
-        let facets = if effort.facets > 0 { effort.facets } else { cone.facets() };
-        let mut list = Vec::new();
-        for (contact, site) in self.sites().iter().enumerate() {
-            let mut push = |rows, why| list.push(LeftOut { contact, rows, why });
-            if everything_rolls && effort.rows == 0 {
-                push(1 + facets, Why::EverythingRolls);
-                continue;
-            }
-            match site.hold {
-                Hold::Bonded => push(1 + facets, Why::Bonded),
-                Hold::KeptClosed => push(1, Why::KeptClosed),
-                Hold::Unilateral => {}
-            }
-            if site.hold != Hold::Bonded {
-                if site.mu == 0.0 {
-                    push(facets, Why::Frictionless);
-                } else if site.mu.is_infinite() {
-                    push(facets, Why::InfiniteFriction);
-                }
-            }
-        }
-        list
     }
 }
 

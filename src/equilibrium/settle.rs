@@ -3,16 +3,12 @@
 use nalgebra::SVector;
 
 use super::candidate::{Found, Verdict, try_states};
-use super::enumerate::{combinations, search};
-use super::polish::{polish, solution_near};
+use super::climb::{climb, enumerable, on_polygons, other_polygons};
+use super::enumerate::search;
 use super::sectors::{Sectors, search_sectors};
 use super::settings::Settings;
 use super::wrench_cone::separating_motion;
-use crate::formulation::{
-    Fit, Form, Piece, Polygon, PolygonCone, Problem, State, force_form, force_states, kinematic_form,
-    kinematic_states,
-};
-use crate::lcp::{self, Basis, Outcome};
+use crate::formulation::{Piece, Problem, State, force_form, force_states, kinematic_form, kinematic_states};
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -44,21 +40,8 @@ pub(crate) struct Effort {
     pub(crate) facets: usize,
 }
 
-/// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
-/// the first.
-const OTHER_PATHS: usize = 3;
-/// The same where there are too many contacts for that.
-const OTHER_PATHS_AT_MOST: usize = 16;
-
-/// On the round cone, where Newton's method does not arrive: how often the polygons get more corners, and the angle of the first
-/// ones to the friction force.
-const REFINEMENTS: usize = 3;
-const FIRST_REFINEMENT: f64 = 0.2;
-
-/// A case of [`search_sectors`] costs as much as so many combinations of contact states.
+/// A case of [`search_sectors`] counts as so many combinations of contact states.
 const CASE: usize = 100;
-/// Larger problems on other polygons are not made: a dense pivot on one costs a tenth of a millisecond.
-const MOST_ROWS: usize = 400;
 
 /// How the ladder ended.
 #[derive(Debug, Clone)]
@@ -210,120 +193,4 @@ fn touching_contacts_roll<const D: usize, const C: usize>(
 /// Whether some contact has the round cone: with others the polygons say all there is to say.
 fn has_round_cones<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
     (0..problem.len()).any(|i| problem.may_slide(i))
-}
-
-/// Few enough contacts to try every combination of their states.
-fn enumerable<const D: usize, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> bool {
-    combinations(problem) <= settings.most_states as f64
-}
-
-/// The problem with the polygon of each contact turned so that it has a corner along the trial traction: as long as the traction
-/// keeps its direction that polygon is as good as the round cone.
-fn on_polygons<'g, const D: usize, const C: usize>(
-    problem: &Problem<'g, D, C>,
-    cone: PolygonCone,
-    trial: &[SVector<f64, C>],
-) -> Problem<'g, D, C> {
-    let polygon = Polygon::new(&cone);
-    let turn = |traction: &SVector<f64, C>| {
-        if traction[1] == 0.0 && traction[2] == 0.0 { polygon.clone() } else { polygon.turned_to(traction) }
-    };
-    Problem { turned: trial.iter().map(turn).collect(), ..problem.clone() }
-}
-
-/// Polygons on which Lemke proposes again where those of the settings led to nothing: outside the cone instead of inside,
-/// then closer to it.
-fn other_polygons<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    cone: PolygonCone,
-) -> impl Iterator<Item = PolygonCone> {
-    let contacts = problem.len();
-    let more = |factor: usize, fit: Fit| PolygonCone::new(factor * cone.facets(), fit).ok();
-    [
-        more(1, Fit::Circumscribed),
-        more(2, Fit::Inscribed),
-        more(2, Fit::Circumscribed),
-        more(8, Fit::Inscribed),
-    ]
-    .into_iter()
-    .flatten()
-    .filter(move |cone| contacts * cone.facets() <= MOST_ROWS)
-}
-
-/// One rung: Lemke proposes states, the piece with these states is solved and checked; on the round cone Newton's method goes on
-/// from there, and where it does not arrive Lemke proposes again on polygons with more corners where contacts slide.
-fn climb<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    settings: &Settings,
-    form: impl Fn(&Problem<D, C>) -> Option<Form>,
-    states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State>,
-    effort: &mut Effort,
-    doubt: &mut Doubt,
-) -> Option<Found<D, C>> {
-    let proposed = propose(problem, settings, &form, &states, effort, doubt)?;
-    if !problem.round {
-        return match try_states(problem, proposed) {
-            Verdict::Holds(found) => Some(found),
-            Verdict::Violated { doubtful: true } => {
-                *doubt = Doubt::OnTheBoundary;
-                None
-            }
-            Verdict::Violated { doubtful: false } | Verdict::Unbalanced => None,
-        };
-    }
-    let mut near = solution_near(problem, &proposed)?;
-    let mut states_near = proposed;
-    if let Some(found) = polish(problem, &near) {
-        return Some(found);
-    }
-    let mut finer = problem.clone();
-    let mut angle = FIRST_REFINEMENT;
-    for _ in 0..REFINEMENTS {
-        for (i, state) in states_near.iter().enumerate() {
-            if matches!(state, State::Sliding { .. }) {
-                finer.turned[i] = finer.polygon(i).refined_about(&near.forces[i], angle);
-            }
-        }
-        states_near = propose(&finer, settings, &form, &states, effort, doubt)?;
-        near = solution_near(&finer, &states_near)?;
-        if let Some(found) = polish(problem, &near) {
-            return Some(found);
-        }
-        angle *= 0.25;
-    }
-    None
-}
-
-/// Contact states from Lemke's method.
-fn propose<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    settings: &Settings,
-    form: impl Fn(&Problem<D, C>) -> Option<Form>,
-    states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State>,
-    effort: &mut Effort,
-    doubt: &mut Doubt,
-) -> Option<Vec<State>> {
-    let form = form(problem)?;
-    effort.rows = effort.rows.max(form.rows.len());
-    // Bases are better enumerated as contact states, where each costs one d x d system and is checked as physics.
-    let lcp_settings = lcp::Settings {
-        max_pivots: settings.max_pivots,
-        // On the round cone other polygons come next.
-        retries: if problem.round || enumerable(problem, settings) {
-            OTHER_PATHS
-        } else {
-            OTHER_PATHS_AT_MOST
-        },
-        enumerate_up_to: 0,
-        ..lcp::Settings::default()
-    };
-    match form.lcp.solve_with(&lcp_settings) {
-        Outcome::Solved(solution) => {
-            effort.pivots += solution.pivots;
-            return Some(states(problem, &form, &solution.basis));
-        }
-        Outcome::Ray(ray) => effort.pivots += ray.pivots,
-        _ => *doubt = Doubt::OutOfPivots,
-    }
-    None
 }
