@@ -19,7 +19,7 @@ use crate::formulation::{FullPivot, Piece, PieceState, Problem, Returned, Slide,
 /// A tiny friction force may still turn when all others have settled: it is then off its cone by the square of the angle. This
 /// part of the largest force is rounding.
 const ON_THE_CONE: f64 = 1e-14;
-/// Newton's steps. Where it converges it takes three to six; beyond this it goes round in circles.
+/// Newton's steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 20;
 /// A step must take away this part of the share of the imbalance that its length promises.
 const GAIN: f64 = 0.1;

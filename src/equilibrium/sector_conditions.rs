@@ -9,6 +9,8 @@ use crate::lcp::{self, Lcp, Outcome};
 
 /// Conditions that can be met but for this part of their terms are not contradicted clearly.
 const CLEAR: f64 = 1e-9;
+/// Part of the squared residual that a slack of one may take away from the contradiction.
+const NEGLIGIBLE: f64 = 1e-3;
 /// A column of the conditions below this part of the largest adds no direction: rounding.
 const DEPENDENT: f64 = 1e-12;
 /// Covering vectors tried where the least-squares problem, singular by nature, leads the first path astray.
@@ -196,12 +198,11 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
         let projector = DMatrix::from_fn(costs.len(), costs.len(), |i, j| {
             f64::from(u8::from(i == j)) - q.row(costs[i]).dot(&q.row(costs[j]))
         });
-        let lcp = Lcp::new(projector, DVector::from_fn(costs.len(), |i, _| start[costs[i]])).ok()?;
+        let lcp = Lcp::new(projector, DVector::from_fn(costs.len(), |i, _| start[costs[i]]));
         let mut slack = DVector::zeros(n);
-        // Singular by nature: where noise leads one path astray another one arrives.
         let settings = lcp::Settings { retries: RETRIES, enumerate_up_to: 0, ..lcp::Settings::default() };
-        // Without an answer nothing is contradicted: the start is as good a guess as any.
-        if let Outcome::Solved(solution) = lcp.solve_with(&settings) {
+        // Without an answer, or where a number overflows, nothing is contradicted: the start is as good a guess as any.
+        if let Ok(Outcome::Solved(solution)) = lcp.map(|lcp| lcp.solve_with(&settings)) {
             costs.iter().zip(&solution.z).for_each(|(&i, s)| slack[i] = *s);
         }
         let mut target = right;
@@ -209,7 +210,9 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
             target[i] += slack[i];
         }
         let residual = across(&target);
-        let contradicts = residual.rows(0, n).iter().all(|x| *x >= -CLEAR * residual.norm());
+        // What meets the conditions may need slacks as large as the data: r must not work against them by as much as it gains.
+        let negligible = NEGLIGIBLE * residual.norm_squared();
+        let contradicts = residual.rows(0, n).iter().all(|x| *x >= -negligible);
         if contradicts && residual.norm() > CLEAR {
             return None;
         }
