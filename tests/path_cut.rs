@@ -44,9 +44,9 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let grasp = scene.grasp();
     let (more, legs) = cut(scene, places);
     let program = more.legs();
-    let mut pieces = grasp.follow(more.start(), &program).unwrap();
+    let mut pieces = grasp.follow_with(more.start(), &program, &common_path::polygon()).unwrap();
     let again = pieces.run();
-    let mut continued = grasp.follow(more.start(), &[]).unwrap();
+    let mut continued = grasp.follow_with(more.start(), &[], &common_path::polygon()).unwrap();
     let mut later = continued.run();
     for leg in &program {
         continued.continue_with(std::slice::from_ref(leg)).unwrap();
@@ -86,7 +86,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &common_path::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
@@ -101,7 +101,7 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &common_path::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));

@@ -17,7 +17,7 @@ use proptest::prelude::*;
 fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(3000, &planar_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &common_path::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
@@ -48,7 +48,7 @@ fn a_path_without_events_can_be_reversed() {
         let there = scene.goals.len();
         scene.goals.extend(scene.goals.clone().into_iter().rev().skip(1));
         let grasp = scene.grasp();
-        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &common_path::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

@@ -9,6 +9,7 @@ mod common;
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, TAU};
 
 use common::close::assert_close;
+use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use nalgebra::Vector2;
 
@@ -47,7 +48,8 @@ fn pulled(q: Vector2<f64>) -> Wrench {
 
 fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Event>) {
     let legs: Vec<_> = loads.iter().map(|q| Leg::load_to(pulled(*q))).collect();
-    let mut path = grasp.follow(pulled(Vector2::zeros()), &legs).unwrap();
+    let mut path =
+        grasp.follow_with(pulled(Vector2::zeros()), &legs, &Settings::default().on_the_polygon()).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13 && e.dissipated >= 0.0));
@@ -198,7 +200,13 @@ fn a_ring_turned_about_its_axis_has_one_event() {
         let lets_go = f64::from(n) * radius * MU * N + 2.0 * kg * theta;
         let torque = |m: f64| Leg::load_to(Wrench::new([0.0; 3], [0.0, 0.0, m]));
         let most = 1.25 * lets_go;
-        let mut path = ring.follow(Wrench::ZERO, &[torque(most), torque(-most), torque(most)]).unwrap();
+        let mut path = ring
+            .follow_with(
+                Wrench::ZERO,
+                &[torque(most), torque(-most), torque(most)],
+                &Settings::default().on_the_polygon(),
+            )
+            .unwrap();
         let events = path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let got: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();

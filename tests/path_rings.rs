@@ -7,6 +7,7 @@ mod common_story;
 use std::f64::consts::{FRAC_PI_8, TAU};
 
 use common_story::{Line, assert_close, assert_story, completed};
+use grasp_lcp::Settings;
 use grasp_lcp::load_path::{Event, PathEnd};
 use grasp_lcp::{planar, spatial};
 
@@ -182,7 +183,7 @@ fn ring_in_space(n: usize) -> spatial::Grasp {
 /// tangent. With r = μN cos π/8 (the polygon) they slide along the facet at π/8 when the drag per finger KT|Q|/(n KT + B) cos δ is r, turn at
 /// its corner when its part along the facet is r tan π/8, stick when the load turns back and slide back after twice the first load.
 #[test]
-fn a_ring_in_space_slides_and_turns_as_one() {
+fn a_ring_on_facets_slides_and_turns_as_one() {
     for n in 2..=64 {
         let grasp = ring_in_space(n);
         let (r, all_springs) = (MU * K * A * FRAC_PI_8.cos(), n as f64 * KT + BASE);
@@ -195,7 +196,9 @@ fn a_ring_in_space_slides_and_turns_as_one() {
             let slides = r * all_springs / (KT * delta.cos());
             let turns = r * FRAC_PI_8.tan() * all_springs / (KT * delta.sin().abs());
             let most = 1.25 * turns.max(2.0 * slides);
-            let mut path = grasp.follow(spatial::Wrench::ZERO, &[pull(most), pull(0.0)]).unwrap();
+            let legs = [pull(most), pull(0.0)];
+            let on_facets = Settings::default().on_the_polygon();
+            let mut path = grasp.follow_with(spatial::Wrench::ZERO, &legs, &on_facets).unwrap();
             let events = path.run();
             assert!(completed(path.end()), "{n}: {:?}", path.end());
             let expected: [Line; 4] = [
@@ -206,6 +209,35 @@ fn a_ring_in_space_slides_and_turns_as_one() {
             ];
             assert_story(&events, &expected);
             assert_eq!(events[0].free_motions.len(), 0);
+        }
+    }
+}
+
+/// The same on the round cone: the drag keeps its direction, so nothing turns, r = μN, and they slide back after twice the first load.
+#[test]
+fn a_ring_in_space_slides_and_sticks_as_one() {
+    for n in [2, 3, 4, 5, 8, 13, 64] {
+        let grasp = ring_in_space(n);
+        for angle in [0.2, FRAC_PI_8, 1.1] {
+            let (sin, cos) = f64::sin_cos(angle);
+            let pull = |q: f64| {
+                spatial::Leg::load_to(spatial::Wrench::new([0.0, 0.0, -q * cos], [0.0, 0.0, -q * sin]))
+            };
+            let slides = MU * K * A * (n as f64 * KT + BASE) / KT;
+            let most = 2.5 * slides;
+            let mut path = grasp.follow(spatial::Wrench::ZERO, &[pull(most), pull(0.0)]).unwrap();
+            let events = path.run();
+            assert!(completed(path.end()), "{n}: {:?}", path.end());
+            let expected: [Line; 3] = [
+                (0, 1.0 / 2.5, all(n, "slides")),
+                (1, 0.0, all(n, "sticks")),
+                (1, 2.0 / 2.5, all(n, "slides")),
+            ];
+            assert_story(&events, &expected);
+            for contact in &path.state_at(0, 0.7).unwrap().contacts[..n] {
+                assert_close!(contact.force[1], MU * K * A * cos);
+                assert_close!(contact.force[2], MU * K * A * sin);
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::candidate::{Found, Verdict, admit, try_states};
 use super::slack::largest_force;
-use crate::formulation::{FullPivot, Piece, PieceState, Problem, Returned, Slide, State, return_map};
+use crate::formulation::{FullPivot, Law, Piece, PieceState, Problem, Returned, Slide, State, respond};
 
 /// A tiny friction force may still turn when all others have settled: it is then off its cone by the square of the angle. This
 /// part of the largest force is rounding.
@@ -115,7 +115,7 @@ fn tangent<const D: usize, const C: usize>(problem: &Problem<D, C>, twist: &SVec
     let mut t = Tangent { left, size: left.norm(), stiffness: SMatrix::zeros() };
     for (i, site) in problem.sites.iter().enumerate() {
         let stretch = problem.drives[i] - site.map.tr_mul(twist);
-        match return_map(site, site.mu, &stretch) {
+        match respond(problem, i, &stretch) {
             Returned::Open => {}
             Returned::Rolling(force) => {
                 t.left += site.map * force;
@@ -163,7 +163,7 @@ fn finish<const D: usize, const C: usize>(
         for (i, site) in problem.sites.iter().enumerate() {
             drives[i] -= site.map.tr_mul(&twist);
             slides[i] = None;
-            states[i] = match return_map(site, site.mu, &drives[i]) {
+            states[i] = match respond(problem, i, &drives[i]) {
                 Returned::Open => State::Open,
                 Returned::Rolling(force) => {
                     forces[i] = force;
@@ -172,7 +172,7 @@ fn finish<const D: usize, const C: usize>(
                 Returned::Sliding(force, slide) => {
                     linear.laws[i] = problem.turning(i, slide);
                     slides[i] = Some(slide);
-                    let rest = slide.rest(&drives[i], site.mu * force[0]);
+                    let rest = slide.rest(&drives[i], &force, site.mu * force[0]);
                     drives[i] -= rest;
                     forces[i] = force;
                     State::Sliding { first: 0, second: None }
@@ -190,7 +190,9 @@ fn finish<const D: usize, const C: usize>(
         let largest = largest_force(problem.sites, &problem.drives, &twist, problem.wrench.norm(), sizes);
         let on_cone = |i: usize| {
             let (f, r) = (&solved.forces[i], problem.sites[i].mu * solved.forces[i][0]);
-            slides[i].is_none() || (f[1].hypot(f[2]) - r).abs() <= ON_THE_CONE * largest.max(r)
+            matches!(problem.laws[i], Law::Edge(_))
+                || slides[i].is_none()
+                || (f[1].hypot(f[2]) - r).abs() <= ON_THE_CONE * largest.max(r)
         };
         if change.fold(0.0, f64::max) <= SETTLED * largest && (0..n).all(on_cone) {
             let forces = solved.forces;

@@ -12,8 +12,8 @@ pub struct Settings {
     /// polygon itself more facets come closer to the round cone (the onset's error falls like 1/m², a sliding
     /// state's like 1/m) and cost more pivots. Not looked at in the plane.
     pub cone: PolygonCone,
-    /// In space, whether equilibria are for the round cone (the default) or for the polygon itself. Load paths are followed on
-    /// the polygon. Not looked at in the plane.
+    /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Not looked at in
+    /// the plane.
     pub round: bool,
     /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
     /// exponential problems, which contact problems are not known to be.
@@ -22,11 +22,21 @@ pub struct Settings {
     /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 in space). Lower it for speed on scenes
     /// without an equilibrium, raise it to get a proof for more contacts.
     pub most_states: usize,
+    /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
+    /// the largest force, of slips over the largest displacement. The default, 1e-13, is near what rounding allows; larger ones
+    /// make fewer and longer steps. Where a path is straight there are none.
+    pub step_error: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { cone: PolygonCone::default(), round: true, max_pivots: None, most_states: 20_000 }
+        Self {
+            cone: PolygonCone::default(),
+            round: true,
+            max_pivots: None,
+            most_states: 20_000,
+            step_error: 1e-13,
+        }
     }
 }
 
@@ -63,6 +73,13 @@ impl Settings {
     #[must_use]
     pub fn with_most_states(mut self, most_states: usize) -> Self {
         self.most_states = most_states;
+        self
+    }
+
+    /// The same with another error of a step along a sliding arc; below 1e-14 rounding is in the way.
+    #[must_use]
+    pub fn with_step_error(mut self, step_error: f64) -> Self {
+        self.step_error = step_error;
         self
     }
 

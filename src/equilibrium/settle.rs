@@ -8,7 +8,9 @@ use super::enumerate::search;
 use super::sectors::{Sectors, search_sectors};
 use super::settings::Settings;
 use super::wrench_cone::separating_motion;
-use crate::formulation::{Piece, Problem, State, force_form, force_states, kinematic_form, kinematic_states};
+use crate::formulation::{
+    Law, Piece, Problem, State, force_form, force_states, kinematic_form, kinematic_states,
+};
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -190,7 +192,8 @@ fn touching_contacts_roll<const D: usize, const C: usize>(
     None
 }
 
-/// Whether some contact has the round cone: with others the polygons say all there is to say.
+/// Whether some contact has the round cone: with others the polygons say all there is to say. Rates on an edge have no sectors.
 fn has_round_cones<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
     (0..problem.len()).any(|i| problem.may_slide(i))
+        && !problem.laws.iter().any(|law| matches!(law, Law::Edge(_)))
 }

@@ -10,8 +10,8 @@
 
 use nalgebra::SVector;
 
-use crate::formulation::{Problem, State};
-use crate::grasp::{Hold, Site};
+use crate::formulation::{Law, Problem, State};
+use crate::grasp::Site;
 
 /// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
 const SMALLEST: f64 = 1e-250;
@@ -98,7 +98,8 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
                 }
             }
             State::Rolling => {
-                if problem.round && site.axes == C && site.hold != Hold::Bonded && mu.is_finite() {
+                let whole = matches!(problem.laws[contact], Law::Cone { .. } | Law::Turning { .. });
+                if problem.round && whole && site.axes == C && mu.is_finite() {
                     let friction = f.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x));
                     visit(mu * f[0] - friction, force_size * (1.0 + mu));
                 } else {

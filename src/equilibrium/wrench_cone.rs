@@ -149,11 +149,13 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
     rate: &SVector<f64, D>,
 ) -> bool {
     let slack = 1e-12;
-    generators(problem).is_some_and(|generators| {
-        generators.iter().all(|g| g.dot(motion) >= -slack)
-            && problem.wrench.dot(motion) >= -slack * problem.wrench.norm()
-            && rate.dot(motion) > CLEAR * rate.norm()
-    })
+    // Of a round cone no polygon inside, but the one generator that does most against the motion.
+    !works_against_round_cones(problem, motion, slack)
+        && straight_generators(problem).is_some_and(|generators| {
+            generators.iter().all(|g| g.dot(motion) >= -slack)
+                && problem.wrench.dot(motion) >= -slack * problem.wrench.norm()
+                && rate.dot(motion) > CLEAR * rate.norm()
+        })
 }
 
 /// Unit wrenches that generate the friction wrench cone, inscribed polygons for round cones; `None` where the law is

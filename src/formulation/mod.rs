@@ -20,7 +20,7 @@ pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
 pub(crate) use piece::{Piece, PieceState, edge_direction, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State};
-pub(crate) use return_map::{Returned, Slide, return_map};
+pub(crate) use return_map::{Returned, Slide, respond, slide_on};
 
 use std::sync::Arc;
 

@@ -127,12 +127,14 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         let mut travelled = SVector::<f64, D>::zeros();
         // x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + load): once to solve, twice more to remove what rounding left of it.
         for pass in 0..3 {
-            let excess = balance.coordinates(&x) + load;
+            let pushed = balance.coordinates(&x);
+            let excess = pushed + load;
             let step = match &self.left {
                 None => excess,
                 Some((_, coupling)) => {
                     let (step, unreached) = coupling.solve(&excess);
-                    if pass == 0 && unreached > NO_WORK * excess.amax() * self.growth {
+                    // Near a solution the excess is a difference, known up to the rounding of its terms.
+                    if pass == 0 && unreached > NO_WORK * pushed.amax().max(load.amax()) * self.growth {
                         return Err(Unbalanced { motion: None });
                     }
                     step

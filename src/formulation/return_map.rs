@@ -21,6 +21,7 @@
 
 use nalgebra::SVector;
 
+use super::problem::{Law, Problem};
 use crate::grasp::{Hold, Site};
 
 /// Newton's steps on the secular equation: from its lower bound it gains digits from the first step on.
@@ -67,13 +68,19 @@ impl<const C: usize> Slide<C> {
         (across, s[1] * (s[2] / p.dot(&s.component_mul(p))))
     }
 
-    /// The stretch across the slip at which the softened spring carries nothing, for a stretch v and r = μ F_n there.
-    pub(crate) fn rest(&self, stretch: &SVector<f64, C>, r: f64) -> SVector<f64, C> {
+    /// The stretch across the slip at which the softened spring carries nothing, for a stretch and the force there, with r = μ F_n.
+    pub(crate) fn rest(&self, stretch: &SVector<f64, C>, force: &SVector<f64, C>, r: f64) -> SVector<f64, C> {
         let (across, stiffness) = self.across();
         if stiffness == 0.0 {
             return SVector::zeros();
         }
-        across * (across.dot(stretch) + r * self.pull().dot(&across) / stiffness)
+        let rest = r * self.pull().dot(&across) - self.across_part(force);
+        across * (across.dot(stretch) + rest / stiffness)
+    }
+
+    /// The part of a force across the slip: none on the cone itself.
+    fn across_part(&self, force: &SVector<f64, C>) -> f64 {
+        self.across().0.dot(force)
     }
 }
 
@@ -109,10 +116,58 @@ pub(crate) fn return_map<const D: usize, const C: usize>(
     Returned::Sliding(force, slide)
 }
 
-/// λ >= 0 with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t with |T| > r.
+/// The force of a contact of a problem at a stretch, as its law has it.
+pub(crate) fn respond<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    stretch: &SVector<f64, C>,
+) -> Returned<C> {
+    let site = &problem.sites[contact];
+    match &problem.laws[contact] {
+        Law::Absent => Returned::Open,
+        Law::Edge(facets) => {
+            let mut force = site.k.component_mul(stretch);
+            let slide = Slide::new(site, &facets[0], 0.0);
+            let excess = slide.direction.dot(&force) - site.mu * force[0];
+            if excess <= 0.0 {
+                return Returned::Rolling(force);
+            }
+            force -= slide.pull() * excess;
+            Returned::Sliding(force, slide)
+        }
+        Law::Bonded => Returned::Rolling(site.k.component_mul(stretch)),
+        _ => return_map(site, site.mu, stretch),
+    }
+}
+
+/// The force of a contact that slides whichever way it has to: with |T| < r the slip is against the friction force, λ < 0.
+/// `None` where nothing presses.
+///
+/// This branch of the law goes on smoothly through the load at which sliding ends, which is found as the root of λ.
+pub(crate) fn slide_on<const D: usize, const C: usize>(
+    site: &Site<D, C>,
+    mu: f64,
+    stretch: &SVector<f64, C>,
+) -> Option<(SVector<f64, C>, Slide<C>)> {
+    let mut force = site.k.component_mul(stretch);
+    let (r, traction) = (mu * force[0], tangential_norm(&force));
+    if !(r > 0.0 && traction > 0.0 && traction.is_finite()) {
+        return None;
+    }
+    let lambda = slip_per_force(site, &force, traction, r);
+    let slide = Slide::new(site, &held(site, lambda).component_mul(stretch), lambda);
+    let friction = slide.direction * r;
+    for a in 1..C {
+        force[a] = friction[a];
+    }
+    Some((force, slide))
+}
+
+/// λ with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t; positive if |T| > r.
 ///
 /// The secular equation 1/|S v| = 1/r of trust regions, nearly linear in λ. The start, that of the stiffer axis alone,
-/// lies left of the root; from there Newton's steps grow towards it and never pass it.
+/// lies left of a positive root, and Newton's first step leads there from the right of a negative one; from there its steps
+/// grow towards the root and never pass it.
 fn slip_per_force<const D: usize, const C: usize>(
     site: &Site<D, C>,
     trial: &SVector<f64, C>,
@@ -135,7 +190,7 @@ fn slip_per_force<const D: usize, const C: usize>(
         }
         let norm = square.sqrt();
         let step = square / slope * ((norm - r) / r);
-        if step.is_nan() || step <= 1e-16 * lambda {
+        if step.is_nan() || step.abs() <= 1e-16 * lambda.abs() {
             break;
         }
         lambda += step;

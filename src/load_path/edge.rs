@@ -6,6 +6,7 @@
 
 use nalgebra::SVector;
 
+use super::arc::tangential;
 use super::margin::{Exit, Line, ROUNDING};
 use crate::formulation::{Law, Problem, State};
 
@@ -64,6 +65,10 @@ impl<const C: usize> Stand<C> {
                 self.facets.clear();
                 return;
             }
+            _ if problem.round => {
+                self.leave_round_cone(problem.mu(contact), state, line);
+                return;
+            }
             State::Rolling => [None, None],
             State::Sliding { first, second } => [Some(first), second],
         };
@@ -78,6 +83,22 @@ impl<const C: usize> Stand<C> {
             slides_on.iter().flatten().any(|&j| normals[j] == *h)
                 || rate <= ROUNDING * line.rate_size * (mu + h.norm())
         });
+    }
+
+    /// The same on the round cone, whose only facet is that which touches it where the force is.
+    fn leave_round_cone(&mut self, mu: f64, state: State, line: &Line<C>) {
+        if state != State::Rolling {
+            self.apex = false;
+            return;
+        }
+        if self.apex {
+            self.apex = line.rate[0].abs() <= ROUNDING * line.rate_size;
+            let along = tangential(&line.rate);
+            let inside = mu == 0.0 || mu.is_infinite() || along.norm() == 0.0;
+            self.facets = if inside { Vec::new() } else { vec![along.normalize()] };
+        }
+        self.facets
+            .retain(|p| mu * line.rate[0] - p.dot(&line.rate) <= ROUNDING * line.rate_size * (mu + 1.0));
     }
 
     /// The law of the rates of a contact that stands here.

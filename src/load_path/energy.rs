@@ -1,9 +1,13 @@
 //! Where the work goes.
 
+use nalgebra::SVector;
+
 use super::segment::{Here, Segment};
 use crate::formulation::State;
+use crate::grasp::Site;
 
-/// Energies of one leg, J. Along a straight piece forces and motions are affine, so that every integral is exact.
+/// Energies of one leg, J. Along a straight piece forces and motions are affine, so that every integral is exact; where contacts
+/// slide on the round cone works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Energy {
@@ -26,6 +30,32 @@ impl Energy {
     pub fn residual(&self) -> f64 {
         let excess = self.load_work + self.finger_work - self.stored - self.dissipated;
         if self.turnover > 0.0 { excess / self.turnover } else { 0.0 }
+    }
+
+    /// Adds what the springs take up between two states.
+    pub(super) fn store<const D: usize, const C: usize>(
+        &mut self,
+        sites: &[Site<D, C>],
+        from: &[SVector<f64, C>],
+        to: &[SVector<f64, C>],
+    ) {
+        for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
+            for axis in 0..site.axes {
+                let stored = 0.5 * (to[axis] - from[axis]) * (to[axis] + from[axis]) / site.k[axis];
+                self.stored += stored;
+                // A difference of two energies carries the rounding of both.
+                self.turnover += 0.5 * (to[axis] * to[axis] + from[axis] * from[axis]) / site.k[axis];
+            }
+        }
+    }
+
+    /// Adds another part of the way.
+    pub(super) fn add_part(&mut self, part: &Self) {
+        self.load_work += part.load_work;
+        self.finger_work += part.finger_work;
+        self.stored += part.stored;
+        self.dissipated += part.dissipated;
+        self.turnover += part.turnover;
     }
 
     /// Adds a straight piece from a factor on.

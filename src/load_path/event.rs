@@ -68,7 +68,8 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const D: usize, const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// No equilibrium exists just beyond: a limit load.
+    /// No equilibrium exists just beyond: a limit load. On the round cone that may be known only from a hundredth of the whole load
+    /// (or of all commands) further on.
     LimitLoad(Loss<D>),
     /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
     /// with infinite friction loses its normal force while it still holds a tangential one.

@@ -4,16 +4,65 @@ use nalgebra::SVector;
 
 use super::beyond::{Beyond, just_beyond, whole_way};
 use super::event::{Loss, PathEnd};
-use super::nothing_holds::nothing_holds;
+use super::nothing_holds::{around, nothing_holds};
 use super::segment::Segment;
-use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on, separating_motion};
+use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on, separating_motion, settle};
 use crate::formulation::{Piece, Problem, State, kinematic_form};
 use crate::lcp::{self, Outcome, Proof};
 
 /// Part of the whole load or of all commands that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
+/// On the round cone that may be too little to tell: then a little more.
+const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
+/// Among more contacts on round cones a search in vain takes seconds.
+const FEW_CONTACTS: usize = 8;
 /// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
 const FURTHER: f64 = 1e-2;
+
+/// The same where steps along a sliding arc of the round cone get ever shorter.
+pub(super) fn end_of_arc<const D: usize, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    motion: &SVector<f64, D>,
+    forces: &[SVector<f64, C>],
+    loss: Loss<D>,
+    settings: &Settings,
+) -> PathEnd<D, C> {
+    let here = segment.problem_at(loss.fraction);
+    if separates_from_here_on(&here, motion, &segment.direction) {
+        return PathEnd::LimitLoad(loss);
+    }
+    beyond_on_the_round_cone(segment, true, forces, loss, settings)
+}
+
+/// What a solution from scratch says a little further on, with the slip so far.
+fn beyond_on_the_round_cone<const D: usize, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    ends: bool,
+    forces: &[SVector<f64, C>],
+    loss: Loss<D>,
+    settings: &Settings,
+) -> PathEnd<D, C> {
+    let here = segment.problem_at(loss.fraction);
+    let rates = segment.rates(here.laws.clone());
+    let past = |part: f64| segment.problem_at(loss.fraction + part * whole_way(&here, &rates));
+    let few = (0..here.len()).filter(|&i| here.may_slide(i)).count() <= FEW_CONTACTS;
+    for part in PARTS_BEYOND.into_iter().filter(|_| few) {
+        match settle(&past(part), settings).0 {
+            Settled::FreeMotion(_) | Settled::Separating(_) | Settled::NoneOf(_) => {
+                return PathEnd::LimitLoad(loss);
+            }
+            Settled::Found(..) if ends => return PathEnd::Snap(loss),
+            Settled::Undecided(_) if part == A_LITTLE => {
+                if nothing_holds(&around(&here, forces), &around(&past(FURTHER), forces)) {
+                    return PathEnd::LimitLoad(loss);
+                }
+            }
+            Settled::Undecided(_) => {}
+            Settled::Found(..) => return PathEnd::Undecided { leg: loss.leg, fraction: loss.fraction },
+        }
+    }
+    if ends { PathEnd::Ends(loss) } else { PathEnd::Undecided { leg: loss.leg, fraction: loss.fraction } }
+}
 
 /// Names the end: a motion that nothing resists; a limit load if a motion proves one, that with which the object leaves or one that
 /// separates the load a little further on from all that friction can do; and else what a search among all combinations of states
@@ -21,9 +70,9 @@ const FURTHER: f64 = 1e-2;
 pub(super) fn end_of_path<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
-    settled: Settled<D, C>,
-    effort: &Effort,
+    (settled, effort): (Settled<D, C>, &Effort),
     sliding: &[State],
+    forces: &[SVector<f64, C>],
     mut loss: Loss<D>,
     settings: &Settings,
 ) -> PathEnd<D, C> {
@@ -39,6 +88,10 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
     let separates = |v: &SVector<f64, D>| separates_from_here_on(&here, v, &rates.wrench);
     if motion.as_ref().is_some_and(separates) || separating_motion(&past).as_ref().is_some_and(separates) {
         return PathEnd::LimitLoad(loss);
+    }
+    if segment.problem.round {
+        let ends = !matches!(settled, Settled::Undecided(_)) || no_rates(rates);
+        return beyond_on_the_round_cone(segment, ends, forces, loss, settings);
     }
     // Among many contacts the ladder does not say so by itself.
     let settled = match settled {

@@ -1,23 +1,30 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it.
 
+mod arc;
 mod beyond;
 mod edge;
 mod energy;
 mod event;
+mod extrapolation;
 mod leg;
 mod loss;
 mod margin;
 mod node;
 mod nothing_holds;
 mod onset;
+mod pace;
 mod path;
 mod questions;
 mod ramp;
 mod segment;
 mod sensitivity;
+mod standing;
+mod straight;
 mod stretch;
 mod transition;
+mod turning;
 mod walk;
+mod watch;
 
 pub use beyond::{Beyond, Continuation};
 pub use energy::Energy;

@@ -2,17 +2,18 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::arc::tangential;
 use super::edge::Stand;
 use super::event::{Change, Loss, PathEnd};
 use super::loss::end_of_path;
 use super::margin::ROUNDING;
-use super::segment::{Here, Segment, Standing};
+use super::segment::{Here, Segment};
 use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
     ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, settle, span, try_states,
 };
 use crate::formulation::{Law, PieceState, Problem, State};
-use crate::grasp::{Hold, Wrench};
+use crate::grasp::Wrench;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
 const LESS: f64 = 1e-9;
@@ -21,11 +22,13 @@ const LESS: f64 = 1e-9;
 pub(super) struct Node<const D: usize, const C: usize> {
     pub(super) states: Vec<State>,
     /// Directions of the sliding contacts, coordinate axes.
-    directions: Vec<Option<SVector<f64, C>>>,
-    stands: Vec<Stand<C>>,
+    pub(super) directions: Vec<Option<SVector<f64, C>>>,
+    pub(super) stands: Vec<Stand<C>>,
     /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
-    holds: Vec<bool>,
-    twist: SVector<f64, D>,
+    pub(super) holds: Vec<bool>,
+    /// On the round cone, the unit friction force of what slides, contact frames.
+    pub(super) edges: Vec<Option<SVector<f64, C>>>,
+    pub(super) at: PieceState<D, C>,
 }
 
 /// How the path goes on from a node.
@@ -36,80 +39,6 @@ pub(super) struct Onward<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Node<D, C> {
-    /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
-    /// say. What slipped from rest to here becomes memory. Without a start there is nowhere to stand.
-    pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Option<Found<D, C>>) -> Self {
-        let n = segment.grasp.len();
-        let mut node = Self {
-            states: vec![State::Open; n],
-            directions: vec![None; n],
-            stands: vec![Stand::NOWHERE; n],
-            holds: vec![false; n],
-            twist: SVector::zeros(),
-        };
-        let Some(found) = found else { return node };
-        node.directions = directions(segment, &segment.problem, &found);
-        (node.states, node.twist) = (found.states, found.twist);
-        if let Ok(here) = segment.look(&node.states, 0.0, Some(&node.twist)) {
-            node.stand(segment, &here);
-        }
-        node
-    }
-
-    fn stand(&mut self, segment: &mut Segment<'_, D, C>, here: &Here<D, C>) {
-        for (i, line) in here.lines.iter().enumerate() {
-            let site = &segment.grasp.sites()[i];
-            if self.states[i] == State::Open {
-                let [gap, _, span, _] = here.gaps[i];
-                self.stands[i].apex = gap <= ROUNDING * span;
-                continue;
-            }
-            if site.hold == Hold::Bonded {
-                continue;
-            }
-            if matches!(self.states[i], State::Sliding { .. }) {
-                segment.remember_slip(i, 0.0, &here.twist, &line.force);
-            }
-            self.stands[i].apex = line.force.norm() <= ROUNDING * line.force_size;
-            let no_margin = |h: &&SVector<f64, C>| {
-                let size = line.force_size * (site.mu + h.norm());
-                site.mu * line.force[0] - h.dot(&line.force) <= ROUNDING * size
-            };
-            self.stands[i].facets = segment.problem.normals(i).iter().filter(no_margin).copied().collect();
-        }
-    }
-
-    /// What was reached on the way here.
-    pub(super) fn reach(&mut self, reached: &Standing<C>) {
-        for (i, exits) in reached {
-            self.stands[*i].reach(self.states[*i], exits);
-        }
-    }
-
-    /// Moves to the end of a straight piece: the slip of what slid becomes memory.
-    pub(super) fn arrive(
-        &mut self,
-        segment: &mut Segment<'_, D, C>,
-        here: &Here<D, C>,
-        factor: f64,
-        there: &PieceState<D, C>,
-    ) {
-        self.twist = there.twist;
-        for (i, (line, &force)) in here.lines.iter().zip(&there.forces).enumerate() {
-            let closed = self.states[i] != State::Open;
-            if closed && line.force.norm() > 0.0 && Stand::is_weightless(&force, line.force_size) {
-                self.stands[i].apex = true;
-            }
-            let mut friction = force;
-            friction[0] = 0.0;
-            let infinite = segment.grasp.sites()[i].mu.is_infinite();
-            self.holds[i] = infinite && !Stand::is_weightless(&friction, line.force_size);
-            if matches!(self.states[i], State::Sliding { .. }) {
-                segment.remember_slip(i, factor, &self.twist, &force);
-            }
-        }
-    }
-
     /// Decides the states of everything that stands on an edge, from the rates.
     pub(super) fn go_on(
         &mut self,
@@ -136,9 +65,23 @@ impl<const D: usize, const C: usize> Node<D, C> {
             motion,
         };
         let Settled::Found(found, _) = settled else {
-            return Err(end_of_path(segment, &rates, settled, &effort, &sliding, loss(None), settings));
+            let forces = &self.at.forces;
+            return Err(end_of_path(
+                segment,
+                &rates,
+                (settled, &effort),
+                &sliding,
+                forces,
+                loss(None),
+                settings,
+            ));
         };
-        let found = self.without_dragging(&rates, found);
+        let mut found = self.without_dragging(&rates, found);
+        for i in 0..self.states.len() {
+            if segment.problem.round && grazes(&rates, &found, i) {
+                found.states[i] = State::Sliding { first: 0, second: None };
+            }
+        }
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
         let lets_go =
             |i: usize| self.holds[i] && self.states[i] != State::Open && found.states[i] == State::Open;
@@ -148,9 +91,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
-        let here = segment
-            .look(&self.states, factor, Some(&self.twist))
-            .map_err(|_| PathEnd::Undecided { leg, fraction: factor })?;
+        let here = self.look(segment, factor).map_err(|_| PathEnd::Undecided { leg, fraction: factor })?;
         for (i, stand) in self.stands.iter_mut().enumerate() {
             let [_, rate, _, size] = here.gaps[i];
             stand.leave(&segment.problem, i, self.states[i], &here.lines[i], [rate, size]);
@@ -219,7 +160,17 @@ impl<const D: usize, const C: usize> Node<D, C> {
             let is = in_the_whole_law(&segment.problem, i, &rates.laws[i], found.states[i]);
             if was == State::Open && is != State::Open {
                 // It closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
-                segment.remember_slip(i, factor, &self.twist, &SVector::zeros());
+                segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
+            }
+            if segment.problem.round {
+                self.edges[i] = match (&rates.laws[i], direction) {
+                    (_, None) => None,
+                    (Law::Edge(facets), _) => Some(facets[0]),
+                    (_, Some(direction)) => Some(segment.grasp.sites()[i].frame.tr_mul(&direction)),
+                };
+                if let Some(p) = self.edges[i] {
+                    self.stands[i].facets = vec![p];
+                }
             }
             (self.states[i], self.directions[i]) = (is, direction);
             changes.extend(change((was, before), (is, direction)).map(|change| (i, change)));
@@ -228,8 +179,27 @@ impl<const D: usize, const C: usize> Node<D, C> {
     }
 }
 
+/// Whether a rolling contact on the edge of the round cone goes along a tangent of it, which leads outside: it slides, if only
+/// with a rate of zero at first.
+fn grazes<const D: usize, const C: usize>(
+    rates: &Problem<D, C>,
+    found: &Found<D, C>,
+    contact: usize,
+) -> bool {
+    let (Law::Edge(facets), State::Rolling) = (&rates.laws[contact], found.states[contact]) else {
+        return false;
+    };
+    let (p, f, mu) = (&facets[0], &found.forces[contact], rates.mu(contact));
+    let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+    let site = &rates.sites[contact];
+    let size = force_size(site, f, span(site, &rates.drives[contact], &found.twist), largest);
+    let outward = p.dot(f);
+    let across = (tangential(f) - p * outward).norm();
+    (mu * f[0] - outward).abs() <= ROUNDING * size * (1.0 + mu) && across > ROUNDING * size
+}
+
 /// In which directions contacts slide.
-fn directions<const D: usize, const C: usize>(
+pub(super) fn directions<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     problem: &Problem<D, C>,
     found: &Found<D, C>,

@@ -8,22 +8,19 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
+use super::arc::{Poised, Rule};
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
+use super::extrapolation::Reached;
 use super::leg::{Leg, Program};
 use super::node::Node;
-use super::segment::{Here, Segment, Standing};
-use super::stretch::Stretch;
-use crate::equilibrium::{ACCURATE, Equilibrium, Settings, Settled, polygonal, settle};
+use super::pace::Pace;
+use super::segment::{Here, Segment};
+use super::stretch::{Bend, Stretch};
+use crate::equilibrium::{ACCURATE, Equilibrium, Settings, Settled, settle};
 use crate::error::Error;
 use crate::formulation::{PieceState, Polygon, Problem};
 use crate::grasp::{Grasp, Wrench};
-
-/// Zero steps in a row that are still events of one node and not rounding that goes in circles.
-const MOST_STALLS: usize = 64;
-
-/// A step is known to this part at least; a larger correction says that there is something else wrong with it.
-const ROUGHLY: f64 = 1e-6;
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it.
 ///
@@ -45,22 +42,25 @@ const ROUGHLY: f64 = 1e-6;
 pub struct LoadPath<'g, const D: usize, const C: usize> {
     pub(super) grasp: &'g Grasp<D, C>,
     pub(super) settings: Settings,
-    program: Program<D, C>,
+    pub(super) program: Program<D, C>,
     pub(super) factor: f64,
     pub(super) segment: Segment<'g, D, C>,
     pub(super) node: Node<D, C>,
     /// Whether it has yet to be decided how the path goes on from here.
-    at_node: bool,
-    here: Option<Here<D, C>>,
-    pieces: Vec<Stretch<'g, D, C>>,
-    energy: Vec<Energy>,
-    stalls: usize,
-    end: Option<PathEnd<D, C>>,
+    pub(super) at_node: bool,
+    pub(super) here: Option<Here<D, C>>,
+    pub(super) pieces: Vec<Stretch<'g, D, C>>,
+    pub(super) energy: Vec<Energy>,
+    pub(super) stalls: usize,
+    pub(super) pace: Pace,
+    /// Sum of the estimated errors of the steps along sliding arcs.
+    step_error: f64,
+    pub(super) end: Option<PathEnd<D, C>>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, on the exact cone
-    /// in the plane and on the default polygonal one in space. See [`LoadPath`].
+    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, on the exact cone: in
+    /// space the round one. See [`LoadPath`].
     ///
     /// # Errors
     /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the load or a leg is malformed.
@@ -81,10 +81,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem =
             Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(&start, "start load")?);
+        let problem = Problem { round: settings.is_round::<C>(), ..problem };
         let mut program = Program::new(self, start);
         program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, settings);
-        let cone = polygonal::<C>(settings);
+        let cone = settings.cone_of::<C>();
         let (start_state, end) = match settled {
             Settled::Found(found, _) => (Some(found), None),
             lost => {
@@ -106,6 +107,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             pieces: Vec::new(),
             energy: Vec::new(),
             stalls: 0,
+            pace: Pace::new(),
+            step_error: 0.0,
             end,
         };
         if path.end.is_none() {
@@ -140,6 +143,17 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         Ok(())
     }
 
+    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`]; zero
+    /// where nothing had to be integrated, as always in the plane and on polygons.
+    ///
+    /// An estimate is for forces over the largest force and for slips over the largest displacement, whichever is worse. It is that
+    /// of the last extrapolation but one: the error is smaller as a rule. What an earlier error becomes later on is not
+    /// in it; sliding forgets most of it.
+    #[must_use]
+    pub fn step_error(&self) -> f64 {
+        self.step_error
+    }
+
     /// Energies of every leg that was entered, up to where the path has been followed.
     #[must_use]
     pub fn energies(&self) -> &[Energy] {
@@ -165,7 +179,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     }
 
     /// Sets out on the present leg, or completes the path.
-    fn begin_leg(&mut self) {
+    pub(super) fn begin_leg(&mut self) {
         if !self.program.begin_leg() {
             self.end = Some(PathEnd::Completed);
             return;
@@ -182,6 +196,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.segment.problem.drives[i] = a - self.segment.problem.slips[i];
         }
         self.factor = 0.0;
+        self.pace = Pace::new();
         self.energy.push(Energy::default());
         self.at_node = true;
     }
@@ -200,6 +215,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                 let set_free = onward.here.free_motions.len() > free;
                 let free_motions = onward.here.free_motions.iter().map(|v| self.grasp.outside(v)).collect();
                 self.here = Some(onward.here);
+                self.pace = self.pace.at_node();
                 if onward.changes.is_empty() && !(set_free && before.is_some()) {
                     return None;
                 }
@@ -227,27 +243,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         Some(self.state_on(&self.stretch(here, self.factor, there), self.factor))
     }
 
-    /// Forces and twist after a step along the present piece.
-    fn state_after(&self, here: &Here<D, C>, step: f64) -> PieceState<D, C> {
-        let twist = here.twist + here.twist_rate * step;
-        self.segment.state(&here.piece, self.factor + step, Some(&twist)).unwrap_or_else(|| PieceState {
-            forces: here.lines.iter().map(|line| line.force + line.rate * step).collect(),
-            twist,
-        })
-    }
-
-    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.
-    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &Standing<C>) -> f64 {
-        let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
-        let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
-            return step;
-        };
-        let there = self.state_after(here, step);
-        let more = self.segment.way_to(i, self.node.states[i], exit, here, self.factor + step, &there);
-        if more.abs() <= ROUGHLY * (self.factor + step) { (step + more).max(0.0) } else { step }
-    }
-
-    fn stretch(&self, here: Here<D, C>, to: f64, there: PieceState<D, C>) -> Stretch<'g, D, C> {
+    pub(super) fn stretch(&self, here: Here<D, C>, to: f64, there: PieceState<D, C>) -> Stretch<'g, D, C> {
         Stretch {
             leg: self.program.leg,
             from: self.factor,
@@ -259,46 +255,22 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             states: self.node.states.clone(),
             here,
             there,
+            bend: None,
         }
     }
 
-    /// Goes along the present piece to its end: the next edge, or the end of the leg.
-    fn advance(&mut self) {
-        let Some(here) = self.here.clone() else { return };
-        let rest = 1.0 - self.factor;
-        let exits = self.segment.first_exits(&self.node.states, &here);
-        // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
-        let at_the_end = |standing: &Standing<C>| {
-            standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
-        };
-        let (step, standing, leg_done) = match exits {
-            Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            Some((step, standing)) if self.factor + step < 1.0 => {
-                let step = self.corrected(&here, step, &standing);
-                if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
-            }
-            Some((step, standing)) if step <= rest => (rest, standing, true),
-            _ => (rest, Vec::new(), true),
-        };
-        let to = if leg_done { 1.0 } else { self.factor + step };
-        self.stalls = if to > self.factor { 0 } else { self.stalls + 1 };
-        if self.stalls > MOST_STALLS {
-            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
-            return;
-        }
-        let there = self.state_after(&here, step);
+    /// Takes a step along a sliding arc to a factor.
+    pub(super) fn take(&mut self, here: &Here<D, C>, to: f64, rule: Rule, reached: Reached<D, C>) {
+        let Poised { at, slipped } = reached.there;
         if let Some(energy) = self.energy.last_mut() {
-            energy.add(&self.segment, &self.node.states, &here, self.factor, step);
+            energy.add_part(&reached.energy);
         }
-        self.pieces.push(self.stretch(here.clone(), to, there.clone()));
-        self.node.arrive(&mut self.segment, &here, to, &there);
-        self.node.reach(&standing);
+        self.step_error += reached.error;
+        let bend = Some(Bend { rule, tolerance: self.settings.step_error, slipped });
+        let stretch = self.stretch(here.clone(), to, at.clone());
+        self.pieces.push(Stretch { bend, ..stretch });
+        self.node.arrive(&mut self.segment, here, to, &at);
         self.factor = to;
-        self.at_node = true;
-        if leg_done {
-            self.program.leg += 1;
-            self.begin_leg();
-        }
     }
 }
 
@@ -311,8 +283,10 @@ impl<const D: usize, const C: usize> Iterator for LoadPath<'_, D, C> {
                 if let Some(event) = self.decide() {
                     return Some(event);
                 }
+            } else if self.node.turns() {
+                self.advance_along_arc();
             } else {
-                self.advance();
+                self.advance_straight();
             }
         }
         None

@@ -7,7 +7,7 @@ use nalgebra::{Matrix, SVector};
 
 use super::margin::{Exit, Line, ROUNDING, polygon_exits, round_exit};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof, force_size, largest_force, span};
-use crate::formulation::{Law, Piece, PieceState, Problem, State};
+use crate::formulation::{Law, Piece, PieceState, Problem, Slide, State};
 use crate::grasp::Grasp;
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
@@ -53,20 +53,56 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
         let piece = Arc::new(Piece::new(&self.problem, states));
-        let unbalanced = |motion: Option<SVector<f64, D>>| {
-            let v = motion.unwrap_or_else(SVector::zeros);
-            let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
-            NoEquilibrium { proof }
-        };
         let base =
-            piece.solve(&self.problem.drives, &self.problem.wrench).map_err(|u| unbalanced(u.motion))?;
-        let rate = piece.solve(&self.change, &self.direction).map_err(|u| unbalanced(u.motion))?;
-        let PieceState { forces, twist } = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
+            piece.solve(&self.problem.drives, &self.problem.wrench).map_err(|u| self.unbalanced(u.motion))?;
+        let rate = piece.solve(&self.change, &self.direction).map_err(|u| self.unbalanced(u.motion))?;
+        let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
             twist: base.twist + rate.twist * factor,
         });
-        let drives = self.drives(factor);
-        // Where everything vanishes on the way, what is left is the rounding of the terms: those at factor 0 and the way from there.
+        Ok(self.here(piece, factor, at, &rate, (0.0, &base)))
+    }
+
+    /// The same where contacts slide on the round cone: the first order of what comes next from a state, as long as it lasts.
+    pub(super) fn tangent(
+        &self,
+        states: &[State],
+        factor: f64,
+        at: &PieceState<D, C>,
+        directions: &[Option<SVector<f64, C>>],
+    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
+        let mut linear = self.problem.clone();
+        for (i, direction) in directions.iter().enumerate() {
+            if let (State::Sliding { .. }, Some(direction)) = (states[i], direction) {
+                let slide = Slide::new(&self.grasp.sites()[i], direction, 0.0);
+                linear.laws[i] = self.problem.turning(i, slide);
+            }
+        }
+        let piece = Arc::new(Piece::new(&linear, states));
+        let rate = piece.solve(&self.change, &self.direction).map_err(|u| self.unbalanced(u.motion))?;
+        Ok(self.here(piece, factor, at.clone(), &rate, (factor, at)))
+    }
+
+    fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D> {
+        let v = motion.unwrap_or_else(SVector::zeros);
+        let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
+        NoEquilibrium { proof }
+    }
+
+    /// A state at a factor with its rates. What vanishes on the way is known up to the rounding of the terms: those of the state
+    /// that it was reached from, at another factor, and the way from there.
+    fn here(
+        &self,
+        piece: Arc<Piece<D, C>>,
+        factor: f64,
+        at: PieceState<D, C>,
+        rate: &PieceState<D, C>,
+        (since, base): (f64, &PieceState<D, C>),
+    ) -> Here<D, C> {
+        let PieceState { forces, twist } = at;
+        let way = factor - since;
+        let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
+        let base_load = self.problem.wrench + self.direction * since;
         let sites = self.grasp.sites();
         let sizes =
             |drives: &[SVector<f64, C>], twist: &SVector<f64, D>, load: f64, forces: &[SVector<f64, C>]| {
@@ -74,17 +110,16 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
                     sites.iter().zip(drives).map(|(site, a)| span(site, a, twist)).fold(0.0, f64::max);
                 [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
             };
-        let [base_force, base_travel] =
-            sizes(&self.problem.drives, &base.twist, self.problem.wrench.norm(), &base.forces);
+        let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
         let rate_sizes = sizes(&self.change, &rate.twist, self.direction.norm(), &rate.forces);
-        let most = base_force + factor * rate_sizes[0];
+        let most = base_force + way * rate_sizes[0];
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (moved, moving) = (site.map.tr_mul(&twist), site.map.tr_mul(&rate.twist));
             let span_rate = span(site, &self.change[i], &rate.twist);
             let span_here = span(site, &drives[i], &twist);
-            let span = span_here.max(span(site, &self.problem.drives[i], &base.twist) + factor * span_rate);
+            let span = span_here.max(span(site, &base_drives[i], &base.twist) + way * span_rate);
             lines.push(Line {
                 force: forces[i],
                 rate: rate.forces[i],
@@ -93,7 +128,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             });
             gaps.push([moved[0] - drives[i][0], moving[0] - self.change[i][0], span, span_rate]);
         }
-        Ok(Here {
+        Here {
             lines,
             twist,
             twist_rate: rate.twist,
@@ -101,9 +136,9 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             neutral_motions: piece.neutral_motions(),
             piece,
             gaps,
-            sizes: [most, base_travel + factor * rate_sizes[1]],
+            sizes: [most, base_travel + way * rate_sizes[1]],
             rate_sizes,
-        })
+        }
     }
 
     /// Forces and twist at a factor, solved there: interpolated from afar they would carry the rounding of what they are there.
@@ -232,14 +267,17 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Some((first.step, together))
     }
 
-    /// The same grasp driven at the rates of this stretch, with these laws.
+    /// The same grasp driven at the rates of this stretch, with these laws. The round cone matters only at its apex: on an edge it
+    /// is a facet.
     pub(super) fn rates(&self, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
-        Problem {
+        let mut rates = Problem {
             laws,
             drives: self.change.clone(),
             slips: vec![SVector::zeros(); self.grasp.len()],
             wrench: self.direction,
             ..self.problem.clone()
-        }
+        };
+        rates.round &= (0..rates.len()).any(|i| rates.may_slide(i));
+        rates
     }
 }

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use super::onset::OnsetEvent;
 use super::ramp::Ramp;
-use crate::equilibrium::{Cone, Equilibrium, Settings};
+use crate::equilibrium::{Cone, Equilibrium, Rung, Settings};
 use crate::formulation::{Law, Piece, Polygon, Problem, Slide, State, edge_direction, least_combination};
 use crate::grasp::{Grasp, Twist, Wrench};
 
@@ -227,8 +227,9 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         if equilibrium.cone == Cone::Round {
             for (i, contact) in equilibrium.contacts.iter().enumerate() {
                 if matches!(states[i], State::Sliding { .. }) && contact.friction_force() > 0.0 {
-                    // The slip is λ F_t.
-                    let lambda = contact.slip.norm() / contact.friction_force();
+                    // At rest the slip is λ F_t; on a path it goes on from what has slipped so far.
+                    let on_a_path = equilibrium.rule == Rung::LoadPath;
+                    let lambda = if on_a_path { 0.0 } else { contact.slip.norm() / contact.friction_force() };
                     problem.laws[i] =
                         problem.turning(i, Slide::new(&grasp.sites()[i], &contact.force, lambda));
                 }

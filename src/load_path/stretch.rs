@@ -1,11 +1,14 @@
-//! One straight piece of a path: every contact keeps its state, and everything is affine in the fraction of the leg.
+//! One piece of a path: every contact keeps its state. Where nothing slides on a round cone everything is affine in the fraction
+//! of the leg; where something does the piece is a step of the integration, made again up to where it is asked for.
 
 use nalgebra::SVector;
 
+use super::arc::{Arc, Poised, Rule};
+use super::extrapolation::extrapolate;
 use super::margin::Line;
-use super::segment::Here;
+use super::segment::{Here, Segment};
 use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung};
-use crate::formulation::{PieceState, Problem, State};
+use crate::formulation::{PieceState, Problem, Slide, State};
 use crate::grasp::{Grasp, Wrench};
 
 /// What is needed to tell the state at any fraction on the way.
@@ -24,11 +27,25 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) here: Here<D, C>,
     /// At `to`.
     pub(super) there: PieceState<D, C>,
+    /// Where something slides on the round cone.
+    pub(super) bend: Option<Bend<C>>,
 }
 
-impl<const D: usize, const C: usize> Stretch<'_, D, C> {
+/// How a piece was integrated.
+#[derive(Debug, Clone)]
+pub(super) struct Bend<const C: usize> {
+    pub(super) rule: Rule,
+    pub(super) tolerance: f64,
+    /// Slips from `from` to `to`.
+    pub(super) slipped: Vec<SVector<f64, C>>,
+}
+
+impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
     /// The equilibrium at a fraction of the leg.
-    pub(super) fn state_at(&self, grasp: &Grasp<D, C>, cone: Cone, fraction: f64) -> Equilibrium<D, C> {
+    pub(super) fn state_at(&self, grasp: &'g Grasp<D, C>, cone: Cone, fraction: f64) -> Equilibrium<D, C> {
+        if let Some(bend) = &self.bend {
+            return self.on_the_bend(bend, grasp, cone, fraction);
+        }
         let step = fraction - self.from;
         // Between the ends, each of which is solved where it is.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
@@ -43,12 +60,71 @@ impl<const D: usize, const C: usize> Stretch<'_, D, C> {
             slides: Vec::new(),
             from_polygon: None,
         };
-        let load = self.load[0] + (self.load[1] - self.load[0]) * fraction;
-        let problem = Problem {
-            drives: self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * fraction).collect(),
-            wrench: self.problem.wrench + self.direction * fraction,
-            ..self.problem.clone()
+        self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found)
+    }
+
+    fn on_the_bend(
+        &self,
+        bend: &Bend<C>,
+        grasp: &'g Grasp<D, C>,
+        cone: Cone,
+        fraction: f64,
+    ) -> Equilibrium<D, C> {
+        let segment = self.segment(grasp, cone);
+        let start = PieceState {
+            forces: self.here.lines.iter().map(|line| line.force).collect(),
+            twist: self.here.twist,
         };
-        grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone)
+        let end = || Poised { at: self.there.clone(), slipped: bend.slipped.clone() };
+        let poised = if fraction >= self.to {
+            end()
+        } else if fraction <= self.from {
+            Poised { at: start, slipped: vec![SVector::zeros(); grasp.len()] }
+        } else {
+            let mut arc = Arc::new(&segment, &self.states, self.from, start, self.here.twist_rate);
+            let reached = [bend.rule, bend.rule.other()]
+                .into_iter()
+                .find_map(|rule| extrapolate(&mut arc, rule, fraction, bend.tolerance));
+            // What reached the end of the piece reaches a part of it.
+            reached.map_or_else(end, |reached| reached.there)
+        };
+        let site = |i: usize| &grasp.sites()[i];
+        let slide = |i: usize| {
+            let slides = matches!(self.states[i], State::Sliding { .. });
+            slides.then(|| Slide::new(site(i), &poised.at.forces[i], 0.0))
+        };
+        let found = Found {
+            states: self.states.clone(),
+            slides: (0..grasp.len()).map(slide).collect(),
+            forces: poised.at.forces.clone(),
+            twist: poised.at.twist,
+            free_motions: self.here.free_motions.clone(),
+            neutral_motions: self.here.neutral_motions.clone(),
+            sizes: self.here.sizes,
+            from_polygon: None,
+        };
+        let mut problem = segment.problem_at(fraction);
+        for (i, s) in poised.slipped.iter().enumerate() {
+            problem.drives[i] -= s;
+            problem.slips[i] += s;
+        }
+        self.equilibrium(grasp, cone, fraction, &problem, &found)
+    }
+
+    fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
+        let (problem, change) = (self.problem.clone(), self.change.clone());
+        Segment { grasp, cone, problem, change, direction: self.direction }
+    }
+
+    fn equilibrium(
+        &self,
+        grasp: &Grasp<D, C>,
+        cone: Cone,
+        fraction: f64,
+        problem: &Problem<'g, D, C>,
+        found: &Found<D, C>,
+    ) -> Equilibrium<D, C> {
+        let load = self.load[0] + (self.load[1] - self.load[0]) * fraction;
+        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }
 }

@@ -20,6 +20,15 @@ pub(super) fn nothing_changes<const D: usize, const C: usize>(
     states: &[State],
 ) -> Option<Vec<State>> {
     let in_the_rates = |(contact, &state): (usize, &State)| {
+        if let (true, State::Sliding { .. }) = (problem.round, state) {
+            return match rates.laws[contact] {
+                Law::Edge(_) => Some(state),
+                // It has just stuck.
+                Law::Bonded => Some(State::Rolling),
+                // At the apex there is no telling which way it slid.
+                _ => None,
+            };
+        }
         let (Law::Edge(facets), State::Sliding { first, second }) = (&rates.laws[contact], state) else {
             return Some(state);
         };
@@ -55,6 +64,9 @@ pub(super) fn in_the_whole_law<const D: usize, const C: usize>(
     state: State,
 ) -> State {
     let (Law::Edge(facets), State::Sliding { first, second }) = (law, state) else { return state };
+    if problem.round {
+        return state;
+    }
     let normals = problem.normals(contact);
     let mut at: Vec<usize> = [Some(first), second]
         .into_iter()

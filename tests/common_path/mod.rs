@@ -9,6 +9,7 @@ pub(crate) mod views;
 
 use std::f64::consts::{PI, TAU};
 
+use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
 use grasp_lcp::load_path::Leg;
@@ -71,6 +72,11 @@ impl<const C: usize> Spot<C> {
     pub(crate) fn holds_along(&self) -> bool {
         self.mu > 0.0 || self.hold == Hold::Bonded
     }
+}
+
+/// The exact cone in the plane, the polygon whose law is written out below in space.
+pub(crate) fn polygon() -> Settings {
+    Settings::default().on_the_polygon()
 }
 
 /// Tangential vectors in the contact frame: facet normals h of `h·F_t <= μ F_n`.

@@ -1,0 +1,73 @@
+//! Along a straight piece: everything is affine in the fraction of the leg, and the next event is a ratio test.
+
+use super::event::PathEnd;
+use super::path::LoadPath;
+use super::segment::{Here, Standing};
+use crate::formulation::PieceState;
+
+/// Zero steps in a row that are still events of one node and not rounding that goes in circles.
+const MOST_STALLS: usize = 64;
+
+/// A step is known to this part at least; a larger correction says that there is something else wrong with it.
+const ROUGHLY: f64 = 1e-6;
+
+impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
+    /// Goes along the present piece to its end: the next edge, or the end of the leg.
+    pub(super) fn advance_straight(&mut self) {
+        let Some(here) = self.here.clone() else { return };
+        let rest = 1.0 - self.factor;
+        let exits = self.segment.first_exits(&self.node.states, &here);
+        // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
+        let at_the_end = |standing: &Standing<C>| {
+            standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
+        };
+        let (step, standing, leg_done) = match exits {
+            Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
+            Some((step, standing)) if self.factor + step < 1.0 => {
+                let step = self.corrected(&here, step, &standing);
+                if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
+            }
+            Some((step, standing)) if step <= rest => (rest, standing, true),
+            _ => (rest, Vec::new(), true),
+        };
+        let to = if leg_done { 1.0 } else { self.factor + step };
+        self.stalls = if to > self.factor { 0 } else { self.stalls + 1 };
+        if self.stalls > MOST_STALLS {
+            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
+            return;
+        }
+        let there = self.state_after(&here, step);
+        if let Some(energy) = self.energy.last_mut() {
+            energy.add(&self.segment, &self.node.states, &here, self.factor, step);
+        }
+        self.pieces.push(self.stretch(here.clone(), to, there.clone()));
+        self.node.arrive(&mut self.segment, &here, to, &there);
+        self.node.reach(&standing);
+        self.factor = to;
+        self.at_node = true;
+        if leg_done {
+            self.program.leg += 1;
+            self.begin_leg();
+        }
+    }
+
+    /// Forces and twist after a step along the present piece.
+    pub(super) fn state_after(&self, here: &Here<D, C>, step: f64) -> PieceState<D, C> {
+        let twist = here.twist + here.twist_rate * step;
+        self.segment.state(&here.piece, self.factor + step, Some(&twist)).unwrap_or_else(|| PieceState {
+            forces: here.lines.iter().map(|line| line.force + line.rate * step).collect(),
+            twist,
+        })
+    }
+
+    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.
+    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &Standing<C>) -> f64 {
+        let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
+        let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
+            return step;
+        };
+        let there = self.state_after(here, step);
+        let more = self.segment.way_to(i, self.node.states[i], exit, here, self.factor + step, &there);
+        if more.abs() <= ROUGHLY * (self.factor + step) { (step + more).max(0.0) } else { step }
+    }
+}
