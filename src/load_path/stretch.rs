@@ -11,6 +11,9 @@ use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung};
 use crate::formulation::{PieceState, Problem, Slide, State};
 use crate::grasp::{Grasp, Wrench};
 
+/// How often a part of a step is made with a ten times larger error where it cannot be made with that of the whole.
+const LOOSER: i32 = 4;
+
 /// What is needed to tell the state at any fraction on the way.
 pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) leg: usize,
@@ -82,10 +85,10 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             Poised { at: start, slipped: vec![SVector::zeros(); grasp.len()] }
         } else {
             let mut arc = Arc::new(&segment, &self.states, self.from, start, self.here.twist_rate);
-            let reached = [bend.rule, bend.rule.other()]
-                .into_iter()
-                .find_map(|rule| extrapolate(&mut arc, rule, fraction, bend.tolerance));
-            // What reached the end of the piece reaches a part of it.
+            // What reached the end of the piece reaches a part of it, if not always to the same error: rounding is in the way.
+            let errors = (0..LOOSER).map(|k| bend.tolerance * 10.0_f64.powi(k));
+            let mut tries = errors.flat_map(|error| [(bend.rule, error), (bend.rule.other(), error)]);
+            let reached = tries.find_map(|(rule, error)| extrapolate(&mut arc, rule, fraction, error));
             reached.map_or_else(end, |reached| reached.there)
         };
         let site = |i: usize| &grasp.sites()[i];

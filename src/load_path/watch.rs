@@ -8,6 +8,10 @@ use crate::formulation::{Law, State};
 /// On an arc a value carries the error of the steps besides rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;
 
+/// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
+/// part of its size: too little below.
+const VANISHING: f64 = 1e-9;
+
 /// One condition of one contact, with its rate where it is known, and what its rounding is measured against.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
@@ -69,6 +73,10 @@ pub(super) fn watch<const D: usize, const C: usize>(
                 push(line.force[0], Some(line.rate[0]), line.force_size);
             }
             State::Rolling => {}
+            // Whether what is about to vanish sticks on the way there is decided by rounding.
+            State::Sliding { .. } if line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size => {
+                push(f64::INFINITY, None, 1.0);
+            }
             State::Sliding { .. } => {
                 let p = tangential(&line.force).normalize();
                 let moving = segment.change[contact] - site.map.tr_mul(&here.twist_rate);

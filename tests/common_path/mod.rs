@@ -161,6 +161,28 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     /// By how much a state breaks the contact law at its worst, relative to the sizes of what is compared; the law is
     /// written out as in the crate's first page, with the slip that the state carries.
     pub(crate) fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+        let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
+        self.breach_of(leg, fraction, state, reach)
+    }
+
+    /// The same on the round cone.
+    pub(crate) fn breach_on_the_round_cone(
+        &self,
+        leg: usize,
+        fraction: f64,
+        state: &Equilibrium<D, C>,
+    ) -> f64 {
+        self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
+    }
+
+    /// On the cone `reach(F_t) <= μ F_n`.
+    fn breach_of(
+        &self,
+        leg: usize,
+        fraction: f64,
+        state: &Equilibrium<D, C>,
+        reach: impl Fn(&SVector<f64, C>) -> f64,
+    ) -> f64 {
         let (load, drives) = self.at(leg, fraction);
         let mut worst: f64 = 0.0;
         let mut note = |excess: f64, size: f64| {
@@ -203,7 +225,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 assert!(c.state == ContactState::Rolling);
                 continue;
             }
-            let reach = facets::<C>().iter().map(|h| h.dot(&t)).fold(f64::MIN, f64::max);
+            let reach = reach(&t);
             note(reach - spot.mu * n, (1.0 + spot.mu) * most);
             if matches!(c.state, ContactState::Sliding { .. }) {
                 note(spot.mu * n - reach, (1.0 + spot.mu) * most);

@@ -1,0 +1,306 @@
+//! Load paths on the round cone, random grasps and programs in space: the contact law at every sampled fraction, slips along the friction
+//! force, energies, legs cut in two, other frames, and small steps of a method that knows nothing of arcs and events.
+
+mod common_path;
+
+use std::mem::discriminant;
+
+use common_path::draw::{over, spatial_scenes};
+use common_path::tally::Tally;
+use common_path::views::View;
+use common_path::{Scene, brief, same_state, sizes, tangential};
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::{ContactState, Equilibrium};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+type Spatial = Scene<6, 3>;
+
+/// From what follows events and samples the law; slips go along the friction force, over ever shorter ways.
+fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    prop_assert!(path.step_error() < 1e-9, "{:e}", path.step_error());
+    for event in &events {
+        let breach = scene.breach_on_the_round_cone(event.leg, event.fraction, &event.state);
+        prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
+    }
+    for energy in path.energies() {
+        prop_assert!(energy.residual().abs() <= 1e-10, "{energy:?}");
+        prop_assert!(energy.dissipated >= -1e-12 * energy.turnover, "{energy:?}");
+    }
+    let Some((last_leg, last, _)) = path.position() else { return Ok(()) };
+    for leg in 0..=last_leg {
+        let end = if leg < last_leg { 1.0 } else { last };
+        for part in [0.1, 0.35, 0.6, 0.85] {
+            let f = part * end;
+            let (a, b) = (path.state_at(leg, f).unwrap(), path.state_at(leg, f + 1e-4 * end).unwrap());
+            for (f, state) in [(f, &a), (f + 1e-4 * end, &b)] {
+                let breach = scene.breach_on_the_round_cone(leg, f, state);
+                prop_assert!(breach <= 1e-12, "{breach:e} at {leg} {f}: {}", brief(state));
+            }
+            tally.checked += slips_along_friction(&a, &b)?;
+        }
+    }
+    Ok(())
+}
+
+/// Where a contact slides at both of two near states it has slipped along the friction force between them, but for what that
+/// turns; where it rolls at both, not at all.
+fn slips_along_friction(a: &Equilibrium<6, 3>, b: &Equilibrium<6, 3>) -> Result<usize, TestCaseError> {
+    let (_, motion) = sizes(a);
+    let mut sliding = 0;
+    for (x, y) in a.contacts.iter().zip(&b.contacts) {
+        let slip = y.slip - x.slip;
+        match (x.state, y.state) {
+            (ContactState::Rolling, ContactState::Rolling) => {
+                prop_assert!(slip.norm() <= 1e-12 * motion, "{slip:?}");
+            }
+            (ContactState::Sliding { .. }, ContactState::Sliding { .. }) if slip.norm() > 1e-9 * motion => {
+                let [f, g] = [x, y].map(|c| tangential(&c.force).normalize());
+                let turned = (f - g).norm();
+                let off = (slip.normalize() - (f + g).normalize()).norm();
+                prop_assert!(off <= 1e-4 + turned, "{off:e} with {turned:e}");
+                sliding += 1;
+            }
+            _ => {}
+        }
+    }
+    Ok(sliding)
+}
+
+#[test]
+fn the_law_holds_along_arcs() {
+    let t = over(250, &spatial_scenes(), |scene, tally| the_law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 200 && t.slides > 100 && t.sticks > 50 && t.opens > 10 && t.closes > 10, "{t:?}");
+    assert!(t.completed > 60 && t.limits > 20 && t.undecided == 0, "{t:?}");
+}
+
+/// What happened, without directions.
+fn story(events: &[Event<6, 3>], contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
+    let what = |event: &Event<6, 3>| {
+        let mut list: Vec<_> = event
+            .changes
+            .iter()
+            .map(|(i, change)| format!("{}: {:?}", contacts[*i], discriminant(change)))
+            .collect();
+        list.sort();
+        list
+    };
+    events.iter().map(|e| (e.leg, e.fraction, what(e))).collect()
+}
+
+/// Sliding that comes to an end at vanishing force may stick and slide ever faster: what happens within this of another event
+/// is one thing.
+const APART: f64 = 1e-6;
+
+/// Whether no two events come so close that rounding may tell their story in another way.
+fn clear(events: &[Event<6, 3>]) -> bool {
+    events.windows(2).all(|w| w[0].leg != w[1].leg || w[1].fraction - w[0].fraction > APART)
+}
+
+fn same_story(
+    a: &[(usize, f64, Vec<String>)],
+    b: &[(usize, f64, Vec<String>)],
+    within: f64,
+) -> Result<(), TestCaseError> {
+    prop_assert_eq!(a.len(), b.len(), "{:?} against {:?}", a, b);
+    for (x, y) in a.iter().zip(b) {
+        prop_assert!(x.0 == y.0 && x.2 == y.2, "{a:?} against {b:?}");
+        prop_assert!((x.1 - y.1).abs() <= within, "{:e}: {a:?} against {b:?}", x.1 - y.1);
+    }
+    Ok(())
+}
+
+/// Whether two views of a scene start from the same equilibrium: of several it may be another.
+fn same_start(scene: &Spatial, other: &Spatial, contacts: &[usize]) -> bool {
+    let starts = [scene, other].map(|s| s.grasp().solve(&s.start()).unwrap());
+    let [Some(a), Some(b)] = starts.each_ref().map(|s| s.equilibrium()) else { return false };
+    let press = scene.press();
+    b.contacts
+        .iter()
+        .zip(contacts)
+        .all(|(c, &i)| (c.normal_force() - a.contacts[i].normal_force()).abs() <= 1e-10 * press)
+}
+
+/// Another frame, contacts in another order, tangents turned about the normals: the same story to 1e-11.
+#[test]
+fn frames_and_order_do_not_matter() {
+    let t = over(120, &spatial_scenes(), |scene, tally| {
+        let grasp = scene.grasp();
+        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let events = path.run();
+        tally.count(&events, &path);
+        if !clear(&events) {
+            return Ok(());
+        }
+        let n = scene.spots.len();
+        let straight: Vec<usize> = (0..n).collect();
+        let order: Vec<usize> = (0..n).map(|i| (i + 1) % n).collect();
+        let moved = View::moved([0.3, -0.7, 1.1], [0.2, -0.1, 0.4]).scene(&scene);
+        let others =
+            [(moved, straight.clone()), (scene.reordered(&order), order), (turned(&scene, 0.7), straight)];
+        for (other, contacts) in others {
+            if !same_start(&scene, &other, &contacts) {
+                continue;
+            }
+            let there = other.grasp();
+            let mut path_there = there.follow(other.start(), &other.legs()).unwrap();
+            let events_there = path_there.run();
+            let own: Vec<usize> = (0..n).collect();
+            same_story(&story(&events, &own), &story(&events_there, &contacts), 1e-11)?;
+            let ends = [&path, &path_there].map(|p| p.end().map(discriminant));
+            prop_assert_eq!(ends[0], ends[1], "{:?} against {:?}", path.end(), path_there.end());
+            tally.checked += usize::from(!events.is_empty());
+        }
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked > 60, "{t:?}");
+}
+
+/// The tangents of every contact turned about its normal, commands with them.
+fn turned(scene: &Spatial, angle: f64) -> Spatial {
+    let (sin, cos) = angle.sin_cos();
+    let mut other = scene.clone();
+    for spot in &mut other.spots {
+        let (t1, t2) = (spot.frame.column(1).into_owned(), spot.frame.column(2).into_owned());
+        spot.frame.set_column(1, &(t1 * cos + t2 * sin));
+        spot.frame.set_column(2, &(t2 * cos - t1 * sin));
+    }
+    for goal in &mut other.goals {
+        for a in &mut goal.commands {
+            (a[1], a[2]) = (cos * a[1] + sin * a[2], cos * a[2] - sin * a[1]);
+        }
+    }
+    other
+}
+
+/// A leg that stops half way and goes on: the same events, the same end.
+#[test]
+fn cutting_legs_changes_nothing() {
+    let t = over(120, &spatial_scenes(), |scene, tally| {
+        let grasp = scene.grasp();
+        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let events = path.run();
+        tally.count(&events, &path);
+        let mut halves = scene.clone();
+        halves.goals = vec![scene.goals[0].clone()];
+        for pair in scene.goals.windows(2) {
+            let mut middle = pair[1].clone();
+            middle.load = (pair[0].load + pair[1].load) * 0.5;
+            for (m, (a, b)) in middle.commands.iter_mut().zip(pair[0].commands.iter().zip(&pair[1].commands))
+            {
+                *m = (a + b) * 0.5;
+            }
+            halves.goals.extend([middle, pair[1].clone()]);
+        }
+        let mut pieces = grasp.follow(halves.start(), &halves.legs()).unwrap();
+        let again = pieces.run();
+        if !clear(&events) {
+            return Ok(());
+        }
+        let own: Vec<usize> = (0..scene.spots.len()).collect();
+        let in_halves: Vec<_> = story(&again, &own)
+            .into_iter()
+            .map(|(leg, f, what)| (leg / 2, 0.5 * ((leg % 2) as f64 + f), what))
+            .collect();
+        same_story(&story(&events, &own), &in_halves, 1e-11)?;
+        if let (Some((_, _, a)), Some((_, _, b))) = (path.position(), pieces.position()) {
+            same_state(&scene, &a, &b, 1e-9)?;
+            tally.checked += usize::from(!events.is_empty());
+        }
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked > 30, "{t:?}");
+}
+
+/// Equal steps along the whole program by one-shot equilibria, each from the slips of the one before: backward Euler, without events or
+/// arcs. `None` where a step has no equilibrium, or jumps.
+fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f64, 3>>> {
+    let mut slips = vec![SVector::<f64, 3>::zeros(); scene.spots.len()];
+    let mut forces: Vec<SVector<f64, 3>> = Vec::new();
+    for (leg, part) in (0..legs).flat_map(|leg| (0..=steps).map(move |k| (leg, k))) {
+        if leg > 0 && part == 0 {
+            continue;
+        }
+        let (load, mut drives) = scene.at(leg, f64::from(part) / f64::from(steps));
+        for (i, spot) in scene.spots.iter().enumerate() {
+            drives[i] -= slips[i];
+            drives[i][0] += spot.clearance;
+        }
+        let grasp = scene.grasp().with_commands(&drives).unwrap();
+        let outcome = grasp.solve(&Wrench::from_vector(load)).unwrap();
+        let state = outcome.equilibrium()?;
+        if !forces.is_empty() {
+            let jump = state.contacts.iter().zip(&forces).map(|(c, f)| (c.force - f).norm());
+            if jump.fold(0.0, f64::max) > 0.2 * scene.press() {
+                return None;
+            }
+        }
+        forces = state.contacts.iter().map(|c| c.force).collect();
+        for (slip, contact) in slips.iter_mut().zip(&state.contacts) {
+            // Also that of an open contact, whose surfaces move past each other: it closes without friction.
+            if !matches!(contact.state, ContactState::Rolling | ContactState::Frictionless) {
+                *slip += contact.slip;
+            }
+        }
+    }
+    Some(forces)
+}
+
+/// The end of a path is where small steps lead, the closer the smaller they are.
+#[test]
+fn small_steps_lead_to_the_same_end() {
+    let t = over(60, &spatial_scenes(), |scene, tally| {
+        let grasp = scene.grasp();
+        let mut path: LoadPath<'_, 6, 3> = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let events = path.run();
+        tally.count(&events, &path);
+        if !matches!(path.end(), Some(PathEnd::Completed)) || path.step_error() == 0.0 {
+            return Ok(());
+        }
+        let legs = scene.goals.len() - 1;
+        let end = path.position().unwrap().2;
+        let away = |steps: u32| {
+            small_steps(&scene, legs, steps).map(|forces| {
+                let apart = end.contacts.iter().zip(&forces).map(|(c, f)| (c.force - f).norm());
+                apart.fold(0.0, f64::max) / scene.press()
+            })
+        };
+        if let (Some(coarse), Some(fine)) = (away(50), away(400)) {
+            prop_assert!(fine <= 1e-3 && (fine <= 0.3 * coarse || fine < 1e-9), "{coarse:e} then {fine:e}");
+            tally.checked += 1;
+        }
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked >= 8, "{t:?}");
+}
+
+/// A larger error of the steps makes fewer of them, and the end is off by about as much.
+#[test]
+fn coarse_steps_end_nearby() {
+    let t = over(60, &spatial_scenes(), |scene, tally| {
+        let grasp = scene.grasp();
+        let ends = [1e-13, 1e-6].map(|tolerance| {
+            let settings = Settings::default().with_step_error(tolerance);
+            let mut path = grasp.follow_with(scene.start(), &scene.legs(), &settings).unwrap();
+            let events = path.run();
+            tally.count(&events, &path);
+            (matches!(path.end(), Some(PathEnd::Completed)), path.step_error(), path.position())
+        });
+        let [(true, fine, Some((_, _, a))), (true, coarse, Some((_, _, b)))] = &ends else { return Ok(()) };
+        same_state(&scene, a, b, 1e-3)?;
+        tally.checked += usize::from(*fine > 0.0 && *coarse > *fine);
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked >= 8, "{t:?}");
+}
