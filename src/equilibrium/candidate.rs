@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
-use super::slack::{for_each_slack, largest_force};
+use super::slack::{There, for_each_slack, largest_force};
 use crate::formulation::{Law, Piece, PieceState, Problem, Slide, State};
 use crate::lcp::{Lcp, Outcome};
 
@@ -114,6 +114,42 @@ pub(super) fn admit<const D: usize, const C: usize>(
         neutral_motions,
         sizes,
         slides: Vec::new(),
+        from_polygon: None,
+    })
+}
+
+/// The same for balanced forces of sliding contacts on the round cone, where the piece is regular: it has one solution,
+/// and rounding does not grow in it.
+pub(super) fn admit_sliding<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State>,
+    slides: Vec<Option<Slide<C>>>,
+    state: PieceState<D, C>,
+    largest: f64,
+) -> Option<Found<D, C>> {
+    let mut holds = true;
+    for (contact, slide) in slides.iter().enumerate() {
+        let there = There {
+            drive: &problem.drives[contact],
+            force: &state.forces[contact],
+            twist: &state.twist,
+            largest,
+        };
+        let facet = slide.as_ref().map(|slide| std::slice::from_ref(&slide.direction));
+        let normals = facet.unwrap_or_else(|| problem.normals(contact));
+        // Written so that it also turns away what is not a number.
+        there.for_each_slack(problem, contact, states[contact], normals, |value, size| {
+            holds &= value >= -ROUNDING * size;
+        });
+    }
+    holds.then(|| Found {
+        states,
+        forces: state.forces,
+        twist: state.twist,
+        free_motions: Vec::new(),
+        neutral_motions: Vec::new(),
+        sizes: [0.0; 2],
+        slides,
         from_polygon: None,
     })
 }

@@ -1,34 +1,31 @@
-//! From the polygon to the round cone: Newton's method on the return map, every contact free to change its state.
+//! From the polygon to the round cone: Newton's method on the return map, then the last digits.
 //!
-//! Given the twist q each contact's force is explicit (`formulation/return_map`), so equilibrium is d equations
-//!
-//! ```text
-//! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -(Σ G_i C_i G_iᵀ) dq
-//! ```
-//!
-//! piecewise smooth, with the tangent stiffness C_i of each contact. From the twist of a polygon's answer a few steps do. The
-//! last one is made on the piece: there the contacts are springs again, and the oblique projection gives forces that
-//! balance to the last digits whatever the stiffness ratios.
+//! From the twist of a polygon's answer a few steps of Newton's method ([`super::newton`]) do. There the contacts are springs
+//! again, with a regular tangent stiffness unless motions are free or stiffnesses lie far apart, and steps of refinement on
+//! the forces themselves balance them to rounding (`formulation/tangent`). Otherwise the last step is made on the piece,
+//! where the oblique projection gives forces that balance to the last digits whatever the stiffness ratios.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
-use super::candidate::{Found, Verdict, admit, try_states};
+use super::candidate::{Found, Verdict, admit, admit_sliding, try_states};
+use super::newton::{Arrived, newton};
 use super::slack::largest_force;
-use crate::formulation::{FullPivot, Law, Piece, PieceState, Problem, Returned, Slide, State, respond};
+use crate::formulation::{
+    Law, Piece, PieceState, Problem, Regular, Returned, Slide, Springs, State, balance, contact_stiffness,
+    respond, tangent_stiffness,
+};
 
 /// A tiny friction force may still turn when all others have settled: it is then off its cone by the square of the angle. This
 /// part of the largest force is rounding.
 const ON_THE_CONE: f64 = 1e-14;
-/// Newton's steps: it converges in a few of them or goes round in circles.
-const STEPS: usize = 20;
-/// A step must take away this part of the share of the imbalance that its length promises.
-const GAIN: f64 = 0.1;
-/// Shorter parts of a step than this are not tried.
-const SHORTEST: f64 = 1e-3;
 /// Steps on the piece: where Newton has converged the first is the last.
 const FINISHING_STEPS: usize = 12;
 /// A step that changes forces by less than this part of them is the last: what it leaves is the square of this.
-const SETTLED: f64 = 1e-9;
+const SETTLED: f64 = 1e-8;
+/// What may be out of balance of a polygon's answer, from which Newton's method starts.
+const NEAR: f64 = 1e-12;
+/// What is left out of balance of an answer is the rounding of its terms.
+const BALANCED: f64 = 4e-16;
 
 /// A proposal that holds: as it is on the polygon, where it leads to on the round cone.
 pub(super) fn accept<const D: usize, const C: usize>(
@@ -52,11 +49,28 @@ pub(super) fn solution_near<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State],
 ) -> Option<PieceState<D, C>> {
+    if let Some(near) = regular_solution(problem, states) {
+        return Some(near);
+    }
     match try_states(problem, states.to_vec()) {
         Verdict::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
         Verdict::Violated { .. } => Piece::new(problem, states).solve(&problem.drives, &problem.wrench).ok(),
         Verdict::Unbalanced => None,
     }
+}
+
+/// The solution of a piece whose tangent stiffness is regular.
+fn regular_solution<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State],
+) -> Option<PieceState<D, C>> {
+    let springs: Vec<Springs<C>> =
+        states.iter().enumerate().map(|(i, &state)| contact_stiffness(problem, i, state)).collect();
+    let tangent = Regular::new(&tangent_stiffness(problem.sites, &springs))?;
+    let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
+    let mut near = PieceState { forces, twist: SVector::zeros() };
+    balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;
+    Some(near)
 }
 
 /// The solution on the round cone near one on the polygon, if Newton's method finds it.
@@ -66,78 +80,59 @@ pub(crate) fn polish<const D: usize, const C: usize>(
 ) -> Option<Found<D, C>> {
     // On the pieces alone where stiffnesses lie so far apart that noise decides what Newton's matrix resists.
     let found = newton(problem, near.twist)
-        .and_then(|twist| finish(problem, twist))
+        .and_then(|arrived| {
+            let twist = arrived.twist;
+            let on_an_edge = problem.laws.iter().any(|law| matches!(law, Law::Edge(_)));
+            let balanced = if on_an_edge { None } else { balanced(problem, arrived) };
+            balanced.or_else(|| finish(problem, twist))
+        })
         .or_else(|| finish(problem, near.twist))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
     Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
 }
 
-/// Newton's method until forces settle. A step that leaves more out of balance than before is halved: without that it jumps
-/// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
-fn newton<const D: usize, const C: usize>(
+/// What Newton's method arrived at, balanced to rounding: where the tangent stiffness is regular and that hardly changes a force.
+fn balanced<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
-    mut twist: SVector<f64, D>,
-) -> Option<SVector<f64, D>> {
-    let mut here = tangent(problem, &twist);
-    for _ in 0..STEPS {
-        let (step, _) = FullPivot::new(here.stiffness, D, D).solve(&here.left);
-        if here.left.norm() <= SETTLED * here.size {
-            return Some(twist + step);
-        }
-        let (mut part, mut next) = (1.0, tangent(problem, &(twist + step)));
-        let whole = next.clone();
-        while next.left.norm() > (1.0 - GAIN * part) * here.left.norm() && part > SHORTEST {
-            part *= 0.5;
-            next = tangent(problem, &(twist + step * part));
-        }
-        if part <= SHORTEST {
-            (part, next) = (1.0, whole);
-        }
-        twist += step * part;
-        here = next;
-        if !here.left.norm().is_finite() {
-            return None;
-        }
+    arrived: Arrived<D, C>,
+) -> Option<Found<D, C>> {
+    let Arrived { twist, contacts, tangent: Some(tangent), mut springs } = arrived else { return None };
+    springs.clear();
+    springs.extend(contacts.iter().zip(problem.sites).map(|(returned, site)| returned.stiffness(site)));
+    let mut state = PieceState { forces: contacts.iter().map(Returned::force).collect(), twist };
+    let moved = balance(problem.sites, &springs, &tangent, &problem.wrench, &mut state, BALANCED)?;
+    let sizes = state.forces.iter().map(nalgebra::Matrix::norm);
+    let largest = largest_force(problem.sites, &problem.drives, &state.twist, problem.wrench.norm(), sizes);
+    let slides: Vec<Option<Slide<C>>> = contacts
+        .iter()
+        .map(|returned| if let Returned::Sliding(_, slide) = returned { Some(*slide) } else { None })
+        .collect();
+    let settled = moved <= SETTLED * largest
+        && (0..problem.len()).all(|i| slides[i].is_none() || on_cone(problem, i, &state.forces[i], largest));
+    if !settled {
+        return None;
     }
-    None
+    let states = contacts
+        .iter()
+        .map(|returned| match returned {
+            Returned::Open => State::Open,
+            Returned::Rolling(_) => State::Rolling,
+            Returned::Sliding(..) => State::Sliding { first: 0, second: None },
+        })
+        .collect();
+    admit_sliding(problem, states, slides, state, largest)
 }
 
-/// R(q), the sizes of its terms and -dR/dq.
-#[derive(Debug, Clone)]
-struct Tangent<const D: usize> {
-    left: SVector<f64, D>,
-    size: f64,
-    stiffness: SMatrix<f64, D, D>,
-}
-
-fn tangent<const D: usize, const C: usize>(problem: &Problem<D, C>, twist: &SVector<f64, D>) -> Tangent<D> {
-    let left = problem.wrench;
-    let mut t = Tangent { left, size: left.norm(), stiffness: SMatrix::zeros() };
-    for (i, site) in problem.sites.iter().enumerate() {
-        let stretch = problem.drives[i] - site.map.tr_mul(twist);
-        match respond(problem, i, &stretch) {
-            Returned::Open => {}
-            Returned::Rolling(force) => {
-                t.left += site.map * force;
-                t.size += force.norm();
-                for a in 0..site.axes {
-                    let g = site.map.column(a);
-                    t.stiffness.ger(site.k[a], &g, &g, 1.0);
-                }
-            }
-            Returned::Sliding(force, slide) => {
-                t.left += site.map * force;
-                t.size += force.norm();
-                let mut pushed = slide.pull() * site.mu;
-                pushed[0] = 1.0;
-                t.stiffness.ger(site.k[0], &(site.map * pushed), &site.map.column(0), 1.0);
-                let (across, held) = slide.across();
-                let g = site.map * across;
-                t.stiffness.ger(held, &g, &g, 1.0);
-            }
-        }
-    }
-    t
+/// Whether the friction force of a sliding contact is on its cone.
+fn on_cone<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    f: &SVector<f64, C>,
+    largest: f64,
+) -> bool {
+    let r = problem.sites[contact].mu * f[0];
+    matches!(problem.laws[contact], Law::Edge(_))
+        || (f[1].hypot(f[2]) - r).abs() <= ON_THE_CONE * largest.max(r)
 }
 
 /// Steps on the piece of the present slides until forces settle.
@@ -163,7 +158,7 @@ fn finish<const D: usize, const C: usize>(
         for (i, site) in problem.sites.iter().enumerate() {
             drives[i] -= site.map.tr_mul(&twist);
             slides[i] = None;
-            states[i] = match respond(problem, i, &drives[i]) {
+            states[i] = match respond(problem, i, &drives[i], 0.0) {
                 Returned::Open => State::Open,
                 Returned::Rolling(force) => {
                     forces[i] = force;
@@ -188,12 +183,7 @@ fn finish<const D: usize, const C: usize>(
         let change = solved.forces.iter().zip(&forces).map(|(new, old)| (new - old).norm());
         let sizes = solved.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(problem.sites, &problem.drives, &twist, problem.wrench.norm(), sizes);
-        let on_cone = |i: usize| {
-            let (f, r) = (&solved.forces[i], problem.sites[i].mu * solved.forces[i][0]);
-            matches!(problem.laws[i], Law::Edge(_))
-                || slides[i].is_none()
-                || (f[1].hypot(f[2]) - r).abs() <= ON_THE_CONE * largest.max(r)
-        };
+        let on_cone = |i: usize| slides[i].is_none() || on_cone(problem, i, &solved.forces[i], largest);
         if change.fold(0.0, f64::max) <= SETTLED * largest && (0..n).all(on_cone) {
             let forces = solved.forces;
             return match admit(&linear, states, &piece, PieceState { forces, twist }) {

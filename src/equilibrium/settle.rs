@@ -2,14 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::candidate::{Found, Verdict, try_states};
+use super::candidate::{Found, Verdict, admit, try_states};
 use super::climb::{climb, enumerable, on_polygons, other_polygons};
 use super::enumerate::search;
 use super::sectors::{Sectors, search_sectors};
 use super::settings::Settings;
 use super::wrench_cone::separating_motion;
 use crate::formulation::{
-    Law, Piece, Problem, State, force_form, force_states, kinematic_form, kinematic_states,
+    Law, Piece, PieceState, Problem, State, force_form, force_states, kinematic_form, kinematic_states,
 };
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
@@ -91,10 +91,10 @@ pub(crate) fn settle<const D: usize, const C: usize>(
             return (settled, effort);
         }
     };
-    if let Verdict::Holds(found) = try_states(problem, unjumped.clone()) {
+    if let Verdict::Holds(found) = admit(problem, unjumped.clone(), &trial, state.clone()) {
         return (Settled::Found(found, Rung::EverythingRolls), effort);
     }
-    if let Some(found) = touching_contacts_roll(problem, unjumped) {
+    if let Some(found) = touching_contacts_roll(problem, unjumped, state.clone()) {
         return (Settled::Found(found, Rung::EverythingTouchingRolls), effort);
     }
     let turned;
@@ -160,16 +160,17 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     (Settled::Undecided(doubt), effort)
 }
 
-/// Opens what pulls and closes what penetrates while everything closed sticks, until neither is left, and accepts the
-/// result if it satisfies every condition. A finger far out of reach is thus no reason to return another equilibrium
-/// than without it.
+/// From these states and their solution: opens what pulls and closes what penetrates while everything closed sticks, until
+/// neither is left, and accepts the result if it satisfies every condition. A finger far out of reach is thus no reason to
+/// return another equilibrium than without it.
 fn touching_contacts_roll<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State>,
+    mut solved: PieceState<D, C>,
 ) -> Option<Found<D, C>> {
+    let mut changed = false;
     // Every contact usually changes once; the bound ends those that would go in circles.
     for _ in 0..2 * states.len() + 2 {
-        let solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
         // One at a time, since what pulls makes others pull that will not when it has let go: first the one that is farthest
         // from the object before anything moves.
         let reach = |i: usize| problem.drives[i][0];
@@ -182,12 +183,17 @@ fn touching_contacts_roll<const D: usize, const C: usize>(
             let open = |i: &usize| problem.may_open(*i) && states[*i] == State::Open;
             let penetrates = (0..states.len()).filter(open).filter(|&i| depth(i) > 0.0);
             let Some(i) = penetrates.max_by(|&i, &j| depth(i).total_cmp(&depth(j))) else {
-                let Verdict::Holds(found) = try_states(problem, states) else { return None };
+                // Unchanged it has been tried before.
+                let Verdict::Holds(found) = changed.then(|| try_states(problem, states))? else {
+                    return None;
+                };
                 return Some(found);
             };
             (i, State::Rolling)
         };
         states[i] = next;
+        changed = true;
+        solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
     }
     None
 }

@@ -47,8 +47,13 @@ pub(crate) fn largest_force<const D: usize, const C: usize>(
     load: f64,
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
-    let spans = sites.iter().zip(drives).map(|(site, a)| span(site, a, twist));
-    forces.fold(load.max(NO_FORCE * least_spring_force(sites, spans)), f64::max)
+    let largest = forces.fold(load, f64::max);
+    // The least of them is no larger than the first: mostly that says that it does not count.
+    let least_of = |count: usize| {
+        let spans = sites.iter().zip(drives).map(|(site, a)| span(site, a, twist));
+        NO_FORCE * least_spring_force(&sites[..count], spans)
+    };
+    if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
 }
 
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,
@@ -76,22 +81,46 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
     let sizes = forces.iter().map(nalgebra::Matrix::norm);
     let largest = largest_force(problem.sites, drives, twist, problem.wrench.norm(), sizes);
     for (contact, state) in states.iter().enumerate() {
+        let there = There { drive: &drives[contact], force: &forces[contact], twist, largest };
+        there.for_each_slack(problem, contact, *state, problem.normals(contact), &mut visit);
+    }
+}
+
+/// One contact of a solution.
+pub(super) struct There<'s, const D: usize, const C: usize> {
+    pub(super) drive: &'s SVector<f64, C>,
+    pub(super) force: &'s SVector<f64, C>,
+    pub(super) twist: &'s SVector<f64, D>,
+    /// Size of the largest force of the scene.
+    pub(super) largest: f64,
+}
+
+impl<const D: usize, const C: usize> There<'_, D, C> {
+    /// The same for one contact with these facets.
+    pub(super) fn for_each_slack(
+        &self,
+        problem: &Problem<D, C>,
+        contact: usize,
+        state: State,
+        normals: &[SVector<f64, C>],
+        mut visit: impl FnMut(f64, f64),
+    ) {
         let site = &problem.sites[contact];
-        let (a, f) = (&drives[contact], &forces[contact]);
-        let moved = site.map.tr_mul(twist);
+        let (a, f) = (self.drive, self.force);
+        let moved = site.map.tr_mul(self.twist);
         let stretch = a - moved;
-        let spans = span(site, a, twist);
-        let force_size = force_size(site, f, spans, largest);
+        let spans = span(site, a, self.twist);
+        let force_size = force_size(site, f, spans, self.largest);
         let motion_size = SMALLEST + spans + (0..site.axes).map(|b| (f[b] / site.k[b]).abs()).sum::<f64>();
         let mu = problem.mu(contact);
         let mut facets_left_alone = |but: [Option<usize>; 2]| {
-            for (j, h) in problem.normals(contact).iter().enumerate() {
+            for (j, h) in normals.iter().enumerate() {
                 if !but.contains(&Some(j)) {
                     visit(mu * f[0] - h.dot(f), force_size * (mu + h.norm()));
                 }
             }
         };
-        match *state {
+        match state {
             State::Open => {
                 if problem.may_open(contact) {
                     visit(-stretch[0], motion_size);
@@ -119,12 +148,12 @@ pub(crate) fn for_each_slack<const D: usize, const C: usize>(
                 for axis in 1..C {
                     slip[axis] -= f[axis] / site.k[axis];
                 }
-                let h1 = problem.normals(contact)[first];
+                let h1 = normals[first];
                 match second {
                     None => visit(slip.dot(&h1) / h1.norm(), motion_size),
                     Some(second) => {
                         // slip = σ₁ h₁ + σ₂ h₂, each σ with the sign of the other normal's right angle to it.
-                        let h2 = problem.normals(contact)[second];
+                        let h2 = normals[second];
                         let cross = |u: &SVector<f64, C>, v: &SVector<f64, C>| u[1] * v[2] - u[2] * v[1];
                         let turn = cross(&h1, &h2);
                         visit(cross(&slip, &h2) / turn, motion_size * h2.norm() / turn.abs());

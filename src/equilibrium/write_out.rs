@@ -81,12 +81,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             State::Sliding { first, second } => {
                 // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
                 // direction is the one in which it would start.
-                let along = match found.slides.get(i) {
-                    Some(Some(slide)) => slide.direction,
-                    _ => {
-                        let outward = second.map_or(normals[first], |second| normals[first] + normals[second]);
-                        if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward }
-                    }
+                let along = if let Some(Some(slide)) = found.slides.get(i) {
+                    slide.direction
+                } else {
+                    let outward = second.map_or(normals[first], |second| normals[first] + normals[second]);
+                    if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward }
                 };
                 ContactState::Sliding { direction: site.frame * along.normalize() }
             }

@@ -7,8 +7,11 @@ mod kinematic;
 mod orthogonal;
 mod piece;
 mod problem;
+mod regular;
 mod return_map;
 mod rows;
+mod spring;
+mod tangent;
 
 pub use cone::{Fit, PolygonCone};
 pub use rows::{Form, LeftOut, Row, Why};
@@ -18,9 +21,12 @@ pub(crate) use force_form::{force_form, force_states};
 pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
-pub(crate) use piece::{Piece, PieceState, edge_direction, least_combination, least_forces};
+pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State};
+pub(crate) use regular::Regular;
 pub(crate) use return_map::{Returned, Slide, respond, slide_on};
+pub(crate) use spring::{contact_stiffness, edge_direction};
+pub(crate) use tangent::{Springs, balance, tangent_stiffness};
 
 use std::sync::Arc;
 

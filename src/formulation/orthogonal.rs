@@ -29,44 +29,51 @@ pub(crate) struct Orthogonal<const D: usize> {
 
 impl<const D: usize> Orthogonal<D> {
     pub(crate) fn new(mut rows: Vec<SVector<f64, D>>) -> Self {
-        let column = |rows: &[SVector<f64, D>], a: usize, b: usize| -> f64 {
-            rows.iter().map(|row| row[a] * row[b]).sum()
-        };
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
-        let mut full: [f64; D] = std::array::from_fn(|j| column(&rows, j, j).sqrt());
-        let mut noise: [f64; D] = std::array::from_fn(|j| {
-            rows.iter().filter(|row| row[j] != 0.0).map(SVector::norm_squared).sum::<f64>().sqrt()
-                * ENTRY_NOISE
-        });
+        let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
+        for row in &rows {
+            let squares = row.component_mul(row);
+            full += squares;
+            let size = squares.sum();
+            noise += row.map(|entry| if entry == 0.0 { 0.0 } else { size });
+        }
+        full.apply(|square| *square = square.sqrt());
+        noise.apply(|square| *square = square.sqrt() * ENTRY_NOISE);
+        // Norms of what is left of the columns.
+        let mut left = full;
         let mut rank = 0;
         while rank < D {
             let k = rank;
             // The largest remaining column, among those that are more than rounding noise of what they were.
             let mut best = None;
             for j in k..D {
-                let left = column(&rows, j, j).sqrt();
-                if left > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left > most) {
-                    best = Some((j, left));
+                if left[j] > (DEPENDENT * full[j]).max(noise[j])
+                    && best.is_none_or(|(_, most)| left[j] > most)
+                {
+                    best = Some((j, left[j]));
                 }
             }
             let Some((pivot, _)) = best else { break };
-            for row in &mut rows {
-                row.swap_rows(k, pivot);
-            }
-            r.swap_columns(k, pivot);
-            order.swap(k, pivot);
-            full.swap(k, pivot);
-            noise.swap(k, pivot);
-            // Second pass against the finished columns: the first was their own step of elimination.
-            for l in 0..k {
-                let again = column(&rows, l, k);
-                r[(l, k)] += again;
+            if pivot != k {
                 for row in &mut rows {
-                    row[k] -= again * row[l];
+                    row.swap_rows(k, pivot);
+                }
+                r.swap_columns(k, pivot);
+                order.swap(k, pivot);
+                for list in [&mut full, &mut noise, &mut left] {
+                    list.swap_rows(k, pivot);
                 }
             }
-            let norm = column(&rows, k, k).sqrt();
+            // Second pass against the finished columns: the first was their own step of elimination.
+            let again = masked(&products(&rows, k), 0..k);
+            r.set_column(k, &(r.column(k) + again));
+            let mut square = 0.0;
+            for row in &mut rows {
+                row[k] -= again.dot(row);
+                square += row[k] * row[k];
+            }
+            let norm = square.sqrt();
             if norm <= (DEPENDENT * full[k]).max(noise[k]) {
                 // What seemed to be left was noise after all: never a pivot again.
                 full[k] = f64::INFINITY;
@@ -76,18 +83,24 @@ impl<const D: usize> Orthogonal<D> {
             for row in &mut rows {
                 row[k] /= norm;
             }
-            for j in k + 1..D {
-                let along = column(&rows, k, j);
-                r[(k, j)] = along;
-                for row in &mut rows {
-                    row[j] -= along * row[k];
-                }
-            }
             rank += 1;
-        }
-        for row in &mut rows {
+            if rank == D {
+                break;
+            }
+            let along = masked(&products(&rows, k), rank..D);
+            left.fill(0.0);
+            for row in &mut rows {
+                *row -= along * row[k];
+                left += row.component_mul(row);
+            }
+            left.apply(|square| *square = square.sqrt());
             for j in rank..D {
-                row[j] = 0.0;
+                r[(k, j)] = along[j];
+            }
+        }
+        if rank < D {
+            for row in &mut rows {
+                *row = masked(row, 0..rank);
             }
         }
         Self { q: rows, r, order, rank }
@@ -153,6 +166,16 @@ impl<const D: usize> Orthogonal<D> {
         }
         basis
     }
+}
+
+/// Products of column k with every column.
+fn products<const D: usize>(rows: &[SVector<f64, D>], k: usize) -> SVector<f64, D> {
+    rows.iter().fold(SVector::zeros(), |sum, row| sum + row * row[k])
+}
+
+/// Zeros beside these components: with all of them at once there is one loop over the rows.
+fn masked<const D: usize>(v: &SVector<f64, D>, keep: std::ops::Range<usize>) -> SVector<f64, D> {
+    SVector::from_fn(|j, _| if keep.contains(&j) { v[j] } else { 0.0 })
 }
 
 /// v becomes a unit vector orthogonal to an orthonormal set (two passes).

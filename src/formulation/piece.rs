@@ -1,15 +1,7 @@
 //! With every contact in a known state the law is linear: one `d x d` system gives twist and forces.
 //!
-//! A contact in a known state is a few springs, each stretched along one direction and pushing along another:
-//!
-//! ```text
-//! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
-//! rolling          left = right = √k_a e_a on every axis with a spring
-//! sliding          F_t = μ F_n p on a corner p:   right = √k_n e_n,  left = √k_n (e_n + μ p)
-//!                  on a facet h (space):          p = K_t h / (h·K_t h) and the spring across h stays
-//!                  on the round cone (space):     the same with S for K_t, see [`super::return_map`]
-//! open             none
-//! ```
+//! A contact in a known state is a few springs ([`super::spring`]), each stretched along one direction and pushing along another:
+//! `F_i = Σ_r left_r (right_r · v_i)` with `v_i = a_i - G_iᵀq`.
 //!
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised and the projection
@@ -19,7 +11,8 @@ use nalgebra::{SMatrix, SVector};
 
 use super::full_pivot::FullPivot;
 use super::orthogonal::{Orthogonal, orthonormalise_against};
-use super::problem::{Law, Problem, State};
+use super::problem::{Problem, State};
+use super::spring::{Spring, push_springs};
 use crate::grasp::Site;
 
 /// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
@@ -38,13 +31,6 @@ pub(crate) struct Piece<const D: usize, const C: usize> {
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
     unbalanced: Vec<SVector<f64, D>>,
     growth: f64,
-}
-
-#[derive(Debug, Clone)]
-pub(super) struct Spring<const C: usize> {
-    pub(super) contact: usize,
-    right: SVector<f64, C>,
-    left: SVector<f64, C>,
 }
 
 /// Forces and a twist of one linear piece.
@@ -178,86 +164,6 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         }
         forces
     }
-}
-
-fn push_springs<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    contact: usize,
-    state: State,
-    springs: &mut Vec<Spring<C>>,
-) {
-    let site = &problem.sites[contact];
-    let along = |axis: usize, size: f64| {
-        let mut v = SVector::<f64, C>::zeros();
-        v[axis] = size;
-        v
-    };
-    match state {
-        State::Open => {}
-        State::Rolling => {
-            for axis in 0..site.axes {
-                let spring = along(axis, site.k[axis].sqrt());
-                springs.push(Spring { contact, right: spring, left: spring });
-            }
-        }
-        State::Sliding { first, second } => {
-            let normals = problem.normals(contact);
-            let h = normals[first];
-            let pull = edge_direction(problem, contact, first, second);
-            let root = site.k[0].sqrt();
-            // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
-            let balance = (1.0 + problem.mu(contact) * pull.norm()).sqrt();
-            springs.push(Spring {
-                contact,
-                right: along(0, root * balance),
-                left: (along(0, 1.0) + pull * problem.mu(contact)) * (root / balance),
-            });
-            if let Law::Turning { slide, .. } = &problem.laws[contact] {
-                let (across, stiffness) = slide.across();
-                if stiffness > 0.0 {
-                    let spring = across * stiffness.sqrt();
-                    springs.push(Spring { contact, right: spring, left: spring });
-                }
-            } else if C == 3 && second.is_none() {
-                // Across the slip direction the tangential springs still hold: √K_t times the unit vector at right
-                // angles to √K_t h.
-                let (r1, r2) = (site.k[1].sqrt(), site.k[2].sqrt());
-                let (y1, y2) = (r1 * h[1], r2 * h[2]);
-                let length = y1.hypot(y2);
-                let across = along(1, -r1 * y2 / length) + along(2, r2 * y1 / length);
-                springs.push(Spring { contact, right: across, left: across });
-            }
-        }
-    }
-}
-
-/// The tangential force of a sliding contact for μ F_n = 1: the corner between two facets; on one facet the point
-/// `K_t h / (h·K_t h)` from which the springs across the slip count.
-pub(crate) fn edge_direction<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    contact: usize,
-    first: usize,
-    second: Option<usize>,
-) -> SVector<f64, C> {
-    let normals = problem.normals(contact);
-    let h = normals[first];
-    if let Some(second) = second {
-        return corner(&h, &normals[second]);
-    }
-    if let Law::Turning { slide, .. } = &problem.laws[contact] {
-        return slide.pull();
-    }
-    let stretched = problem.sites[contact].k.component_mul(&h);
-    stretched / h.dot(&stretched)
-}
-
-/// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
-fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
-    let determinant = h1[1] * h2[2] - h1[2] * h2[1];
-    let mut p = SVector::zeros();
-    p[1] = (h2[2] - h1[2]) / determinant;
-    p[2] = (h1[1] - h2[1]) / determinant;
-    p
 }
 
 /// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
