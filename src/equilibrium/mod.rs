@@ -32,6 +32,7 @@ pub use settle::{Doubt, Rung};
 
 pub(crate) use candidate::{Found, Verdict, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search};
+pub(crate) use polish::{polish, solution_near};
 pub(crate) use settle::{Effort, Settled, settle};
 pub(crate) use slack::{for_each_slack, force_size, largest_force, span};
 pub(crate) use wrench_cone::{separates_from_here_on, separating_motion};

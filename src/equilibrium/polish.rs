@@ -45,7 +45,7 @@ pub(super) fn accept<const D: usize, const C: usize>(
 }
 
 /// The solution of the polygon's piece with these states, whether every inequality holds or not: where Newton's method starts.
-pub(super) fn solution_near<const D: usize, const C: usize>(
+pub(crate) fn solution_near<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State],
 ) -> Option<PieceState<D, C>> {

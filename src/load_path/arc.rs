@@ -226,6 +226,19 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         (largest(&change.forces) / force).max(largest(slipped) / travel)
     }
 
+    /// The rounding of the slips: that of the displacements at each contact, memory included.
+    pub(super) fn rounding(&self) -> Vec<SVector<f64, C>> {
+        let drives = self.segment.drives(self.from);
+        let one = |i: usize| {
+            let span = span(&self.sites()[i], &drives[i], &self.start.twist);
+            let (at_rest, memory) = (&self.segment.problem.drives[i], &self.segment.problem.slips[i]);
+            let size = f64::EPSILON * (span + at_rest.norm() + memory.norm());
+            let slides = self.slides(i);
+            SVector::from_fn(|a, _| if slides && a > 0 { size } else { 0.0 })
+        };
+        (0..self.states.len()).map(one).collect()
+    }
+
     /// The piece in which everything closed sticks.
     pub(super) fn stuck(&self) -> Piece<D, C> {
         let stick = |s: &State| if *s == State::Open { State::Open } else { State::Rolling };

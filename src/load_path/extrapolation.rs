@@ -19,6 +19,8 @@ use super::energy::Energy;
 
 /// Sweeps of a large step at most.
 const MOST_SWEEPS: usize = 7;
+/// So many roundings of a slip come together in a step.
+const ROUNDINGS: f64 = 16.0;
 /// From so many on they must gain on each other by this factor.
 const PATIENCE: usize = 4;
 const GAIN: f64 = 0.5;
@@ -45,6 +47,8 @@ pub(super) fn extrapolate<const D: usize, const C: usize>(
 ) -> Option<Reached<D, C>> {
     let (first, power) = if rule == Rule::Return { (1, 1) } else { (2, 2) };
     let stuck = arc.stuck();
+    // No error is smaller than what the rounding of the displacements makes of the forces.
+    let tolerance = tolerance.max(ROUNDINGS * arc.effect(&stuck, &arc.rounding()));
     let mut row: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
     for j in 0..MOST_SWEEPS {

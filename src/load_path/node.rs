@@ -10,7 +10,8 @@ use super::margin::ROUNDING;
 use super::segment::{Here, Segment};
 use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
 use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, settle, span, try_states,
+    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, polish, settle, solution_near,
+    span, try_states,
 };
 use crate::formulation::{Law, PieceState, Problem, State};
 use crate::grasp::Wrench;
@@ -113,9 +114,16 @@ impl<const D: usize, const C: usize> Node<D, C> {
         if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
-        // At the apex there is no telling: every state is as good a guess.
-        if rates.laws.iter().any(|law| matches!(law, Law::Cone { .. })) {
-            return Verdict::Unbalanced;
+        // At the apex there is no telling: every state is as good a guess. On the round cone Newton's method starts from two of them.
+        let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
+        if (0..rates.len()).any(at_the_apex) {
+            let closed = (0..rates.len()).map(|i| if at_the_apex(i) { State::Rolling } else { sliding[i] });
+            let found = [closed.collect(), sliding.to_vec()]
+                .iter()
+                .filter(|_| rates.round)
+                .filter_map(|states| solution_near(rates, states))
+                .find_map(|near| polish(rates, &near));
+            return found.map_or(Verdict::Unbalanced, Verdict::Holds);
         }
         try_states(rates, sliding.to_vec())
     }

@@ -7,6 +7,7 @@ use super::edge::Stand;
 use super::margin::{Line, ROUNDING};
 use super::node::{Node, directions};
 use super::segment::{Here, Segment, Standing};
+use super::watch::is_vanishing;
 use crate::equilibrium::{Found, NoEquilibrium};
 use crate::formulation::{PieceState, Problem, State};
 use crate::grasp::Hold;
@@ -137,6 +138,19 @@ impl<const D: usize, const C: usize> Node<D, C> {
             self.holds[i] = infinite && !Stand::is_weightless(&tangential(force), line.force_size);
         }
         self.slip_until_now(segment, factor);
+    }
+
+    /// What slides and has all but lost its normal force is at the apex: its friction cannot be followed any further. Whether there is
+    /// such a contact.
+    pub(super) fn let_go(&mut self, here: &Here<D, C>) -> bool {
+        let mut any = false;
+        for (i, line) in here.lines.iter().enumerate() {
+            let slides = matches!(self.states[i], State::Sliding { .. });
+            if slides && !self.stands[i].apex && is_vanishing(line) {
+                (self.stands[i].apex, any) = (true, true);
+            }
+        }
+        any
     }
 
     /// What slid no more does: inside its cone from here on.

@@ -14,6 +14,7 @@
 use nalgebra::SVector;
 
 use super::arc::{Arc, Rule};
+use super::edge::Stand;
 use super::event::{Loss, PathEnd};
 use super::extrapolation::{Reached, extrapolate};
 use super::loss::end_of_arc;
@@ -30,7 +31,7 @@ const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 /// The energy of a step balances but for this many times its error; on another equilibrium it is off by far.
-const UNBALANCED: f64 = 1e4;
+const UNBALANCED: f64 = 1e3;
 /// A leg that takes more steps along arcs is given up.
 const MOST_STEPS: usize = 20_000;
 /// Evaluations on the way to an event: bisection alone would need 50.
@@ -56,7 +57,12 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             self.pace.length.unwrap_or_else(|| self.first_length(&here)).min(self.way_to_apex(&here));
         let to = if length >= rest { 1.0 } else { self.factor + length };
         let too_short = to < 1.0 && length <= SHORTEST * self.factor.max(f64::EPSILON);
-        if too_short || to <= self.factor || self.pace.steps > MOST_STEPS {
+        let dies_out = too_short || to <= self.factor;
+        if dies_out && self.node.let_go(&here) {
+            self.at_node = true;
+            return;
+        }
+        if dies_out || self.pace.steps > MOST_STEPS {
             self.end = Some(self.loss(&here));
             return;
         }
@@ -81,7 +87,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let mut length = 1.0 - self.factor;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
-            if C == 3 && matches!(state, State::Sliding { .. }) {
+            // What has just closed has no direction yet.
+            let touches = Stand::is_weightless(f, line.force_size);
+            if C == 3 && matches!(state, State::Sliding { .. }) && !touches {
                 let turn = (f[1] * df[C - 1] - f[C - 1] * df[1]).abs() / (f[1] * f[1] + f[C - 1] * f[C - 1]);
                 if turn.is_finite() && turn * length > FIRST_TURN {
                     length = FIRST_TURN / turn;
@@ -96,7 +104,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             if matches!(state, State::Sliding { .. })
                 && line.rate[0] < -ROUNDING * line.rate_size
-                && line.force[0] > 0.0
+                && !Stand::is_weightless(&line.force, line.force_size)
             {
                 way = way.min((1.0 - APPROACH) * line.force[0] / -line.rate[0]);
             }
@@ -111,7 +119,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let mut arc = Arc::new(&self.segment, &self.node.states, self.factor, start, here.twist_rate);
         let reached = extrapolate(&mut arc, rule, to, self.settings.step_error)?;
         // A step that jumped over to another equilibrium converges as well; its energy does not balance.
-        if reached.energy.residual().abs() > UNBALANCED * self.settings.step_error {
+        if reached.energy.residual().abs() > UNBALANCED * self.settings.step_error.max(reached.error) {
             return None;
         }
         let here = self.node.tangent_at(&self.segment, to, &reached.there.at).ok()?;
@@ -198,8 +206,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         }
         let weightless = |i: usize| {
             let (size, force) = (end.here.lines[i].force_size, &end.here.lines[i].force);
-            matches!(self.node.states[i], State::Sliding { .. })
-                && super::edge::Stand::is_weightless(force, size)
+            matches!(self.node.states[i], State::Sliding { .. }) && Stand::is_weightless(force, size)
         };
         let leg_done = end.to >= 1.0;
         let stops = !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);

@@ -1,7 +1,7 @@
 //! What has to stay positive along a sliding arc.
 
 use super::arc::tangential;
-use super::margin::ROUNDING;
+use super::margin::{Line, ROUNDING};
 use super::segment::{Here, Segment};
 use crate::formulation::{Law, State};
 
@@ -10,7 +10,7 @@ const ERROR_OF_STEPS: f64 = 1e-13;
 
 /// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
 /// part of its size: too little below.
-const VANISHING: f64 = 1e-9;
+const VANISHING: f64 = 1e-7;
 
 /// One condition of one contact, with its rate where it is known, and what its rounding is measured against.
 #[derive(Debug, Clone, Copy)]
@@ -41,6 +41,11 @@ impl Watch {
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|rate| self.value / -rate).filter(|way| way.is_finite())
     }
+}
+
+/// Whether a sliding contact has all but lost its normal force.
+pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
+    line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size
 }
 
 /// The conditions in these states.
@@ -74,7 +79,7 @@ pub(super) fn watch<const D: usize, const C: usize>(
             }
             State::Rolling => {}
             // Whether what is about to vanish sticks on the way there is decided by rounding.
-            State::Sliding { .. } if line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size => {
+            State::Sliding { .. } if is_vanishing(line) => {
                 push(f64::INFINITY, None, 1.0);
             }
             State::Sliding { .. } => {

@@ -19,7 +19,7 @@ pub(crate) fn over<S: Strategy>(
     property: impl Fn(S::Value, &mut Tally) -> Result<(), TestCaseError>,
 ) -> Tally {
     let tally = std::cell::RefCell::new(Tally::default());
-    let config = Config { cases, failure_persistence: None, max_shrink_iters: 300, ..Config::default() };
+    let config = Config { cases, failure_persistence: None, max_shrink_iters: 30, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let result = runner.run(scenes, |scene| property(scene, &mut tally.borrow_mut()));
     match result {
