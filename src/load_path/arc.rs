@@ -204,7 +204,10 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
             let load = (at.twist - self.start.twist).component_mul(&self.segment.direction) * step;
             swept.works[2] += load.sum();
             swept.turnover += load.abs().sum();
-            rate = (at.twist - twist) / (next - at_factor);
+            // A step may be shorter than its factors can tell apart.
+            if next > at_factor {
+                rate = (at.twist - twist) / (next - at_factor);
+            }
             (at_factor, twist, swept.slipped) = (next, at.twist, slipped);
         }
         swept.twist = twist;

@@ -1,6 +1,7 @@
 //! The load path: every event of a load program with its exact load, with slip memory.
 //!
-//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test.
+//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test (see
+//! [`super::straight`]), unless something slides on a round cone: then its direction turns (see [`super::turning`]).
 //! At an event the contacts that stand on an edge of their cone, at its apex or at a closed gap form a small
 //! complementarity problem in rates; its solution is the next straight piece, and its failure the end of the path.
 
@@ -161,20 +162,22 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     }
 
     /// The equilibrium at a fraction (0 to 1) of a leg that the path has passed; `None` beyond. Where an event lies
-    /// exactly there, the state before it.
+    /// exactly there, the state before it. On a sliding arc the step is made again up to there, to the same error; `None` where
+    /// rounding does not allow that.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<D, C>> {
         let on = |s: &&Stretch<D, C>| s.leg == leg && fraction >= s.from && fraction <= s.to;
-        self.pieces.iter().find(on).map(|stretch| self.state_on(stretch, fraction))
+        self.pieces.iter().find(on).and_then(|stretch| self.state_on(stretch, fraction))
     }
 
     /// Where the path stands: leg, fraction and the equilibrium there; `None` before its first piece.
     #[must_use]
     pub fn position(&self) -> Option<(usize, f64, Equilibrium<D, C>)> {
-        self.pieces.last().map(|last| (last.leg, last.to, self.state_on(last, last.to)))
+        let last = self.pieces.last()?;
+        Some((last.leg, last.to, self.state_on(last, last.to)?))
     }
 
-    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Equilibrium<D, C> {
+    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<D, C>> {
         stretch.state_at(self.grasp, self.segment.cone, fraction)
     }
 
@@ -203,7 +206,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
 
     /// Decides how the path goes on from here; an event if a contact changes its state.
     fn decide(&mut self) -> Option<Event<D, C>> {
-        let before = self.pieces.last().map(|last| self.state_on(last, last.to));
+        let before = self.pieces.last().and_then(|last| self.state_on(last, last.to));
         let (leg, load) = (self.program.leg, self.program.load_at(self.factor));
         match self.node.go_on(&mut self.segment, leg, self.factor, load, &self.settings) {
             Err(end) => {
@@ -240,7 +243,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     fn present_state(&self) -> Option<Equilibrium<D, C>> {
         let here = self.here.clone()?;
         let there = self.state_after(&here, 0.0);
-        Some(self.state_on(&self.stretch(here, self.factor, there), self.factor))
+        self.state_on(&self.stretch(here, self.factor, there), self.factor)
     }
 
     pub(super) fn stretch(&self, here: Here<D, C>, to: f64, there: PieceState<D, C>) -> Stretch<'g, D, C> {

@@ -12,7 +12,7 @@ use crate::grasp::Grasp;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Reserve<const D: usize, const C: usize> {
-    /// When the first contact leaves rolling (on the same cone as the path: the polygonal one in space).
+    /// When the first contact leaves rolling (on the same cone as the path: in space the round one unless the settings say otherwise).
     pub onset: Onset<D, C>,
     /// The largest load factor that the grasp holds on its path, if the path was lost; the same number is
     /// `loss.fraction` times the factor asked for.
@@ -47,7 +47,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn reserve(&self, ramp: &Ramp<D, C>, most: f64, settings: &Settings) -> Result<Reserve<D, C>, Error> {
-        let onset = self.onset_on_polygon(ramp, settings)?;
+        let onset = if settings.is_round::<C>() {
+            self.onset(ramp, settings)?
+        } else {
+            self.onset_on_polygon(ramp, settings)?
+        };
         let mut leg = Leg::load_by(ramp.direction * most);
         if let Some(change) = &ramp.command_change {
             leg = leg.and_commands_by(change.iter().map(|a| a * most).collect::<Vec<_>>());

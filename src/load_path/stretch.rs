@@ -44,8 +44,13 @@ pub(super) struct Bend<const C: usize> {
 }
 
 impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
-    /// The equilibrium at a fraction of the leg.
-    pub(super) fn state_at(&self, grasp: &'g Grasp<D, C>, cone: Cone, fraction: f64) -> Equilibrium<D, C> {
+    /// The equilibrium at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
+    pub(super) fn state_at(
+        &self,
+        grasp: &'g Grasp<D, C>,
+        cone: Cone,
+        fraction: f64,
+    ) -> Option<Equilibrium<D, C>> {
         if let Some(bend) = &self.bend {
             return self.on_the_bend(bend, grasp, cone, fraction);
         }
@@ -63,7 +68,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             slides: Vec::new(),
             from_polygon: None,
         };
-        self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found)
+        Some(self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found))
     }
 
     fn on_the_bend(
@@ -72,7 +77,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         grasp: &'g Grasp<D, C>,
         cone: Cone,
         fraction: f64,
-    ) -> Equilibrium<D, C> {
+    ) -> Option<Equilibrium<D, C>> {
         let segment = self.segment(grasp, cone);
         let start = PieceState {
             forces: self.here.lines.iter().map(|line| line.force).collect(),
@@ -89,7 +94,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             let errors = (0..LOOSER).map(|k| bend.tolerance * 10.0_f64.powi(k));
             let mut tries = errors.flat_map(|error| [(bend.rule, error), (bend.rule.other(), error)]);
             let reached = tries.find_map(|(rule, error)| extrapolate(&mut arc, rule, fraction, error));
-            reached.map_or_else(end, |reached| reached.there)
+            reached?.there
         };
         let site = |i: usize| &grasp.sites()[i];
         let slide = |i: usize| {
@@ -111,7 +116,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             problem.drives[i] -= s;
             problem.slips[i] += s;
         }
-        self.equilibrium(grasp, cone, fraction, &problem, &found)
+        Some(self.equilibrium(grasp, cone, fraction, &problem, &found))
     }
 
     fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
