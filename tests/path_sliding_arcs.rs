@@ -78,7 +78,9 @@ fn what_is_dragged_follows_a_tractrix() {
             assert!(matches!(event.changes[..], [(0, Change::Slides { .. })]));
             let at = event.leg as f64 + event.fraction;
             assert_close!(at, 1.0 / ahead);
-            assert!(path.step_error() > 0.0 && path.step_error() < 1e-11, "{}", path.step_error());
+            // A way of so many leashes has a rounding of so many times that of a leash.
+            let most = 1e-11_f64.max(1e-15 * way);
+            assert!(path.step_error() > 0.0 && path.step_error() < most, "{}", path.step_error());
             for f in [0.01, 0.2, 0.5, 0.77, 1.0] {
                 let state = path.state_at(1, f).unwrap();
                 let contact = &state.contacts[0];
