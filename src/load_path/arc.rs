@@ -21,13 +21,17 @@ use nalgebra::{Matrix, SVector};
 
 use super::segment::Segment;
 use crate::equilibrium::{largest_force, span};
-use crate::formulation::{Piece, PieceState, Problem, State, slide_on};
+use crate::formulation::{
+    Piece, PieceState, Problem, Regular, Springs, State, balance, slide_on, tangent_stiffness,
+};
 use crate::grasp::Site;
 
 /// Newton's steps: near the last state three do.
 const STEPS: usize = 12;
 /// A step that changes forces by less than this part of them is the last: what it leaves is the square of this.
 const SETTLED: f64 = 1e-9;
+/// What is left out of balance is the rounding of its terms.
+const BALANCED: f64 = 4e-16;
 /// A tiny friction force may still turn when all others have settled: it is then off its cone by the square of the angle.
 const ON_THE_CONE: f64 = 1e-14;
 
@@ -121,23 +125,33 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         let mut twist = *near;
         let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
         let mut stretches = drives.clone();
+        let mut springs = vec![Springs::<C>::zeros(); sites.len()];
         for _ in 0..STEPS {
             for (i, site) in sites.iter().enumerate() {
                 let v = drives[i] - site.map.tr_mul(&twist);
                 stretches[i] = v;
                 match self.states[i] {
                     State::Open => {}
-                    State::Rolling => forces[i] = site.k.component_mul(&v),
+                    State::Rolling => {
+                        forces[i] = site.k.component_mul(&v);
+                        springs[i] = Springs::from_diagonal(&site.k);
+                    }
                     State::Sliding { .. } => {
                         let (force, slide) = slide_on(site, site.mu, &v)?;
+                        springs[i] = slide.stiffness(site);
                         stretches[i] -= slide.rest(&v, &force, site.mu * force[0]);
                         self.linear.laws[i] = self.segment.problem.turning(i, slide);
                         forces[i] = force;
                     }
                 }
             }
-            let solved = Piece::new(&self.linear, self.states).solve(&stretches, &wrench).ok()?;
-            twist += solved.twist;
+            let solved = if let Some(solved) = balanced(sites, &springs, &wrench, &forces, twist) {
+                solved
+            } else {
+                let step = Piece::new(&self.linear, self.states).solve(&stretches, &wrench).ok()?;
+                PieceState { forces: step.forces, twist: twist + step.twist }
+            };
+            twist = solved.twist;
             let change = solved.forces.iter().zip(&forces).map(|(new, old)| (new - old).norm());
             let change = change.fold(0.0, f64::max);
             let sizes = solved.forces.iter().map(Matrix::norm);
@@ -247,6 +261,19 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         let stick = |s: &State| if *s == State::Open { State::Open } else { State::Rolling };
         Piece::new(&self.segment.problem, &self.states.iter().map(stick).collect::<Vec<_>>())
     }
+}
+
+/// One step of Newton's method, balanced to rounding, where the tangent stiffness is regular.
+fn balanced<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    springs: &[Springs<C>],
+    wrench: &SVector<f64, D>,
+    forces: &[SVector<f64, C>],
+    twist: SVector<f64, D>,
+) -> Option<PieceState<D, C>> {
+    let tangent = Regular::new(&tangent_stiffness(sites, springs))?;
+    let mut state = PieceState { forces: forces.to_vec(), twist };
+    balance(sites, springs, &tangent, wrench, &mut state, BALANCED).map(|_| state)
 }
 
 /// The tangential part of a contact force.
