@@ -19,7 +19,7 @@ pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
 pub(crate) use piece::{Piece, PieceState, edge_direction, least_combination, least_forces};
-pub(crate) use problem::{Law, Problem, State};
+pub(crate) use problem::{Law, Problem, State, whole_law};
 pub(crate) use return_map::{Returned, Slide, return_map};
 
 use std::sync::Arc;

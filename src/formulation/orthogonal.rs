@@ -27,14 +27,35 @@ pub(crate) struct Orthogonal<const D: usize> {
     rank: usize,
 }
 
+impl<const D: usize> Default for Orthogonal<D> {
+    fn default() -> Self {
+        Self { q: Vec::new(), r: SMatrix::zeros(), order: std::array::from_fn(|j| j), rank: 0 }
+    }
+}
+
 impl<const D: usize> Orthogonal<D> {
-    pub(crate) fn new(mut rows: Vec<SVector<f64, D>>) -> Self {
+    pub(crate) fn new(rows: Vec<SVector<f64, D>>) -> Self {
+        let mut factor = Self { q: rows, ..Self::default() };
+        factor.factorise();
+        factor
+    }
+
+    /// The factors of other rows, in the same memory.
+    pub(crate) fn assign(&mut self, rows: impl Iterator<Item = SVector<f64, D>>) {
+        self.q.clear();
+        self.q.extend(rows);
+        self.factorise();
+    }
+
+    /// The rows in `q` become those of Q.
+    fn factorise(&mut self) {
+        let rows = &mut self.q;
         let column = |rows: &[SVector<f64, D>], a: usize, b: usize| -> f64 {
             rows.iter().map(|row| row[a] * row[b]).sum()
         };
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
-        let mut full: [f64; D] = std::array::from_fn(|j| column(&rows, j, j).sqrt());
+        let mut full: [f64; D] = std::array::from_fn(|j| column(rows, j, j).sqrt());
         let mut noise: [f64; D] = std::array::from_fn(|j| {
             rows.iter().filter(|row| row[j] != 0.0).map(SVector::norm_squared).sum::<f64>().sqrt()
                 * ENTRY_NOISE
@@ -45,13 +66,13 @@ impl<const D: usize> Orthogonal<D> {
             // The largest remaining column, among those that are more than rounding noise of what they were.
             let mut best = None;
             for j in k..D {
-                let left = column(&rows, j, j).sqrt();
+                let left = column(rows, j, j).sqrt();
                 if left > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left > most) {
                     best = Some((j, left));
                 }
             }
             let Some((pivot, _)) = best else { break };
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 row.swap_rows(k, pivot);
             }
             r.swap_columns(k, pivot);
@@ -60,37 +81,37 @@ impl<const D: usize> Orthogonal<D> {
             noise.swap(k, pivot);
             // Second pass against the finished columns: the first was their own step of elimination.
             for l in 0..k {
-                let again = column(&rows, l, k);
+                let again = column(rows, l, k);
                 r[(l, k)] += again;
-                for row in &mut rows {
+                for row in rows.iter_mut() {
                     row[k] -= again * row[l];
                 }
             }
-            let norm = column(&rows, k, k).sqrt();
+            let norm = column(rows, k, k).sqrt();
             if norm <= (DEPENDENT * full[k]).max(noise[k]) {
                 // What seemed to be left was noise after all: never a pivot again.
                 full[k] = f64::INFINITY;
                 continue;
             }
             r[(k, k)] = norm;
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 row[k] /= norm;
             }
             for j in k + 1..D {
-                let along = column(&rows, k, j);
+                let along = column(rows, k, j);
                 r[(k, j)] = along;
-                for row in &mut rows {
+                for row in rows.iter_mut() {
                     row[j] -= along * row[k];
                 }
             }
             rank += 1;
         }
-        for row in &mut rows {
+        for row in rows.iter_mut() {
             for j in rank..D {
                 row[j] = 0.0;
             }
         }
-        Self { q: rows, r, order, rank }
+        (self.r, self.order, self.rank) = (r, order, rank);
     }
 
     pub(crate) fn rank(&self) -> usize {
@@ -140,7 +161,12 @@ impl<const D: usize> Orthogonal<D> {
 
     /// An orthonormal basis of the null space {v : A v = 0}.
     pub(crate) fn null_space(&self) -> Vec<SVector<f64, D>> {
-        let mut basis: Vec<SVector<f64, D>> = Vec::with_capacity(D - self.rank);
+        self.null_vectors()[..D - self.rank].to_vec()
+    }
+
+    /// The same in the first D - rank places.
+    pub(crate) fn null_vectors(&self) -> [SVector<f64, D>; D] {
+        let mut basis = [SVector::zeros(); D];
         for free in self.rank..D {
             let mut c = SVector::zeros();
             for i in 0..self.rank {
@@ -148,8 +174,9 @@ impl<const D: usize> Orthogonal<D> {
             }
             let mut v = self.preimage(&c);
             v[self.order[free]] = 1.0;
-            orthonormalise_against(&mut v, &basis);
-            basis.push(v);
+            let known = free - self.rank;
+            orthonormalise_against(&mut v, &basis[..known]);
+            basis[known] = v;
         }
         basis
     }

@@ -1,0 +1,91 @@
+//! From the last basis of a path to forces, with a check of every condition.
+
+use nalgebra::SVector;
+
+use super::bordered::Bordered;
+use super::path::Path;
+use crate::formulation::Problem;
+
+/// Corrections of the motion by what its forces leave out of balance.
+const CORRECTIONS: usize = 2;
+/// No solution has a larger residual.
+const ACCURATE: f64 = 1e-10;
+/// Forces below this part of those in the trial state are its rounding.
+const ROUNDING: f64 = 1e-5;
+/// Below, numbers are subnormal somewhere on the way and have no relative precision.
+const SMALLEST: f64 = 1e-250;
+
+#[derive(Debug, Clone)]
+pub(super) struct Solution<const D: usize, const C: usize> {
+    pub(super) forces: Vec<SVector<f64, C>>,
+    /// Motion of the object in the trial state, in the coordinates of Q; then of the solution.
+    pub(super) travelled: SVector<f64, D>,
+    pub(super) moved: SVector<f64, D>,
+    pub(super) residual: f64,
+}
+
+impl<const D: usize, const C: usize> Default for Solution<D, C> {
+    fn default() -> Self {
+        let zero = SVector::zeros();
+        Self { forces: Vec::new(), travelled: zero, moved: zero, residual: f64::INFINITY }
+    }
+}
+
+impl<const D: usize, const C: usize> Solution<D, C> {
+    /// Solves the equations of the present states at z₀ = 0; whether every inequality holds there, too.
+    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> bool {
+        self.residual = f64::INFINITY;
+        let Some(y) = path.vertex() else { return false };
+        self.moved = self.travelled + y / path.form.weight.sqrt();
+        self.forces.clear();
+        let mut worst = 0.0_f64;
+        let (mut sum, mut size) = (problem.wrench, problem.wrench.norm());
+        for ((local, active), site) in path.form.locals.iter().zip(&path.active).zip(problem.sites) {
+            let Some(reaction) = path.form.reaction(local, active) else { return false };
+            let stretch = local.stretch(&y);
+            let x = reaction.hold * stretch;
+            let level = SMALLEST + local.trial.norm() + stretch.norm();
+            let mut force = x;
+            for axis in 0..C {
+                force[axis] *= site.k[axis].sqrt();
+            }
+            for (a, pair) in active.iter().enumerate() {
+                let z = &reaction.multipliers[a];
+                worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
+                if local.gap && pair == 0 {
+                    // Nothing holds an open contact, whatever its friction.
+                    worst = worst.max(x.norm() / level);
+                    force.fill(0.0);
+                }
+            }
+            for pair in (0..local.pairs()).filter(|pair| active.position(*pair).is_none()) {
+                let row = path.form.row(local, pair);
+                worst = worst.max(-row.dot(&x) / (level * row.norm()));
+            }
+            sum += site.map * force;
+            size += force.norm() + ROUNDING * site.k.amax().sqrt() * level;
+            self.forces.push(force);
+        }
+        self.residual = worst.max(sum.norm() / (size + SMALLEST));
+        self.residual <= ACCURATE
+    }
+}
+
+impl<const D: usize, const C: usize> Path<D, C> {
+    /// The motion y of the present states at z₀ = 0.
+    pub(super) fn vertex(&mut self) -> Option<SVector<f64, D>> {
+        self.refresh()?;
+        let zero = SVector::zeros();
+        let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
+        let mut y = factors.solve(&self.sums.trial, 0.0).y;
+        for _ in 0..CORRECTIONS {
+            let mut left = SVector::<f64, D>::zeros();
+            for (local, active) in self.form.locals.iter().zip(&self.active) {
+                let hold = self.form.reaction(local, active)?.hold;
+                left += local.seen.tr_mul(&(hold * local.stretch(&y) - local.trial));
+            }
+            y += factors.solve(&(left * self.form.weight), 0.0).y;
+        }
+        Some(y)
+    }
+}
