@@ -71,21 +71,23 @@ pub(super) struct Reaction<const C: usize> {
     pub(super) cover_jumps: [f64; C],
     /// k.
     pub(super) cover: SVector<f64, C>,
-    /// D⁻¹.
-    inverse: [[f64; C]; C],
-    columns: [SVector<f64, C>; C],
-    len: usize,
+    /// ζ and k for the perturbation by which ties are broken.
+    pub(super) tie_jumps: [f64; C],
+    pub(super) tie: SVector<f64, C>,
 }
 
 impl<const C: usize> Reaction<C> {
-    /// D⁻¹ d for a vector over the active pairs, and B_A of it.
-    pub(super) fn to(&self, d: &[f64; C]) -> ([f64; C], SVector<f64, C>) {
-        let (mut jumps, mut total) = ([0.0; C], SVector::zeros());
-        for a in 0..self.len {
-            jumps[a] = (0..self.len).map(|b| self.inverse[a][b] * d[b]).sum();
-            total += self.columns[a] * jumps[a];
+    /// That of a contact without jumps.
+    pub(super) fn rolling() -> Self {
+        let zero = SVector::zeros();
+        Self {
+            hold: SMatrix::identity(),
+            multipliers: [zero; C],
+            cover_jumps: [0.0; C],
+            cover: zero,
+            tie_jumps: [0.0; C],
+            tie: zero,
         }
-        (jumps, total)
     }
 }
 
@@ -109,31 +111,23 @@ impl<const D: usize> Sums<D> {
 impl<const D: usize, const C: usize> ContactForm<D, C> {
     /// `None` where the slips of the active pairs are not independent: no exact basis has such a state.
     pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
-        let mut r = Reaction {
-            hold: SMatrix::identity(),
-            multipliers: [SVector::zeros(); C],
-            cover_jumps: [0.0; C],
-            cover: SVector::zeros(),
-            inverse: [[0.0; C]; C],
-            columns: [SVector::zeros(); C],
-            len: active.len(),
-        };
-        if active.len() == 0 {
-            return Some(r);
-        }
+        let mut r = Reaction::rolling();
         let (mut gap, mut facets, mut count) = (None, [0; C], 0);
-        let mut d = [0.0; C];
+        let (mut d, mut p) = ([0.0; C], [0.0; C]);
         let mut rows = [SVector::<f64, C>::zeros(); C];
+        let mut columns = rows;
+        let mut inverse = [[0.0; C]; C];
         for (a, pair) in active.iter().enumerate() {
+            p[a] = self.perturbation(local, pair);
             if let Some(facet) = self.facet(local, pair) {
                 rows[a] = facet.row;
-                r.columns[a] = facet.column();
+                columns[a] = facet.column();
                 d[a] = self.cover(local, pair, facet.unit);
                 facets[count] = a;
                 count += 1;
             } else {
                 rows[a][0] = 1.0;
-                r.columns[a][0] = 1.0;
+                columns[a][0] = 1.0;
                 d[a] = self.cover(local, pair, 1.0);
                 gap = Some(a);
             }
@@ -141,16 +135,16 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         // The tangential block of D⁻¹.
         match count {
             0 => {}
-            1 => r.inverse[facets[0]][facets[0]] = 1.0,
+            1 => inverse[facets[0]][facets[0]] = 1.0,
             2 if C == 3 => {
                 let (a, b) = (facets[0], facets[1]);
-                let cosine = r.columns[a].dot(&r.columns[b]);
+                let cosine = columns[a].dot(&columns[b]);
                 let determinant = 1.0 - cosine * cosine;
                 if determinant < PARALLEL {
                     return None;
                 }
-                (r.inverse[a][a], r.inverse[b][b]) = (1.0 / determinant, 1.0 / determinant);
-                (r.inverse[a][b], r.inverse[b][a]) = (-cosine / determinant, -cosine / determinant);
+                (inverse[a][a], inverse[b][b]) = (1.0 / determinant, 1.0 / determinant);
+                (inverse[a][b], inverse[b][a]) = (-cosine / determinant, -cosine / determinant);
             }
             _ => return None,
         }
@@ -158,17 +152,17 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         for &a in &facets[..count] {
             let mut slope = 0.0;
             for &b in &facets[..count] {
-                r.multipliers[a] += r.columns[b] * r.inverse[a][b];
-                slope += r.inverse[a][b] * rows[b][0];
+                r.multipliers[a] += columns[b] * inverse[a][b];
+                slope += inverse[a][b] * rows[b][0];
             }
             if let Some(gap) = gap {
-                r.inverse[a][gap] = -slope;
+                inverse[a][gap] = -slope;
             } else {
                 r.multipliers[a][0] = slope;
             }
         }
         if let Some(gap) = gap {
-            r.inverse[gap][gap] = 1.0;
+            inverse[gap][gap] = 1.0;
             r.multipliers[gap][0] = 1.0;
         }
         if count + 1 == C {
@@ -177,67 +171,106 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
             r.hold[(0, 0)] = 1.0;
             for &a in &facets[..count] {
                 for axis in 1..C {
-                    r.hold[(axis, 0)] -= r.columns[a][axis] * r.multipliers[a][0];
+                    r.hold[(axis, 0)] -= columns[a][axis] * r.multipliers[a][0];
                 }
             }
         } else {
             for &a in &facets[..count] {
-                r.hold -= r.columns[a] * r.multipliers[a].transpose();
+                r.hold -= columns[a] * r.multipliers[a].transpose();
             }
         }
         if gap.is_some() {
             r.hold[(0, 0)] = 0.0;
         }
-        (r.cover_jumps, r.cover) = r.to(&d);
+        for a in 0..active.len() {
+            for b in 0..active.len() {
+                r.cover_jumps[a] += inverse[a][b] * d[b];
+                r.tie_jumps[a] += inverse[a][b] * p[b];
+            }
+            r.cover += columns[a] * r.cover_jumps[a];
+            r.tie += columns[a] * r.tie_jumps[a];
+        }
         Some(r)
     }
 
-    /// What the perturbation by which ties are broken adds to z_A and takes from x: D⁻¹p and B_A D⁻¹p.
-    pub(super) fn tie(
-        &self,
-        local: &Local<D, C>,
-        active: &Active<C>,
-        reaction: &Reaction<C>,
-    ) -> ([f64; C], SVector<f64, C>) {
-        let mut p = [0.0; C];
-        for (a, pair) in active.iter().enumerate() {
-            p[a] = self.perturbation(local, pair);
-        }
-        reaction.to(&p)
-    }
-
-    /// Adds the terms of a contact, `sign` times. `None` for a state without reaction.
+    /// Adds the terms of a contact, `sign` times.
     pub(super) fn accumulate(
         &self,
         sums: &mut Sums<D>,
         contact: usize,
-        active: &Active<C>,
+        jumped: Option<&Reaction<C>>,
         sign: f64,
-    ) -> Option<()> {
+    ) {
         let local = &self.locals[contact];
         let weight = sign * self.weight;
-        if active.len() == 0 {
+        let Some(reaction) = jumped else {
             sums.stiffness += local.seen.tr_mul(&(local.seen * weight));
-            return Some(());
-        }
-        let reaction = self.reaction(local, active)?;
-        let (_, tie) = self.tie(local, active, &reaction);
+            return;
+        };
         sums.stiffness += local.seen.tr_mul(&(reaction.hold * local.seen * weight));
         sums.cover += local.seen.tr_mul(&(reaction.cover * weight));
         sums.trial += local.seen.tr_mul(&((reaction.hold * local.trial - local.trial) * weight));
-        sums.tie += local.seen.tr_mul(&(tie * weight));
+        sums.tie += local.seen.tr_mul(&(reaction.tie * weight));
+    }
+}
+
+/// A list of contact states.
+#[derive(Debug, Clone)]
+pub(super) struct Basis<const C: usize> {
+    pub(super) active: Vec<Active<C>>,
+    /// Only those of contacts that jump mean anything.
+    reactions: Vec<Reaction<C>>,
+    rolling: Reaction<C>,
+}
+
+impl<const C: usize> Default for Basis<C> {
+    fn default() -> Self {
+        Self { active: Vec::new(), reactions: Vec::new(), rolling: Reaction::rolling() }
+    }
+}
+
+impl<const C: usize> Basis<C> {
+    /// Every contact as in the trial state.
+    pub(super) fn unjump(&mut self, contacts: usize) {
+        self.active.clear();
+        self.active.resize(contacts, Active::NONE);
+        if self.reactions.len() < contacts {
+            self.reactions.resize(contacts, self.rolling);
+        }
+    }
+
+    pub(super) fn reaction(&self, contact: usize) -> &Reaction<C> {
+        if self.active[contact].len() == 0 { &self.rolling } else { &self.reactions[contact] }
+    }
+
+    /// The reaction of a contact that jumps.
+    pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction<C>> {
+        (self.active[contact].len() > 0).then(|| &self.reactions[contact])
+    }
+
+    /// Puts a contact into a state. `None` for one that no exact basis has.
+    pub(super) fn set<const D: usize>(
+        &mut self,
+        form: &ContactForm<D, C>,
+        contact: usize,
+        active: Active<C>,
+    ) -> Option<()> {
+        if active.len() > 0 {
+            self.reactions[contact] = form.reaction(&form.locals[contact], &active)?;
+        }
+        self.active[contact] = active;
         Some(())
     }
 
     /// All sums afresh.
-    pub(super) fn sums(&self, active: &[Active<C>]) -> Option<Sums<D>> {
+    pub(super) fn sums<const D: usize>(&self, form: &ContactForm<D, C>) -> Sums<D> {
         let mut sums = Sums::zero();
-        for (contact, active) in active.iter().enumerate() {
-            self.accumulate(&mut sums, contact, active, 1.0)?;
+        for contact in 0..form.len() {
+            form.accumulate(&mut sums, contact, self.jumped(contact), 1.0);
         }
-        for k in self.rank..D {
+        for k in form.rank..D {
             sums.stiffness[(k, k)] = 1.0;
         }
-        Some(sums)
+        sums
     }
 }

@@ -22,7 +22,17 @@ pub(super) struct Point<const D: usize> {
     pub(super) z0: f64,
 }
 
+impl<const D: usize> Default for Point<D> {
+    fn default() -> Self {
+        Self { y: SVector::zeros(), z0: 0.0 }
+    }
+}
+
 impl<const D: usize> Point<D> {
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self { y: self.y * factor, z0: self.z0 * factor }
+    }
+
     pub(super) fn size(&self) -> f64 {
         (self.y.norm_squared() + self.z0 * self.z0).sqrt()
     }
@@ -74,12 +84,10 @@ impl<const D: usize, const C: usize> Local<D, C> {
 }
 
 /// The covering vector d.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Covering {
-    /// One for every pair.
-    Ones,
-    /// A fixed vector without structure, another for every number, entries between 1/8 and 8.
-    Scattered(usize),
+#[derive(Debug, Clone, Default)]
+pub(super) struct Covering {
+    /// Entry by entry, in the units of the rows; none for ones on all rows of length one.
+    pub(super) listed: Vec<f64>,
 }
 
 /// The kinematic form.
@@ -107,7 +115,7 @@ impl<const D: usize, const C: usize> Default for ContactForm<D, C> {
             weight: 1.0,
             rank: 0,
             widest: 0.0,
-            covering: Covering::Ones,
+            covering: Covering::default(),
         }
     }
 }
@@ -118,7 +126,7 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         self.locals.clear();
         self.facets.clear();
         self.pairs = 0;
-        self.covering = Covering::Ones;
+        self.covering.listed.clear();
         self.rank = q.rank();
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
         let scale = 1.0 / self.weight.sqrt();
@@ -212,13 +220,23 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
 
     /// The entry of the covering vector for a pair, in the unit of its row.
     pub(super) fn cover(&self, local: &Local<D, C>, pair: usize, unit: f64) -> f64 {
-        match self.covering {
-            Covering::Ones => unit,
-            Covering::Scattered(attempt) => {
-                let number = attempt * 1_000_003 + local.first as usize + pair;
-                unit * (6.0 * (generic(number) - 1.0)).exp2()
+        self.covering.listed.get(local.first as usize + pair).copied().unwrap_or(unit)
+    }
+
+    /// A fixed covering vector without structure, another for every number: entries between 1/8 and 8. Number 0 is all ones.
+    pub(super) fn scatter(&mut self, attempt: usize) {
+        let mut listed = std::mem::take(&mut self.covering.listed);
+        listed.clear();
+        if attempt > 0 {
+            for local in &self.locals {
+                for pair in 0..local.pairs() {
+                    let unit = self.facet(local, pair).map_or(1.0, |facet| facet.unit);
+                    let number = attempt * 1_000_003 + local.first as usize + pair;
+                    listed.push(unit * (6.0 * (generic(number) - 1.0)).exp2());
+                }
             }
         }
+        self.covering.listed = listed;
     }
 
     /// The entry of the vector by which ties are broken for a pair, in the unit of its row.

@@ -7,10 +7,13 @@
 mod basis;
 mod bordered;
 mod form;
+mod newton;
 mod path;
 mod pricing;
+mod proposal;
 mod ratio;
 mod solution;
 mod workspace;
 
+pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

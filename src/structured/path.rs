@@ -10,9 +10,9 @@
 
 use nalgebra::SVector;
 
-use super::basis::{Active, Sums};
+use super::basis::{Basis, Sums};
 use super::bordered::Bordered;
-use super::form::{ContactForm, Covering, Point, number};
+use super::form::{ContactForm, Point, number};
 use super::pricing::Pricing;
 use super::ratio::{Candidate, Entering, GREY, Step};
 
@@ -41,14 +41,14 @@ pub(crate) enum End {
 #[derive(Debug, Clone)]
 pub(crate) struct Path<const D: usize, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
-    pub(crate) active: Vec<Active<C>>,
+    pub(super) basis: Basis<C>,
     pub(super) sums: Sums<D>,
     /// A load in proportion to z₀ that belongs to the covering vector.
     pub(super) load: SVector<f64, D>,
     pub(crate) pivots: usize,
     /// Pivots since the sums were made.
     age: usize,
-    pricing: Pricing,
+    pricing: Pricing<D>,
     candidates: Vec<Candidate>,
 }
 
@@ -56,7 +56,7 @@ impl<const D: usize, const C: usize> Default for Path<D, C> {
     fn default() -> Self {
         Self {
             form: ContactForm::default(),
-            active: Vec::new(),
+            basis: Basis::default(),
             sums: Sums::zero(),
             load: SVector::zeros(),
             pivots: 0,
@@ -73,20 +73,12 @@ impl<const D: usize, const C: usize> Path<D, C> {
         10_000 + 100 * self.form.pairs
     }
 
-    /// Every contact as in the trial state.
-    pub(crate) fn unjump(&mut self) {
-        self.active.clear();
-        self.active.resize(self.form.len(), Active::NONE);
-    }
-
     /// Follows the path of a covering vector (0: all ones) from the trial state.
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> End {
-        self.unjump();
-        self.form.covering = if attempt == 0 { Covering::Ones } else { Covering::Scattered(attempt) };
+        self.basis.unjump(self.form.len());
+        self.form.scatter(attempt);
         self.load.fill(0.0);
-        if self.refresh().is_none() {
-            return End::Breakdown;
-        }
+        self.refresh();
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
             return End::PivotLimit;
@@ -126,33 +118,29 @@ impl<const D: usize, const C: usize> Path<D, C> {
     }
 
     /// The sums afresh.
-    pub(super) fn refresh(&mut self) -> Option<()> {
-        self.sums = self.form.sums(&self.active)?;
+    pub(super) fn refresh(&mut self) {
+        self.sums = self.basis.sums(&self.form);
         self.sums.cover -= self.load;
         self.age = 0;
-        Some(())
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: Point<D>, limit: usize) -> End {
-        self.pricing.clear(self.form.len());
-        for contact in 0..number(self.form.len()) {
-            if contact != entering.contact {
-                self.await_turn(contact, &at);
-            }
-        }
+        let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
+        self.line_up(entering.contact, &at, &first.along);
         loop {
             if self.pivots >= limit {
                 return End::PivotLimit;
             }
-            if self.age > REFRESH + self.form.len() / 4 && self.refresh().is_none() {
-                return End::Breakdown;
+            if self.age > REFRESH + self.form.len() / 4 {
+                self.refresh();
             }
             let Some((step, factors)) = self.step(&entering) else {
-                if self.age > 0 && self.refresh().is_some() {
-                    continue;
+                if self.age == 0 {
+                    return End::Breakdown;
                 }
-                return End::Breakdown;
+                self.refresh();
+                continue;
             };
             let leaving = self.blocking(&step, &factors, &entering);
             let doubtful = match &leaving {
@@ -161,9 +149,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 Leaving::Variable(candidate) => candidate.rate.abs() < DOUBTFUL * step.largest,
             };
             if doubtful && self.age > 0 {
-                if self.refresh().is_none() {
-                    return End::Breakdown;
-                }
+                self.refresh();
                 continue;
             }
             let leaving = match leaving {
@@ -185,10 +171,25 @@ impl<const D: usize, const C: usize> Path<D, C> {
             let length = leaving.value.max(0.0) / -leaving.rate;
             let at =
                 Point { y: step.here.y + step.along.y * length, z0: step.here.z0 + step.along.z0 * length };
-            self.pricing.travelled += length * step.along.size();
+            let speed = self.pricing.speed(&step.along);
+            let turned = self.pricing.advance(length, &step.along, speed);
             let left = entering.contact;
             entering = Entering { contact: leaving.contact, pair: leaving.pair, jump: !leaving.jump };
-            self.requeue(left, entering.contact, &at);
+            if turned {
+                self.line_up(entering.contact, &at, &step.along);
+            } else {
+                self.requeue(left, entering.contact, &at);
+            }
+        }
+    }
+
+    /// Everybody waits, but for the contact whose pair is out of the basis.
+    fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
+        self.pricing.clear(self.form.len(), along);
+        for contact in 0..number(self.form.len()) {
+            if contact != out {
+                self.await_turn(contact, at);
+            }
         }
     }
 
@@ -214,17 +215,14 @@ impl<const D: usize, const C: usize> Path<D, C> {
         if !self.pricing.lazy {
             return;
         }
-        let (local, active) = (&self.form.locals[contact as usize], &self.active[contact as usize]);
-        // A state without reaction is found out in the next step.
-        let slack = self.form.reaction(local, active).map_or(0.0, |r| self.form.slack(local, active, &r, at));
+        let slack = self.form.slack(&self.basis, contact, at, &self.pricing.reference);
         self.pricing.wait(contact, slack);
     }
 
     /// The vertex at which both variables of the pair are zero, and the direction in which the entering one grows by one.
     fn step(&self, entering: &Entering) -> Option<(Step<D>, Bordered<D>)> {
         let contact = entering.contact as usize;
-        let (local, active) = (&self.form.locals[contact], &self.active[contact]);
-        let reaction = self.form.reaction(local, active)?;
+        let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
         let row = self.form.row(local, entering.pair);
         let unit = self.form.facet(local, entering.pair).map_or(1.0, |facet| facet.unit);
         let felt = reaction.hold.tr_mul(&row);
@@ -245,9 +243,9 @@ impl<const D: usize, const C: usize> Path<D, C> {
 
     /// The variable that reaches zero first as the entering one grows.
     fn blocking(&mut self, step: &Step<D>, factors: &Bordered<D>, entering: &Entering) -> Leaving {
-        let Self { form, active, pricing, candidates, .. } = self;
+        let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
-        let reach = step.along.size();
+        let speed = pricing.speed(&step.along);
         let covering = Candidate {
             contact: u32::MAX,
             pair: 0,
@@ -259,9 +257,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let mut length =
             if covering.rate < -GREY * step.largest { longest(&covering) } else { f64::INFINITY };
         let mut look = |contact: u32, length: &mut f64| {
-            let (local, active) = (&form.locals[contact as usize], &active[contact as usize]);
-            let Some(reaction) = form.reaction(local, active) else { return };
-            form.decreasing(contact, active, &reaction, step, entering, |candidate| {
+            form.decreasing(basis, contact, step, entering, |candidate| {
                 if ratio(&candidate) <= *length {
                     *length = length.min(longest(&candidate));
                     candidates.push(candidate);
@@ -274,7 +270,9 @@ impl<const D: usize, const C: usize> Path<D, C> {
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
-            while let Some(contact) = pricing.next(length * reach * (1.0 + TIE)) {
+            let e = pricing.reference;
+            let slack = |contact: u32| form.slack(basis, contact, &step.here, &e);
+            while let Some(contact) = pricing.next(length * speed * (1.0 + TIE), slack) {
                 look(contact, &mut length);
             }
         } else {
@@ -302,25 +300,22 @@ impl<const D: usize, const C: usize> Path<D, C> {
     fn break_tie(&self, factors: &Bordered<D>, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
-        let active = &self.active[entering.contact as usize];
-        let Some(reaction) = form.reaction(local, active) else { return Leaving::Nobody };
-        let (_, pushed) = form.tie(local, active, &reaction);
-        let last = form.row(local, entering.pair).dot(&pushed) - form.perturbation(local, entering.pair);
+        let pushed = &self.basis.reaction(entering.contact as usize).tie;
+        let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
         let moved = factors.solve(&-self.sums.tie, last);
         let mut best: Option<(Candidate, f64)> = None;
         for candidate in &self.candidates {
             let local = &form.locals[candidate.contact as usize];
-            let active = &self.active[candidate.contact as usize];
-            let Some(reaction) = form.reaction(local, active) else { continue };
-            let (jumps, pushed) = form.tie(local, active, &reaction);
+            let active = &self.basis.active[candidate.contact as usize];
+            let reaction = self.basis.reaction(candidate.contact as usize);
             let stretch = -(local.seen * moved.y);
             let change = if let Some(a) = active.position(candidate.pair) {
                 let own = reaction.multipliers[a].dot(&stretch);
-                -(own + reaction.cover_jumps[a] * moved.z0 + jumps[a])
+                -(own + reaction.cover_jumps[a] * moved.z0 + reaction.tie_jumps[a])
             } else {
                 let row = form.row(local, candidate.pair);
                 let unit = form.facet(local, candidate.pair).map_or(1.0, |facet| facet.unit);
-                let x = reaction.hold * stretch - reaction.cover * moved.z0 - pushed;
+                let x = reaction.hold * stretch - reaction.cover * moved.z0 - reaction.tie;
                 let d = form.cover(local, candidate.pair, unit);
                 row.dot(&x) + d * moved.z0 + form.perturbation(local, candidate.pair)
             };
@@ -338,16 +333,16 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let leaves = leaving.filter(|l| l.jump).map(|l| l.contact as usize);
         let also = leaves.filter(|contact| enters != Some(*contact));
         for contact in enters.into_iter().chain(also) {
-            self.form.accumulate(&mut self.sums, contact, &self.active[contact], -1.0)?;
-        }
-        if let (Some(contact), Some(leaving)) = (leaves, leaving) {
-            self.active[contact] = self.active[contact].without(leaving.pair);
-        }
-        if let Some(contact) = enters {
-            self.active[contact] = self.active[contact].with(entering.pair)?;
-        }
-        for contact in enters.into_iter().chain(also) {
-            self.form.accumulate(&mut self.sums, contact, &self.active[contact], 1.0)?;
+            self.form.accumulate(&mut self.sums, contact, self.basis.jumped(contact), -1.0);
+            let mut active = self.basis.active[contact];
+            if let (true, Some(leaving)) = (leaves == Some(contact), leaving) {
+                active = active.without(leaving.pair);
+            }
+            if enters == Some(contact) {
+                active = active.with(entering.pair)?;
+            }
+            self.basis.set(&self.form, contact, active)?;
+            self.form.accumulate(&mut self.sums, contact, self.basis.jumped(contact), 1.0);
         }
         Some(())
     }

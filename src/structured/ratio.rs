@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::basis::{Active, Reaction};
-use super::form::{ContactForm, Local, Point};
+use super::basis::Basis;
+use super::form::{ContactForm, Point};
+use super::pricing::ACROSS;
 
 /// The pair that is out of the basis (both its variables are zero), and which of the two enters.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +40,7 @@ pub(super) struct Step<const D: usize> {
 const NOISE: f64 = 1e-11;
 /// so is in any case one below this part of the largest changes.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
-/// The least of value / |gradient| is taken a little shorter: rounding of the values, as a part of their terms.
+/// Times are taken a little shorter: rounding of the values, as a part of their terms.
 const MARGIN: f64 = 1e-13;
 
 impl<const D: usize, const C: usize> ContactForm<D, C> {
@@ -47,14 +48,14 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
     /// changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
+        basis: &Basis<C>,
         contact: u32,
-        active: &Active<C>,
-        reaction: &Reaction<C>,
         step: &Step<D>,
         entering: &Entering,
         mut visit: impl FnMut(Candidate),
     ) {
         let local = &self.locals[contact as usize];
+        let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let stretch = local.stretch(&step.here.y);
         let mut change = -(local.seen * step.along.y);
         let own = entering.contact == contact;
@@ -100,51 +101,51 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         }
     }
 
-    /// How far (y, z₀) can go from a point in any direction before a variable of this contact reaches zero.
-    pub(super) fn slack(
-        &self,
-        local: &Local<D, C>,
-        active: &Active<C>,
-        reaction: &Reaction<C>,
-        at: &Point<D>,
-    ) -> f64 {
+    /// The time in which no variable of this contact can reach zero, see `pricing`.
+    pub(super) fn slack(&self, basis: &Basis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
+        let local = &self.locals[contact as usize];
+        let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let stretch = local.stretch(&at.y);
+        let change = -(local.seen * e.y);
         let x = reaction.hold * stretch - reaction.cover * at.z0;
-        let margin = MARGIN * (local.trial.amax() + stretch.amax() + at.z0.abs());
+        let dx = reaction.hold * change - reaction.cover * e.z0;
+        let level = local.trial.amax() + stretch.amax() + at.z0.abs();
+        let margin = MARGIN * level;
         let mut least = f64::INFINITY;
-        let mut consider = |value: f64, square: f64, size: f64| {
+        let mut consider = |value: f64, rate: f64, gradient: f64, size: f64| {
             let value = (value - margin * size).max(0.0);
-            if square > 0.0 {
-                least = least.min(value * value / square);
+            let fastest = (-rate).max(ACROSS * gradient);
+            if fastest > 0.0 {
+                least = least.min(value / fastest);
             }
         };
-        let felt = reaction.hold * local.seen;
-        let gram = felt * felt.transpose();
+        let width = local.seen.norm();
         for a in 0..active.len() {
             let (z, zeta) = (&reaction.multipliers[a], reaction.cover_jumps[a]);
             let value = -(z.dot(&stretch) + zeta * at.z0);
-            consider(value, local.seen.tr_mul(z).norm_squared() + zeta * zeta, 1.0 + z.amax());
+            let rate = -(z.dot(&change) + zeta * e.z0);
+            consider(value, rate, z.norm() * width + zeta.abs(), 1.0 + z.amax());
         }
-        let square = |row: &SVector<f64, C>, d: f64| {
-            let lift = d - row.dot(&reaction.cover);
-            row.dot(&(gram * row)) + lift * lift
+        let felt = |row: &SVector<f64, C>, d: f64| {
+            reaction.hold.tr_mul(row).norm() * width + (d - row.dot(&reaction.cover)).abs()
         };
         let mut pair = 0;
         if local.gap {
             if active.position(0).is_none() {
                 let d = self.cover(local, 0, 1.0);
-                let lift = d - reaction.cover[0];
-                consider(x[0] + d * at.z0, gram[(0, 0)] + lift * lift, 1.0);
+                let steepest = width + (d - reaction.cover[0]).abs();
+                consider(x[0] + d * at.z0, dx[0] + d * e.z0, steepest, 1.0);
             }
             pair = 1;
         }
         for facet in self.facets(local) {
             if active.len() == 0 || active.position(pair).is_none() {
                 let d = self.cover(local, pair, facet.unit);
-                consider(facet.row.dot(&x) + d * at.z0, square(&facet.row, d), facet.unit);
+                let (value, rate) = (facet.row.dot(&x) + d * at.z0, facet.row.dot(&dx) + d * e.z0);
+                consider(value, rate, felt(&facet.row, d), facet.unit);
             }
             pair += 1;
         }
-        least.sqrt()
+        least
     }
 }

@@ -40,8 +40,8 @@ impl<const D: usize, const C: usize> Solution<D, C> {
         self.forces.clear();
         let mut worst = 0.0_f64;
         let (mut sum, mut size) = (problem.wrench, problem.wrench.norm());
-        for ((local, active), site) in path.form.locals.iter().zip(&path.active).zip(problem.sites) {
-            let Some(reaction) = path.form.reaction(local, active) else { return false };
+        for (contact, (local, site)) in path.form.locals.iter().zip(problem.sites).enumerate() {
+            let (active, reaction) = (&path.basis.active[contact], path.basis.reaction(contact));
             let stretch = local.stretch(&y);
             let x = reaction.hold * stretch;
             let level = SMALLEST + local.trial.norm() + stretch.norm();
@@ -74,14 +74,14 @@ impl<const D: usize, const C: usize> Solution<D, C> {
 impl<const D: usize, const C: usize> Path<D, C> {
     /// The motion y of the present states at z₀ = 0.
     pub(super) fn vertex(&mut self) -> Option<SVector<f64, D>> {
-        self.refresh()?;
+        self.refresh();
         let zero = SVector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
         let mut y = factors.solve(&self.sums.trial, 0.0).y;
         for _ in 0..CORRECTIONS {
             let mut left = SVector::<f64, D>::zeros();
-            for (local, active) in self.form.locals.iter().zip(&self.active) {
-                let hold = self.form.reaction(local, active)?.hold;
+            for (contact, local) in self.form.locals.iter().enumerate() {
+                let hold = &self.basis.reaction(contact).hold;
                 left += local.seen.tr_mul(&(hold * local.stretch(&y) - local.trial));
             }
             y += factors.solve(&(left * self.form.weight), 0.0).y;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
+use super::newton::{Code, Newton};
 use super::path::{End, Path};
 use super::solution::Solution;
 use crate::error::Error;
@@ -12,6 +13,8 @@ use crate::grasp::{Grasp, Twist, Wrench};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
+/// From this many contacts on Newton's method is tried first.
+const MANY: usize = 32;
 /// A load that does this little work on a unit free motion, relative to its size, does none.
 const NO_WORK: f64 = 1e-13;
 
@@ -31,6 +34,8 @@ pub struct Workspace<const D: usize, const C: usize> {
     cone: PolygonCone,
     polygon: Arc<Polygon<C>>,
     solution: Solution<D, C>,
+    newton: Newton<D, C>,
+    by_newton: bool,
     twist: Twist<D>,
 }
 
@@ -59,7 +64,7 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     /// Forces on the object in the contact frames, N: (`F_n`, `F_t`…).
     #[must_use]
     pub fn forces(&self) -> &'a [SVector<f64, C>] {
-        &self.workspace.solution.forces
+        if self.workspace.by_newton { &self.workspace.newton.forces } else { &self.workspace.solution.forces }
     }
 
     /// Motion of the object.
@@ -72,7 +77,11 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     /// gaps and slips.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        self.workspace.solution.residual
+        if self.workspace.by_newton {
+            self.workspace.newton.residual
+        } else {
+            self.workspace.solution.residual
+        }
     }
 
     /// Pivots of Lemke's method.
@@ -81,16 +90,16 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
         self.workspace.path.pivots
     }
 
+    /// Steps of Newton's method, if they led to it: then no pivot was needed.
+    #[must_use]
+    pub fn newton_steps(&self) -> Option<usize> {
+        self.workspace.by_newton.then_some(self.workspace.newton.steps)
+    }
+
     /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact.
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
-        let path = &self.workspace.path;
-        path.active.iter().enumerate().flat_map(move |(contact, active)| {
-            let gap = path.form.opens(contact);
-            active.iter().map(move |pair| match pair {
-                0 if gap => Row::Gap { contact },
-                _ => Row::Slip { contact, facet: pair - usize::from(gap) },
-            })
-        })
+        let workspace = self.workspace;
+        (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
     }
 }
 
@@ -113,6 +122,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             cone,
             polygon: Arc::new(Polygon::new(&cone)),
             solution: Solution::default(),
+            newton: Newton::default(),
+            by_newton: false,
             twist: Twist::from_vector(SVector::zeros()),
         }
     }
@@ -123,7 +134,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         self.cone
     }
 
-    /// An equilibrium of a grasp under a load, along Lemke's path from the elastic trial state.
+    /// An equilibrium of a grasp under a load: with many contacts by Newton's method if it arrives, else along Lemke's paths from the elastic
+    /// trial state.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
@@ -131,7 +143,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         self.solve_along(OTHER_PATHS, grasp, load)
     }
 
-    /// The same with the first path only, that of the covering vector of ones.
+    /// The same along Lemke's first path only, that of the covering vector of ones.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
@@ -166,17 +178,42 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             infinite_friction_has_facets: false,
             round: false,
         };
-        let balanced = self.stick(&problem);
-        let found = balanced && self.search(&problem, other_paths);
+        self.by_newton = other_paths > 0 && problem.len() >= MANY && self.newton.run(&problem);
+        let balanced = self.by_newton || self.stick(&problem);
+        let found = self.by_newton || (balanced && self.search(&problem, other_paths));
         (self.laws, self.drives) = (problem.laws, problem.drives);
         if found {
-            self.twist = grasp.outside(&self.least_twist());
+            let twist = if self.by_newton { self.newton.twist } else { self.least_twist() };
+            self.twist = grasp.outside(&twist);
         }
         if !balanced {
             return Ok(Search::FreeMotion);
         }
         let pivots = self.path.pivots;
         Ok(if found { Search::Found(View { workspace: self }) } else { Search::NotFound { pivots } })
+    }
+
+    /// The rows of a contact whose jumps are basic.
+    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
+        let mut rows = [None; 3];
+        let slip = |facet: usize| Some(Row::Slip { contact, facet });
+        if self.by_newton {
+            match self.newton.states[contact] {
+                Code::Open => rows[0] = Some(Row::Gap { contact }),
+                Code::Rolling => {}
+                Code::Facet(j) => rows[0] = slip(usize::from(j)),
+                Code::Corner(j) => {
+                    let j = usize::from(j);
+                    rows = [slip(j), slip((j + 1) % self.polygon.normals.len()), None];
+                }
+            }
+            return rows;
+        }
+        let gap = self.path.form.opens(contact);
+        for (row, pair) in rows.iter_mut().zip(self.path.basis.active[contact].iter()) {
+            *row = if gap && pair == 0 { Some(Row::Gap { contact }) } else { slip(pair - usize::from(gap)) };
+        }
+        rows
     }
 
     /// The trial state in which every contact sticks; `false` if no contact resists the load.
