@@ -6,6 +6,7 @@ mod candidate;
 mod climb;
 mod decomposition;
 mod enumerate;
+mod many;
 mod polish;
 mod residuals;
 mod sector_conditions;
