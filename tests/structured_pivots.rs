@@ -1,6 +1,6 @@
 //! Lemke's method on lists of contact states makes the pivots of the dense solver with the same covering vector.
 //!
-//! A scene is *settled* when no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows. At an
+//! A scene is *settled* when no gap and no variable of a closed contact is close to zero in the dense answer, and none larger than precision allows. At an
 //! open contact every friction row is zero once z₀ is: which of its facets are basic in the end is arbitrary, and it is compared as open. When the dense
 //! solver overlooks such a tie in the rounding of its tableau, it makes a few pivots more before z₀ leaves, or ends on a ray. Where a scene
 //! is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such ties by a vector
@@ -130,7 +130,8 @@ fn is_settled(form: &Form, solution: &Solution, states: &States) -> bool {
     solution.z.amax() < size / CLEAR
         && (0..form.rows.len()).all(|i| {
             let basic = if solution.basis.contains(i) { solution.z[i] } else { solution.w[i] };
-            states[contact_of(form.rows[i])].is_none() || basic > clear
+            let friction = matches!(form.rows[i], Row::Slip { .. });
+            (friction && states[contact_of(form.rows[i])].is_none()) || basic > clear
         })
 }
 
@@ -194,8 +195,8 @@ fn random_scenes_of_springs_and_friction_far_apart() {
         [random::<3, 2>(2..9, Spread::Wide, 1500), random::<6, 3>(3..9, Spread::Wide, 1500)]
     {
         let sum = |of: fn(&Tally) -> usize| of(&closed) + of(&opening) + of(&unsettled);
-        assert!(sum(|t| t.other_states) <= 20);
-        assert!(sum(|t| t.same) > 900 && sum(|t| t.only_structured) > 3 * sum(|t| t.only_dense));
+        assert!(sum(|t| t.other_states) * 50 <= sum(|t| t.scenes));
+        assert!(sum(|t| t.same) > 900 && sum(|t| t.only_structured) > 2 * sum(|t| t.only_dense));
     }
 }
 

@@ -41,9 +41,9 @@ impl<const D: usize> Orthogonal<D> {
     }
 
     /// The factors of other rows, in the same memory.
-    pub(crate) fn assign(&mut self, rows: impl Iterator<Item = SVector<f64, D>>) {
+    pub(crate) fn assign(&mut self, rows: &[SVector<f64, D>]) {
         self.q.clear();
-        self.q.extend(rows);
+        self.q.extend_from_slice(rows);
         self.factorise();
     }
 

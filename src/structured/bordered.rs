@@ -58,6 +58,8 @@ impl<const D: usize> Bordered<D> {
             lu.swap(k, pivot);
             order.swap(k, pivot);
             let inverse = 1.0 / lu[k][k];
+            // Only needed to divide by.
+            lu[k][k] = inverse;
             let row = lu[k];
             for below in &mut lu[k + 1..=D] {
                 let factor = below[k] * inverse;
@@ -71,22 +73,37 @@ impl<const D: usize> Bordered<D> {
     }
 
     pub(super) fn solve(&self, balance: &SVector<f64, D>, last: f64) -> Point<D> {
-        let mut x = [0.0; MOST];
+        self.solve_each([(balance, last)])[0]
+    }
+
+    /// Solutions for several right-hand sides.
+    pub(super) fn solve_each<const R: usize>(&self, sides: [(&SVector<f64, D>, f64); R]) -> [Point<D>; R] {
+        let mut x = [[0.0; R]; MOST];
         for i in 0..=D {
             let from = self.order[i];
-            let mut sum = if from == D { last } else { balance[from] };
-            for j in 0..i {
-                sum -= self.lu[i][j] * x[j];
+            for (r, (balance, last)) in sides.iter().enumerate() {
+                x[i][r] = if from == D { *last } else { balance[from] };
             }
-            x[i] = sum;
         }
-        for i in (0..=D).rev() {
-            let mut sum = x[i];
-            for j in i + 1..=D {
-                sum -= self.lu[i][j] * x[j];
+        for j in 0..=D {
+            let known = x[j];
+            for i in j + 1..=D {
+                for r in 0..R {
+                    x[i][r] -= self.lu[i][j] * known[r];
+                }
             }
-            x[i] = sum / self.lu[i][i];
         }
-        Point { y: SVector::from_fn(|i, _| x[i]), z0: x[D] }
+        for j in (0..=D).rev() {
+            for r in 0..R {
+                x[j][r] *= self.lu[j][j];
+            }
+            let known = x[j];
+            for i in 0..j {
+                for r in 0..R {
+                    x[i][r] -= self.lu[i][j] * known[r];
+                }
+            }
+        }
+        std::array::from_fn(|r| Point { y: SVector::from_fn(|i, _| x[i][r]), z0: x[D][r] })
     }
 }

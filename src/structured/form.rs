@@ -130,6 +130,10 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         self.rank = q.rank();
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
         let scale = 1.0 / self.weight.sqrt();
+        // Room for what only some scenes need, so that no later scene of this size has to allocate.
+        let most = problem.len() * problem.polygon.normals.len();
+        self.facets.reserve(most);
+        self.covering.listed.reserve(most + problem.len());
         let mut widest = 0.0_f64;
         let mut spring = 0;
         for (contact, site) in problem.sites.iter().enumerate() {

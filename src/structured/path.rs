@@ -21,7 +21,7 @@ const DOUBTFUL: f64 = 1e-7;
 /// A value may be wrong by this part of itself,
 const TIE: f64 = 1e-12;
 /// and by this part of the terms it is made of. Variables tie that reach zero within these errors of each other.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// The sums over the contacts are made afresh after this many pivots, and a quarter of the number of contacts.
 const REFRESH: usize = 64;
 
@@ -47,7 +47,7 @@ pub(crate) struct Path<const D: usize, const C: usize> {
     pub(super) load: SVector<f64, D>,
     pub(crate) pivots: usize,
     /// Pivots since the sums were made.
-    age: usize,
+    pub(super) age: usize,
     pricing: Pricing<D>,
     candidates: Vec<Candidate>,
 }
@@ -78,7 +78,10 @@ impl<const D: usize, const C: usize> Path<D, C> {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
         self.load.fill(0.0);
-        self.refresh();
+        // Q has orthonormal columns.
+        self.sums = Sums::zero();
+        self.sums.stiffness.fill_diagonal(1.0);
+        self.age = 0;
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
             return End::PivotLimit;
@@ -126,8 +129,13 @@ impl<const D: usize, const C: usize> Path<D, C> {
 
     /// Follows the path from a point where both variables of a pair are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: Point<D>, limit: usize) -> End {
-        let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
-        self.line_up(entering.contact, &at, &first.along);
+        self.pricing.clear(self.form.len(), &Point::default());
+        self.candidates.clear();
+        self.candidates.reserve(self.form.pairs);
+        if self.pricing.lazy {
+            let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
+            self.line_up(entering.contact, &at, &first.along);
+        }
         loop {
             if self.pivots >= limit {
                 return End::PivotLimit;
@@ -171,8 +179,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             let length = leaving.value.max(0.0) / -leaving.rate;
             let at =
                 Point { y: step.here.y + step.along.y * length, z0: step.here.z0 + step.along.z0 * length };
-            let speed = self.pricing.speed(&step.along);
-            let turned = self.pricing.advance(length, &step.along, speed);
+            let turned = self.pricing.lazy && self.pricing.advance(length, &step.along);
             let left = entering.contact;
             entering = Entering { contact: leaving.contact, pair: leaving.pair, jump: !leaving.jump };
             if turned {
@@ -229,14 +236,15 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let gradient = -local.seen.tr_mul(&felt);
         let corner = self.form.cover(local, entering.pair, unit) - row.dot(&reaction.cover);
         let factors = Bordered::new(&self.sums.stiffness, &self.sums.cover, &gradient, corner)?;
-        let here = factors.solve(&self.sums.trial, -felt.dot(&local.trial));
-        let along = if entering.jump {
+        let mut pushed = SVector::zeros();
+        let mut last = 1.0;
+        if entering.jump {
             let column = self.form.column(local, entering.pair);
-            let pushed = local.seen.tr_mul(&(reaction.hold * column * self.form.weight));
-            factors.solve(&pushed, -felt.dot(&column))
-        } else {
-            factors.solve(&SVector::zeros(), 1.0)
-        };
+            pushed = local.seen.tr_mul(&(reaction.hold * column * self.form.weight));
+            last = -felt.dot(&column);
+        }
+        let sides = [(&self.sums.trial, -felt.dot(&local.trial)), (&pushed, last)];
+        let [here, along] = factors.solve_each(sides);
         let largest = along.z0.abs().max(along.y.amax() * self.form.widest).max(1.0);
         Some((Step { here, along, largest }, factors))
     }
@@ -245,7 +253,6 @@ impl<const D: usize, const C: usize> Path<D, C> {
     fn blocking(&mut self, step: &Step<D>, factors: &Bordered<D>, entering: &Entering) -> Leaving {
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
-        let speed = pricing.speed(&step.along);
         let covering = Candidate {
             contact: u32::MAX,
             pair: 0,
@@ -270,7 +277,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
-            let e = pricing.reference;
+            let (e, speed) = (pricing.reference, pricing.speed(&step.along));
             let slack = |contact: u32| form.slack(basis, contact, &step.here, &e);
             while let Some(contact) = pricing.next(length * speed * (1.0 + TIE), slack) {
                 look(contact, &mut length);

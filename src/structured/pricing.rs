@@ -81,8 +81,8 @@ impl<const D: usize> Pricing<D> {
     }
 
     /// The path goes on by so many times a direction. Whether it has turned so far from e that it is time for another.
-    pub(super) fn advance(&mut self, times: f64, along: &Point<D>, speed: f64) -> bool {
-        self.clock += times * speed;
+    pub(super) fn advance(&mut self, times: f64, along: &Point<D>) -> bool {
+        self.clock += times * self.speed(along);
         self.length += times * along.size();
         self.steps += 1;
         self.clock > TURNED * self.length && self.steps * AGAIN > self.waiting.len()

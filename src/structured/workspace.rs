@@ -9,7 +9,7 @@ use super::path::{End, Path};
 use super::solution::Solution;
 use crate::error::Error;
 use crate::formulation::{Law, Orthogonal, Polygon, PolygonCone, Problem, Row, whole_law};
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Grasp, Site, Twist, Wrench};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
@@ -26,6 +26,9 @@ const NO_WORK: f64 = 1e-13;
 #[derive(Debug, Clone)]
 pub struct Workspace<const D: usize, const C: usize> {
     path: Path<D, C>,
+    /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the last scene if only load, commands or
+    /// friction have changed.
+    springs: Vec<SVector<f64, D>>,
     factor: Orthogonal<D>,
     /// x⁰, spring by spring.
     x: Vec<f64>,
@@ -115,6 +118,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     pub fn new(cone: PolygonCone) -> Self {
         Self {
             path: Path::default(),
+            springs: Vec::new(),
             factor: Orthogonal::default(),
             x: Vec::new(),
             laws: Vec::new(),
@@ -225,13 +229,20 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
                 .enumerate()
                 .flat_map(|(i, site)| (0..site.axes).map(move |axis| (i, site, axis)))
         };
-        self.factor.assign(springs().map(|(_, site, axis)| site.map.column(axis) * site.k[axis].sqrt()));
-        let free = self.factor.null_vectors();
-        let free = &free[..D - self.factor.rank()];
+        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| site.map.column(axis) * site.k[axis].sqrt();
+        if !springs().map(row).eq(self.springs.iter().copied()) {
+            self.springs.clear();
+            self.springs.extend(springs().map(row));
+            self.factor.assign(&self.springs);
+        }
         let wrench = problem.wrench;
-        let work = free.iter().map(|v| v.dot(&wrench)).fold(0.0_f64, f64::hypot);
-        if work > NO_WORK * wrench.norm() {
-            return false;
+        if self.factor.rank() < D {
+            let free = self.factor.null_vectors();
+            let work =
+                free[..D - self.factor.rank()].iter().map(|v| v.dot(&wrench)).fold(0.0_f64, f64::hypot);
+            if work > NO_WORK * wrench.norm() {
+                return false;
+            }
         }
         self.x.clear();
         self.x.extend(springs().map(|(i, site, axis)| site.k[axis].sqrt() * problem.drives[i][axis]));
@@ -250,8 +261,10 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     /// The twist of least norm of the solution.
     fn least_twist(&self) -> SVector<f64, D> {
         let mut twist = self.factor.preimage(&self.solution.moved);
-        for v in &self.factor.null_vectors()[..D - self.factor.rank()] {
-            twist -= v * v.dot(&twist);
+        if self.factor.rank() < D {
+            for v in &self.factor.null_vectors()[..D - self.factor.rank()] {
+                twist -= v * v.dot(&twist);
+            }
         }
         twist
     }
