@@ -117,11 +117,11 @@ fn fingers(count: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp:
         spatial::Contact::new([cos, sin, 0.2 * uneven(i)], [-cos, -sin, 0.1])
             .tangent([0.0, 0.0, 1.0])
             .series_stiffness(10.0, 8.0)
-            .friction(0.4)
+            .friction(0.3)
             .command([0.1 * (0.4 + uneven(i)), 0.02 * uneven(i + 7), 0.0])
     };
     let grasp = spatial::Grasp::new((0..count).map(contact))?;
-    Ok((grasp, spatial::Wrench::new([0.02, 0.03, -0.25 * count as f64], [0.0, 0.0, 0.02])))
+    Ok((grasp, spatial::Wrench::new([0.02, 0.03, -0.27 * count as f64], [0.0, 0.0, 0.02])))
 }
 
 /// A pad along x, pressed most in the middle and sheared until the outer two thirds slide.

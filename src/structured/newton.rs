@@ -24,7 +24,7 @@ const BALANCED: f64 = 1e-13;
 const TOGETHER: usize = 256;
 /// and those that are worth a second thread.
 #[cfg(feature = "parallel")]
-const APART: usize = 20_000;
+const APART: usize = 4096;
 
 /// Memory of the method.
 #[derive(Debug, Clone)]
@@ -32,6 +32,7 @@ pub(super) struct Newton<const D: usize, const C: usize> {
     pub(super) twist: SVector<f64, D>,
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) states: Vec<Code>,
+    kinds: Vec<Kind>,
     /// |R| over the sizes of its terms.
     pub(super) residual: f64,
     pub(super) steps: usize,
@@ -43,9 +44,31 @@ impl<const D: usize, const C: usize> Default for Newton<D, C> {
             twist: SVector::zeros(),
             forces: Vec::new(),
             states: Vec::new(),
+            kinds: Vec::new(),
             residual: f64::INFINITY,
             steps: 0,
         }
+    }
+}
+
+/// What a contact may do, in few bytes: the passes over the contacts are as fast as their memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Kind {
+    absent: bool,
+    opens: bool,
+    slides: bool,
+}
+
+impl Kind {
+    /// `None` for laws of rates.
+    fn of<const D: usize, const C: usize>(problem: &Problem<D, C>, contact: usize) -> Option<Self> {
+        let absent = match problem.laws[contact] {
+            Law::Absent => true,
+            Law::Bonded | Law::Cone { .. } => false,
+            Law::Edge(_) | Law::Turning { .. } => return None,
+        };
+        let slides = !problem.normals(contact).is_empty();
+        Some(Self { absent, opens: problem.may_open(contact), slides })
     }
 }
 
@@ -89,9 +112,10 @@ impl<const D: usize, const C: usize> Newton<D, C> {
         self.steps = 0;
         self.forces.clear();
         self.states.clear();
-        let lawful = |law: &Law<C>| matches!(law, Law::Absent | Law::Bonded | Law::Cone { .. });
-        if !problem.laws.iter().all(lawful) {
-            return false;
+        self.kinds.clear();
+        for contact in 0..problem.len() {
+            let Some(kind) = Kind::of(problem, contact) else { return false };
+            self.kinds.push(kind);
         }
         self.forces.resize(problem.len(), SVector::zeros());
         self.states.resize(problem.len(), Code::Rolling);
@@ -125,7 +149,7 @@ impl<const D: usize, const C: usize> Newton<D, C> {
 
     /// Forces and states at the present twist.
     fn respond(&mut self, problem: &Problem<D, C>) -> Tangent<D> {
-        let mut t = respond(problem, &self.twist, 0, &mut self.states, &mut self.forces);
+        let mut t = respond(problem, &self.twist, 0, &self.kinds, &mut self.states, &mut self.forces);
         t.left += problem.wrench;
         t.size += problem.wrench.norm() + f64::MIN_POSITIVE;
         t
@@ -167,41 +191,41 @@ fn respond<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     twist: &SVector<f64, D>,
     first: usize,
+    kinds: &[Kind],
     states: &mut [Code],
     forces: &mut [SVector<f64, C>],
 ) -> Tangent<D> {
     if states.len() > TOGETHER {
         let (count, middle) = (states.len(), states.len() / 2);
+        let (kinds, more_kinds) = kinds.split_at(middle);
         let (states, more_states) = states.split_at_mut(middle);
         let (forces, more_forces) = forces.split_at_mut(middle);
         let (a, b) = both(
             count,
-            || respond(problem, twist, first, states, forces),
-            || respond(problem, twist, first + middle, more_states, more_forces),
+            || respond(problem, twist, first, kinds, states, forces),
+            || respond(problem, twist, first + middle, more_kinds, more_states, more_forces),
         );
         return a.plus(&b);
     }
     let mut t = Tangent::<D>::zero();
-    for (contact, (state, answer)) in (first..).zip(states.iter_mut().zip(forces)) {
+    for (contact, (kind, (state, answer))) in (first..).zip(kinds.iter().zip(states.iter_mut().zip(forces))) {
         let site = &problem.sites[contact];
-        let law = &problem.laws[contact];
-        if *law == Law::Absent {
+        if kind.absent {
             continue;
         }
         let stretch = problem.drives[contact] - site.map.tr_mul(twist);
         let mut force = site.k.component_mul(&stretch);
-        let normals = problem.normals(contact);
-        let code = if force[0] <= 0.0 && *law == (Law::Cone { gap: true }) {
+        let code = if force[0] <= 0.0 && kind.opens {
             Code::Open
-        } else if normals.is_empty() {
+        } else if !kind.slides {
             Code::Rolling
         } else if C == 2 {
             let limit = problem.mu(contact) * force[0];
             if force[1].abs() <= limit { Code::Rolling } else { Code::Facet(u16::from(force[1] < 0.0)) }
         } else {
-            nearest(&site.k, normals, &force, problem.mu(contact) * force[0])
+            nearest(&site.k, &problem.polygon(contact).normals, &force, problem.mu(contact) * force[0])
         };
-        t.lawful &= force[0] >= 0.0 || normals.is_empty() || code == Code::Open;
+        t.lawful &= force[0] >= 0.0 || !kind.slides || code == Code::Open;
         let g = site.map.column(0);
         match code {
             Code::Open => force.fill(0.0),
@@ -213,7 +237,7 @@ fn respond<const D: usize, const C: usize>(
             }
             Code::Facet(j) => {
                 // F_t = r p + κ d (d·v) with the springs across the slip.
-                let (h, mu) = (&normals[usize::from(j)], problem.mu(contact));
+                let (h, mu) = (&problem.polygon(contact).normals[usize::from(j)], problem.mu(contact));
                 let softened = site.k.component_mul(h);
                 let along = h.dot(&softened);
                 let excess = (h.dot(&force) - mu * force[0]) / along;
@@ -230,7 +254,8 @@ fn respond<const D: usize, const C: usize>(
                 }
             }
             Code::Corner(j) => {
-                let mut pushed = corner(normals, usize::from(j)) * problem.mu(contact);
+                let mut pushed =
+                    corner(&problem.polygon(contact).normals, usize::from(j)) * problem.mu(contact);
                 pushed[0] = 1.0;
                 force = pushed * force[0];
                 t.stiffness.ger(site.k[0], &(site.map * pushed), &g, 1.0);

@@ -20,7 +20,8 @@ const NO_WORK: f64 = 1e-13;
 
 /// Memory for equilibria under one load after another, by Lemke's method on lists of contact states.
 ///
-/// After the first scene it allocates nothing for scenes with no more contacts. It looks for one equilibrium, in space
+/// After the first scene it allocates nothing for scenes with no more contacts (with thousands of them the thread pool of the feature `parallel`
+/// may). It looks for one equilibrium, in space
 /// on the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where it finds none.
 /// [`Grasp::solve`] knows more ways to one, proofs that there is none, the round cone and the answer as physics.
 #[derive(Debug, Clone)]
