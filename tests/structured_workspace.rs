@@ -150,3 +150,26 @@ fn contacts_all_alike() {
     let grasp = planar::Grasp::new((0..1000).map(contact)).expect("valid");
     newton_and_lemke(&grasp, &planar::Wrench::new([150.0, -1000.0], 0.0));
 }
+
+/// Beyond what friction can hold the answer is a proof, at any number of contacts.
+#[test]
+fn an_overloaded_patch() {
+    for n in [300, 3000] {
+        let contact = |i: usize| {
+            planar::Contact::new([(i as f64 + 0.5) / n as f64 * 2.0 - 1.0, 0.0], [0.0, 1.0])
+                .series_stiffness(1.0, 0.8)
+                .friction(0.3)
+                .command([1.0 + 0.1 * (7.3 * i as f64).sin(), 0.0])
+        };
+        let grasp = planar::Grasp::new((0..n).map(contact)).expect("valid");
+        let press = n as f64;
+        let held = grasp.solve(&planar::Wrench::new([0.29 * press, -press], 0.0)).expect("finite");
+        assert!(held.equilibrium().is_some());
+        let outcome = grasp.solve(&planar::Wrench::new([0.31 * press, -press], 0.0)).expect("finite");
+        let planar::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
+        assert!(matches!(none.proof, planar::Proof::SeparatingMotion { .. }));
+        let mut workspace = Workspace::default();
+        let load = planar::Wrench::new([0.31 * press, -press], 0.0);
+        assert!(matches!(workspace.solve(&grasp, &load), Ok(Search::NotFound { .. })));
+    }
+}

@@ -12,7 +12,7 @@ use crate::structured::propose_by_newton;
 /// already; with so few the dense solver's balanced covering vector is kept, which the list of rungs in `Rung` goes by.
 const STRUCTURED_FROM: usize = 8;
 /// From this many contacts on Newton's method is tried before: with few contacts it often goes round in circles.
-const NEWTON_FROM: usize = 32;
+pub(super) const MANY: usize = 32;
 /// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
 const MOST_DENSE_ROWS: usize = 2000;
 
@@ -31,7 +31,7 @@ pub(super) fn climb_on_states<const D: usize, const C: usize>(
     effort: &mut Effort,
     doubt: &mut Doubt,
 ) -> Option<(Found<D, C>, Rung)> {
-    if problem.len() >= NEWTON_FROM {
+    if problem.len() >= MANY {
         let newton = |problem: &Problem<D, C>, _: &mut Effort, _: &mut Doubt| propose_by_newton(problem);
         if let Some(found) = climb(problem, newton, effort, doubt) {
             return Some((found, Rung::Newton));

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::candidate::{Found, Verdict, admit, try_states};
 use super::climb::{climb, enumerable, on_polygons, other_polygons, propose_dense};
 use super::enumerate::search;
-use super::many::{climb_on_states, dense_is_affordable};
+use super::many::{MANY, climb_on_states, dense_is_affordable};
 use super::sectors::{Sectors, search_sectors};
 use super::settings::Settings;
 use super::wrench_cone::separating_motion;
@@ -126,8 +126,14 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     {
         return (Settled::Found(found, rung), effort);
     }
-    if !dense_is_affordable(problem) {
-        return (separating_motion(problem).map_or(Settled::Undecided(doubt), Settled::Separating), effort);
+    if problem.len() >= MANY {
+        // A proof is cheaper than the paths that are left.
+        if let Some(motion) = separating_motion(problem) {
+            return (Settled::Separating(motion), effort);
+        }
+        if !dense_is_affordable(problem) {
+            return (Settled::Undecided(doubt), effort);
+        }
     }
     if let Some(found) = climb(problem, kinematic, &mut effort, &mut doubt) {
         return (Settled::Found(found, Rung::KinematicForm), effort);
