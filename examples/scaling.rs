@@ -23,7 +23,7 @@ fn main() -> Outcome {
     whole_solve()
 }
 
-/// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace, the grasp new each time.
+/// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace that has seen the grasp before.
 fn few_contacts() -> Outcome {
     for count in 3..=5 {
         let (grasp, load) = fingers(count)?;
@@ -42,7 +42,7 @@ fn few_contacts() -> Outcome {
     Ok(())
 }
 
-/// Patches two thirds of which slide: by Lemke's method alone, and with Newton's method as a start.
+/// Patches two thirds of which slide in the plane, half in space: by Lemke's method alone, and with Newton's method as a start.
 fn patches() -> Outcome {
     for n in [100, 1000, 10_000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
@@ -120,8 +120,9 @@ fn fingers(count: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp:
             .friction(0.3)
             .command([0.1 * (0.4 + uneven(i)), 0.02 * uneven(i + 7), 0.0])
     };
+    let pull = if count == 3 { 0.33 } else { 0.27 };
     let grasp = spatial::Grasp::new((0..count).map(contact))?;
-    Ok((grasp, spatial::Wrench::new([0.02, 0.03, -0.27 * count as f64], [0.0, 0.0, 0.02])))
+    Ok((grasp, spatial::Wrench::new([0.02, 0.03, -pull * count as f64], [0.0, 0.0, 0.02])))
 }
 
 /// A pad along x, pressed most in the middle and sheared until the outer two thirds slide.
@@ -142,7 +143,7 @@ fn planar_patch(n: usize) -> Result<(planar::Grasp, planar::Wrench), grasp_lcp::
     Ok((grasp, planar::Wrench::new([0.98 * 0.3 * pressed, -pressed], 0.0)))
 }
 
-/// A round pad, pressed most in the middle, sheared and turned until the outer two thirds slide.
+/// A round pad, pressed most in the middle, sheared and turned until the outer half slides.
 fn spatial_patch(n: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp::Error> {
     let place = |i: usize| {
         let r = ((i as f64 + 0.5) / n as f64).sqrt();

@@ -275,6 +275,7 @@ fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() ->
     if count >= APART {
         return rayon::join(a, b);
     }
+    let _ = count;
     (a(), b())
 }
 
