@@ -60,6 +60,7 @@
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist |
 //! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
+//! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory; sensitivities |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
@@ -93,6 +94,7 @@ pub mod load_path;
 pub mod picture;
 pub mod planar;
 pub mod spatial;
+pub mod structured;
 pub mod sweep;
 
 pub use equilibrium::Settings;

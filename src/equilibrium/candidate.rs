@@ -18,6 +18,8 @@ const DOUBTFUL: f64 = 1e-12;
 
 /// A rate of an inequality along a unit motion below this part of its size is rounding of zero.
 const UNFELT: f64 = 1e-12;
+/// A shift is sought for so many inequalities at once.
+const ALL_AT_ONCE: usize = 200;
 /// Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
 const OUT_OF_BALANCE: f64 = 1e-11;
 
@@ -226,7 +228,27 @@ fn least_admissible_shift<const D: usize, const C: usize>(
             i += 1;
         });
     }
-    let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
-    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
-    Some(a.tr_mul(&solution.z))
+    let least = |rows: &[usize]| {
+        let (a, b) = (a.select_rows(rows), b.select_rows(rows));
+        let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
+        let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
+        Some(a.tr_mul(&solution.z))
+    };
+    if b.len() <= ALL_AT_ONCE {
+        return least(&(0..b.len()).collect::<Vec<_>>());
+    }
+    // A few of many inequalities decide: those that the shift for the others leaves most violated join them.
+    let mut rows = Vec::new();
+    let mut left = b.clone();
+    loop {
+        let joins = (0..b.len()).filter(|&i| left[i] < 0.0 && !rows.contains(&i));
+        let mut joins: Vec<usize> = joins.collect();
+        joins.sort_by(|&i, &j| left[i].total_cmp(&left[j]));
+        joins.truncate(D);
+        if joins.is_empty() || rows.len() > ALL_AT_ONCE {
+            return least(&rows);
+        }
+        rows.extend(joins);
+        left = &b + &a * least(&rows)?;
+    }
 }

@@ -8,8 +8,9 @@ use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
 use super::settings::Settings;
 use super::settle::{Doubt, Effort};
-use crate::formulation::{Fit, Form, Polygon, PolygonCone, Problem, State};
+use crate::formulation::{Fit, Form, Piece, PieceState, Polygon, PolygonCone, Problem, State};
 use crate::lcp::{self, Basis, Outcome};
+use crate::structured;
 
 /// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
 /// the first.
@@ -68,13 +69,11 @@ pub(super) fn other_polygons<const D: usize, const C: usize>(
 /// from there, and where it does not arrive Lemke proposes again on polygons with more corners where contacts slide.
 pub(super) fn climb<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
-    settings: &Settings,
-    form: impl Fn(&Problem<D, C>) -> Option<Form>,
-    states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State>,
+    propose: impl Fn(&Problem<D, C>, &mut Effort, &mut Doubt) -> Option<Vec<State>>,
     effort: &mut Effort,
     doubt: &mut Doubt,
 ) -> Option<Found<D, C>> {
-    let proposed = propose(problem, settings, &form, &states, effort, doubt)?;
+    let proposed = propose(problem, effort, doubt)?;
     if !problem.round {
         return match try_states(problem, proposed) {
             Verdict::Holds(found) => Some(found),
@@ -98,7 +97,7 @@ pub(super) fn climb<const D: usize, const C: usize>(
                 finer.turned[i] = finer.polygon(i).refined_about(&near.forces[i], angle);
             }
         }
-        states_near = propose(&finer, settings, &form, &states, effort, doubt)?;
+        states_near = propose(&finer, effort, doubt)?;
         near = solution_near(&finer, &states_near)?;
         if let Some(found) = polish(problem, &near) {
             return Some(found);
@@ -108,8 +107,26 @@ pub(super) fn climb<const D: usize, const C: usize>(
     None
 }
 
-/// Contact states from Lemke's method.
-fn propose<const D: usize, const C: usize>(
+/// Contact states from Lemke's method on lists of contact states.
+pub(super) fn propose_structured<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    settings: &Settings,
+    trial: &Piece<D, C>,
+    state: &PieceState<D, C>,
+    effort: &mut Effort,
+    doubt: &mut Doubt,
+) -> Option<Vec<State>> {
+    let proposal = structured::propose(problem, trial, state, OTHER_PATHS, settings.max_pivots);
+    effort.rows = effort.rows.max(proposal.pairs);
+    effort.pivots += proposal.pivots;
+    if proposal.cut_short {
+        *doubt = Doubt::OutOfPivots;
+    }
+    proposal.states
+}
+
+/// Contact states from Lemke's method on a complementarity problem with a dense matrix.
+pub(super) fn propose_dense<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
     form: impl Fn(&Problem<D, C>) -> Option<Form>,

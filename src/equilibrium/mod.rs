@@ -6,6 +6,7 @@ mod candidate;
 mod climb;
 mod decomposition;
 mod enumerate;
+mod many;
 mod newton;
 mod polish;
 mod residuals;

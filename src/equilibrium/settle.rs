@@ -3,8 +3,9 @@
 use nalgebra::SVector;
 
 use super::candidate::{Found, Verdict, admit, try_states};
-use super::climb::{climb, enumerable, on_polygons, other_polygons};
+use super::climb::{climb, enumerable, on_polygons, other_polygons, propose_dense};
 use super::enumerate::search;
+use super::many::{MANY, climb_on_states, dense_is_affordable};
 use super::sectors::{Sectors, search_sectors};
 use super::settings::Settings;
 use super::wrench_cone::separating_motion;
@@ -23,6 +24,9 @@ pub enum Rung {
     EverythingTouchingRolls,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
+    /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried with many
+    /// contacts only.
+    Newton,
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,
     /// The first combination of contact states that satisfies every condition.
@@ -42,6 +46,10 @@ pub(crate) struct Effort {
     pub(crate) facets: usize,
 }
 
+/// With more contacts all that pull let go together.
+const ONE_BY_ONE: usize = 64;
+/// How often they may.
+const TOGETHER: usize = 20;
 /// A case of [`search_sectors`] counts as so many combinations of contact states.
 const CASE: usize = 100;
 
@@ -105,20 +113,40 @@ pub(crate) fn settle<const D: usize, const C: usize>(
         problem
     };
     let mut doubt = Doubt::RayWithoutProof;
-    let kinematic = |problem: &Problem<D, C>| kinematic_form(problem, &trial, &state);
-    if let Some(found) = climb(problem, settings, kinematic, kinematic_states, &mut effort, &mut doubt) {
-        return (Settled::Found(found, Rung::KinematicForm), effort);
+    let kinematic = |problem: &Problem<D, C>, effort: &mut Effort, doubt: &mut Doubt| {
+        let form = |problem: &Problem<D, C>| kinematic_form(problem, &trial, &state);
+        propose_dense(problem, settings, form, kinematic_states, effort, doubt)
+    };
+    // A contact with infinite friction has to let go of its tangential force when it opens; only facets do that.
+    let with_facets = (problem.sites.iter().any(|site| site.mu.is_infinite()))
+        .then(|| Problem { infinite_friction_has_facets: true, ..problem.clone() });
+    let on_states = (&trial, &state);
+    if let Some((found, rung)) =
+        climb_on_states(problem, with_facets.as_ref(), settings, on_states, &mut effort, &mut doubt)
+    {
+        return (Settled::Found(found, rung), effort);
     }
-    if problem.sites.iter().any(|site| site.mu.is_infinite()) {
-        // A contact with infinite friction has to let go of its tangential force when it opens; only facets do that.
-        let with_facets = Problem { infinite_friction_has_facets: true, ..problem.clone() };
-        if let Some(found) =
-            climb(&with_facets, settings, kinematic, kinematic_states, &mut effort, &mut doubt)
-        {
-            return (Settled::Found(found, Rung::KinematicForm), effort);
+    if problem.len() >= MANY {
+        // A proof is cheaper than the paths that are left.
+        if let Some(motion) = separating_motion(problem) {
+            return (Settled::Separating(motion), effort);
+        }
+        if !dense_is_affordable(problem) {
+            return (Settled::Undecided(doubt), effort);
         }
     }
-    if let Some(found) = climb(problem, settings, force_form, force_states, &mut effort, &mut doubt) {
+    if let Some(found) = climb(problem, kinematic, &mut effort, &mut doubt) {
+        return (Settled::Found(found, Rung::KinematicForm), effort);
+    }
+    if let Some(with_facets) = &with_facets
+        && let Some(found) = climb(with_facets, kinematic, &mut effort, &mut doubt)
+    {
+        return (Settled::Found(found, Rung::KinematicForm), effort);
+    }
+    let force = |problem: &Problem<D, C>, effort: &mut Effort, doubt: &mut Doubt| {
+        propose_dense(problem, settings, force_form, force_states, effort, doubt)
+    };
+    if let Some(found) = climb(problem, force, &mut effort, &mut doubt) {
         return (Settled::Found(found, Rung::ForceForm), effort);
     }
     if let Some(motion) = separating_motion(problem) {
@@ -127,8 +155,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     if problem.round {
         for cone in other_polygons(problem, settings.cone) {
             let other = on_polygons(problem, cone, &state.forces);
-            if let Some(found) = climb(&other, settings, kinematic, kinematic_states, &mut effort, &mut doubt)
-            {
+            if let Some(found) = climb(&other, kinematic, &mut effort, &mut doubt) {
                 return (Settled::Found(found, Rung::KinematicForm), effort);
             }
         }
@@ -166,34 +193,49 @@ pub(crate) fn settle<const D: usize, const C: usize>(
 fn touching_contacts_roll<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State>,
-    mut solved: PieceState<D, C>,
+    trial: PieceState<D, C>,
 ) -> Option<Found<D, C>> {
-    let mut changed = false;
+    let mut solved = trial;
+    let mut changed = Vec::new();
     // Every contact usually changes once; the bound ends those that would go in circles.
-    for _ in 0..2 * states.len() + 2 {
-        // One at a time, since what pulls makes others pull that will not when it has let go: first the one that is farthest
-        // from the object before anything moves.
+    let rounds = if states.len() > ONE_BY_ONE { TOGETHER } else { 2 * states.len() + 2 };
+    for round in 0..rounds {
+        if round > 0 {
+            solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
+        }
+        // Of few contacts one at a time, since what pulls makes others pull that will not when it has let go: first the one that is
+        // farthest from the object before anything moves.
         let reach = |i: usize| problem.drives[i][0];
-        let closed = |i: &usize| problem.may_open(*i) && states[*i] != State::Open;
-        let pulls = (0..states.len()).filter(closed).filter(|&i| solved.forces[i][0] < 0.0);
-        let (i, next) = if let Some(i) = pulls.min_by(|&i, &j| reach(i).total_cmp(&reach(j))) {
-            (i, State::Open)
-        } else {
-            let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
-            let open = |i: &usize| problem.may_open(*i) && states[*i] == State::Open;
-            let penetrates = (0..states.len()).filter(open).filter(|&i| depth(i) > 0.0);
-            let Some(i) = penetrates.max_by(|&i, &j| depth(i).total_cmp(&depth(j))) else {
-                // Unchanged it has been tried before.
-                let Verdict::Holds(found) = changed.then(|| try_states(problem, states))? else {
-                    return None;
-                };
-                return Some(found);
+        let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
+        let may_open = |i: &usize| problem.may_open(*i);
+        let pulls = |i: &usize| states[*i] != State::Open && solved.forces[*i][0] < 0.0;
+        let penetrates = |i: &usize| states[*i] == State::Open && depth(*i) > 0.0;
+        changed.clear();
+        changed.extend((0..states.len()).filter(may_open).filter(pulls));
+        if states.len() <= ONE_BY_ONE
+            && let Some(first) = changed.iter().copied().min_by(|&i, &j| reach(i).total_cmp(&reach(j)))
+        {
+            changed = vec![first];
+        }
+        let next = if changed.is_empty() { State::Rolling } else { State::Open };
+        if changed.is_empty() {
+            changed.extend((0..states.len()).filter(may_open).filter(penetrates));
+            if states.len() <= ONE_BY_ONE
+                && let Some(first) = changed.iter().copied().max_by(|&i, &j| depth(i).total_cmp(&depth(j)))
+            {
+                changed = vec![first];
+            }
+        }
+        if changed.is_empty() {
+            // In the first round these are the states that have failed before.
+            return match (round, try_states(problem, states)) {
+                (1.., Verdict::Holds(found)) => Some(found),
+                _ => None,
             };
-            (i, State::Rolling)
-        };
-        states[i] = next;
-        changed = true;
-        solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
+        }
+        for &i in &changed {
+            states[i] = next;
+        }
     }
     None
 }

@@ -22,7 +22,7 @@ use super::only_lemke;
 use crate::formulation::{Law, Polygon, Problem};
 use crate::lcp::{Lcp, Outcome};
 
-/// Above this the dense least-squares problem costs more than the proof is worth.
+/// Above this the dense least-squares problem costs more than the proof is worth, and generators are taken in a few at a time.
 const MOST_GENERATORS: usize = 400;
 /// A residual below this part of the load is no proof: the load lies on the boundary as far as rounding can tell.
 const CLEAR: f64 = 1e-9;
@@ -77,21 +77,43 @@ fn separate<const D: usize>(
     w: &SVector<f64, D>,
     negligible: f64,
 ) -> (Option<SVector<f64, D>>, DVector<f64>) {
-    let none = (None, DVector::zeros(0));
-    if generators.len() > MOST_GENERATORS {
-        return none;
-    }
-    let gamma = DMatrix::from_fn(D, generators.len(), |d, k| generators[k][d]);
-    let Ok(lcp) = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&DVector::from_column_slice(w.as_slice())))
-    else {
-        return none;
+    let nearest = |chosen: &[usize]| {
+        let gamma = DMatrix::from_fn(D, chosen.len(), |d, k| generators[chosen[k]][d]);
+        let w = DVector::from_column_slice(w.as_slice());
+        let lcp = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&w)).ok()?;
+        let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return None };
+        Some(solution.z)
     };
-    let Outcome::Solved(solution) = lcp.solve_with(&only_lemke()) else { return none };
-    let r = generators.iter().zip(solution.z.iter()).fold(*w, |sum, (g, beta)| sum + g * *beta);
+    let residual = |chosen: &[usize], z: &DVector<f64>| {
+        chosen.iter().zip(z.iter()).fold(*w, |sum, (&k, beta)| sum + generators[k] * *beta)
+    };
+    let mut chosen: Vec<usize> = Vec::new();
+    let (mut r, mut z) = (*w, DVector::zeros(0));
+    if generators.len() <= MOST_GENERATORS {
+        chosen.extend(0..generators.len());
+        let Some(shares) = nearest(&chosen) else { return (None, DVector::zeros(0)) };
+        (r, z) = (residual(&chosen, &shares), shares);
+    } else {
+        // Of many generators a few are enough: the one that works most against the residual joins those that have a share.
+        for _ in 0..MOST_GENERATORS {
+            let works = |k: &usize| generators[*k].dot(&r);
+            let next = (0..generators.len()).min_by(|i, j| works(i).total_cmp(&works(j)));
+            let Some(next) = next.filter(|k| works(k) < -ROUNDING && r.norm() > CLEAR) else { break };
+            chosen.push(next);
+            let Some(shares) = nearest(&chosen) else { break };
+            r = residual(&chosen, &shares);
+            chosen = (0..chosen.len()).filter(|&k| shares[k] > 0.0).map(|k| chosen[k]).collect();
+            z = DVector::from_iterator(chosen.len(), shares.iter().copied().filter(|share| *share > 0.0));
+        }
+    }
+    let mut shares = DVector::zeros(generators.len());
+    for (&k, share) in chosen.iter().zip(z.iter()) {
+        shares[k] = *share;
+    }
     let size = r.norm();
     let (v, slack) = (r / size, (ROUNDING / size).min(negligible * size));
     let proved = size > CLEAR && v.dot(w) > CLEAR && generators.iter().all(|g| g.dot(&v) >= -slack);
-    (proved.then_some(v), solution.z)
+    (proved.then_some(v), shares)
 }
 
 /// Whether friction of this contact has a round cone.

@@ -22,7 +22,7 @@ pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
 pub(crate) use orthogonal::Orthogonal;
 pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
-pub(crate) use problem::{Law, Problem, State};
+pub(crate) use problem::{Law, Problem, State, whole_law};
 pub(crate) use regular::Regular;
 pub(crate) use return_map::{Returned, Slide, respond, slide_on};
 pub(crate) use spring::{contact_stiffness, edge_direction};

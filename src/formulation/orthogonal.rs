@@ -27,12 +27,33 @@ pub(crate) struct Orthogonal<const D: usize> {
     rank: usize,
 }
 
+impl<const D: usize> Default for Orthogonal<D> {
+    fn default() -> Self {
+        Self { q: Vec::new(), r: SMatrix::zeros(), order: std::array::from_fn(|j| j), rank: 0 }
+    }
+}
+
 impl<const D: usize> Orthogonal<D> {
-    pub(crate) fn new(mut rows: Vec<SVector<f64, D>>) -> Self {
+    pub(crate) fn new(rows: Vec<SVector<f64, D>>) -> Self {
+        let mut factor = Self { q: rows, ..Self::default() };
+        factor.factorise();
+        factor
+    }
+
+    /// The factors of other rows, in the same memory.
+    pub(crate) fn assign(&mut self, rows: &[SVector<f64, D>]) {
+        self.q.clear();
+        self.q.extend_from_slice(rows);
+        self.factorise();
+    }
+
+    /// The rows in `q` become those of Q.
+    fn factorise(&mut self) {
+        let rows = &mut self.q;
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
         let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
-        for row in &rows {
+        for row in rows.iter() {
             let squares = row.component_mul(row);
             full += squares;
             let size = squares.sum();
@@ -56,7 +77,7 @@ impl<const D: usize> Orthogonal<D> {
             }
             let Some((pivot, _)) = best else { break };
             if pivot != k {
-                for row in &mut rows {
+                for row in rows.iter_mut() {
                     row.swap_rows(k, pivot);
                 }
                 r.swap_columns(k, pivot);
@@ -66,10 +87,10 @@ impl<const D: usize> Orthogonal<D> {
                 }
             }
             // Second pass against the finished columns: the first was their own step of elimination.
-            let again = masked(&products(&rows, k), 0..k);
+            let again = masked(&products(rows, k), 0..k);
             r.set_column(k, &(r.column(k) + again));
             let mut square = 0.0;
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 row[k] -= again.dot(row);
                 square += row[k] * row[k];
             }
@@ -80,16 +101,16 @@ impl<const D: usize> Orthogonal<D> {
                 continue;
             }
             r[(k, k)] = norm;
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 row[k] /= norm;
             }
             rank += 1;
             if rank == D {
                 break;
             }
-            let along = masked(&products(&rows, k), rank..D);
+            let along = masked(&products(rows, k), rank..D);
             left.fill(0.0);
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 *row -= along * row[k];
                 left += row.component_mul(row);
             }
@@ -99,11 +120,11 @@ impl<const D: usize> Orthogonal<D> {
             }
         }
         if rank < D {
-            for row in &mut rows {
+            for row in rows.iter_mut() {
                 *row = masked(row, 0..rank);
             }
         }
-        Self { q: rows, r, order, rank }
+        (self.r, self.order, self.rank) = (r, order, rank);
     }
 
     pub(crate) fn rank(&self) -> usize {
@@ -153,7 +174,12 @@ impl<const D: usize> Orthogonal<D> {
 
     /// An orthonormal basis of the null space {v : A v = 0}.
     pub(crate) fn null_space(&self) -> Vec<SVector<f64, D>> {
-        let mut basis: Vec<SVector<f64, D>> = Vec::with_capacity(D - self.rank);
+        self.null_vectors()[..D - self.rank].to_vec()
+    }
+
+    /// The same in the first D - rank places.
+    pub(crate) fn null_vectors(&self) -> [SVector<f64, D>; D] {
+        let mut basis = [SVector::zeros(); D];
         for free in self.rank..D {
             let mut c = SVector::zeros();
             for i in 0..self.rank {
@@ -161,8 +187,9 @@ impl<const D: usize> Orthogonal<D> {
             }
             let mut v = self.preimage(&c);
             v[self.order[free]] = 1.0;
-            orthonormalise_against(&mut v, &basis);
-            basis.push(v);
+            let known = free - self.rank;
+            orthonormalise_against(&mut v, &basis[..known]);
+            basis[known] = v;
         }
         basis
     }

@@ -75,6 +75,11 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         Self { springs, right, left: Some((left, coupling)), free, unbalanced, growth }
     }
 
+    /// The factors of K^{1/2}Gᵀ, row by row the springs of the contacts in order.
+    pub(crate) fn factor(&self) -> &Orthogonal<D> {
+        &self.right
+    }
+
     /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
     pub(crate) fn free_motions(&self) -> &[SVector<f64, D>] {
         &self.free

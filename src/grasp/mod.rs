@@ -151,14 +151,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// a_i: commanded displacements in the contact frames, the normal part less the clearance.
     pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
-        self.contacts
-            .iter()
-            .map(|contact| {
-                let mut a = contact.command;
-                a[0] -= contact.clearance;
-                a
-            })
-            .collect()
+        self.each_drive().collect()
+    }
+
+    pub(crate) fn each_drive(&self) -> impl Iterator<Item = SVector<f64, C>> {
+        self.contacts.iter().map(|contact| {
+            let mut a = contact.command;
+            a[0] -= contact.clearance;
+            a
+        })
     }
 
     /// A checked wrench, moved to the centroid and to the inside unit of length.

@@ -82,6 +82,8 @@ pub use series::Series;
 pub use settings::Settings;
 pub use workspace::{Answer, SolutionView, Workspace};
 
+pub(crate) use lemke::generic;
+
 use nalgebra::{DMatrix, DVector};
 
 /// A linear complementarity problem (M, q) with finite entries.

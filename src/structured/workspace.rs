@@ -1,0 +1,284 @@
+//! One equilibrium after another in the same memory.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::newton::{Code, Newton};
+use super::path::{End, Path};
+use super::solution::Solution;
+use crate::error::Error;
+use crate::formulation::{Law, Orthogonal, Polygon, PolygonCone, Problem, Row, whole_law};
+use crate::grasp::{Grasp, Site, Twist, Wrench};
+
+/// Paths with other covering vectors that are tried after a first one without solution.
+const OTHER_PATHS: usize = 3;
+/// From this many contacts on Newton's method is tried first.
+const MANY: usize = 32;
+/// A load that does this little work on a unit free motion, relative to its size, does none.
+const NO_WORK: f64 = 1e-13;
+
+/// Memory for equilibria under one load after another, by Lemke's method on lists of contact states.
+///
+/// After the first scene it allocates nothing for scenes with no more contacts (with thousands of them the thread pool of the feature `parallel`
+/// may). It looks for one equilibrium, in space
+/// on the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where it finds none.
+/// [`Grasp::solve`] knows more ways to one, proofs that there is none, the round cone and the answer as physics.
+#[derive(Debug, Clone)]
+pub struct Workspace<const D: usize, const C: usize> {
+    path: Path<D, C>,
+    /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the last scene if only load, commands or
+    /// friction have changed.
+    springs: Vec<SVector<f64, D>>,
+    factor: Orthogonal<D>,
+    /// x⁰, spring by spring.
+    x: Vec<f64>,
+    laws: Vec<Law<C>>,
+    drives: Vec<SVector<f64, C>>,
+    cone: PolygonCone,
+    polygon: Arc<Polygon<C>>,
+    solution: Solution<D, C>,
+    newton: Newton<D, C>,
+    by_newton: bool,
+    twist: Twist<D>,
+}
+
+/// How a search for an equilibrium ended.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum Search<'a, const D: usize, const C: usize> {
+    /// An equilibrium.
+    Found(View<'a, D, C>),
+    /// The load works on a motion that no contact resists: there is no equilibrium.
+    FreeMotion,
+    /// Lemke's paths ended on rays or broke down: there may be an equilibrium or none.
+    NotFound {
+        /// Pivots of all paths.
+        pivots: usize,
+    },
+}
+
+/// An equilibrium in the memory of its workspace.
+#[derive(Debug, Clone, Copy)]
+pub struct View<'a, const D: usize, const C: usize> {
+    workspace: &'a Workspace<D, C>,
+}
+
+impl<'a, const D: usize, const C: usize> View<'a, D, C> {
+    /// Forces on the object in the contact frames, N: (`F_n`, `F_t`…).
+    #[must_use]
+    pub fn forces(&self) -> &'a [SVector<f64, C>] {
+        if self.workspace.by_newton { &self.workspace.newton.forces } else { &self.workspace.solution.forces }
+    }
+
+    /// Motion of the object.
+    #[must_use]
+    pub fn twist(&self) -> Twist<D> {
+        self.workspace.twist
+    }
+
+    /// The largest violation of a condition, relative to the sizes of its terms: balance of forces and moments, friction cones,
+    /// gaps and slips.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        if self.workspace.by_newton {
+            self.workspace.newton.residual
+        } else {
+            self.workspace.solution.residual
+        }
+    }
+
+    /// Pivots of Lemke's method.
+    #[must_use]
+    pub fn pivots(&self) -> usize {
+        self.workspace.path.pivots
+    }
+
+    /// Steps of Newton's method, if they led to it: then no pivot was needed.
+    #[must_use]
+    pub fn newton_steps(&self) -> Option<usize> {
+        self.workspace.by_newton.then_some(self.workspace.newton.steps)
+    }
+
+    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact.
+    pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
+        let workspace = self.workspace;
+        (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
+    }
+}
+
+impl<const D: usize, const C: usize> Default for Workspace<D, C> {
+    fn default() -> Self {
+        Self::new(PolygonCone::default())
+    }
+}
+
+impl<const D: usize, const C: usize> Workspace<D, C> {
+    /// A workspace without memory yet. The polygonal cone is looked at in space only.
+    #[must_use]
+    pub fn new(cone: PolygonCone) -> Self {
+        Self {
+            path: Path::default(),
+            springs: Vec::new(),
+            factor: Orthogonal::default(),
+            x: Vec::new(),
+            laws: Vec::new(),
+            drives: Vec::new(),
+            cone,
+            polygon: Arc::new(Polygon::new(&cone)),
+            solution: Solution::default(),
+            newton: Newton::default(),
+            by_newton: false,
+            twist: Twist::from_vector(SVector::zeros()),
+        }
+    }
+
+    /// The polygonal cone.
+    #[must_use]
+    pub fn cone(&self) -> PolygonCone {
+        self.cone
+    }
+
+    /// An equilibrium of a grasp under a load: with many contacts by Newton's method if it arrives, else along Lemke's paths from the elastic
+    /// trial state.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Search<'_, D, C>, Error> {
+        self.solve_along(OTHER_PATHS, grasp, load)
+    }
+
+    /// The same along Lemke's first path only, that of the covering vector of ones.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite.
+    pub fn solve_along_one_path(
+        &mut self,
+        grasp: &Grasp<D, C>,
+        load: &Wrench<D>,
+    ) -> Result<Search<'_, D, C>, Error> {
+        self.solve_along(0, grasp, load)
+    }
+
+    fn solve_along(
+        &mut self,
+        other_paths: usize,
+        grasp: &Grasp<D, C>,
+        load: &Wrench<D>,
+    ) -> Result<Search<'_, D, C>, Error> {
+        let wrench = grasp.inside(load, "load")?;
+        self.path.pivots = 0;
+        self.laws.clear();
+        self.laws.extend(grasp.sites().iter().map(whole_law));
+        self.drives.clear();
+        self.drives.extend(grasp.each_drive());
+        let problem = Problem {
+            sites: grasp.sites(),
+            polygon: self.polygon.clone(),
+            turned: Vec::new(),
+            laws: std::mem::take(&mut self.laws),
+            drives: std::mem::take(&mut self.drives),
+            slips: Vec::new(),
+            wrench,
+            infinite_friction_has_facets: false,
+            round: false,
+        };
+        self.by_newton = other_paths > 0 && problem.len() >= MANY && self.newton.run(&problem);
+        let balanced = self.by_newton || self.stick(&problem);
+        let found = self.by_newton || (balanced && self.search(&problem, other_paths));
+        (self.laws, self.drives) = (problem.laws, problem.drives);
+        if found {
+            let twist = if self.by_newton { self.newton.twist } else { self.least_twist() };
+            self.twist = grasp.outside(&twist);
+        }
+        if !balanced {
+            return Ok(Search::FreeMotion);
+        }
+        let pivots = self.path.pivots;
+        Ok(if found { Search::Found(View { workspace: self }) } else { Search::NotFound { pivots } })
+    }
+
+    /// The rows of a contact whose jumps are basic.
+    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
+        let mut rows = [None; 3];
+        let slip = |facet: usize| Some(Row::Slip { contact, facet });
+        if self.by_newton {
+            match self.newton.states[contact] {
+                Code::Open => rows[0] = Some(Row::Gap { contact }),
+                Code::Rolling => {}
+                Code::Facet(j) => rows[0] = slip(usize::from(j)),
+                Code::Corner(j) => {
+                    let j = usize::from(j);
+                    rows = [slip(j), slip((j + 1) % self.polygon.normals.len()), None];
+                }
+            }
+            return rows;
+        }
+        let gap = self.path.form.opens(contact);
+        for (row, pair) in rows.iter_mut().zip(self.path.basis.active[contact].iter()) {
+            *row = if gap && pair == 0 { Some(Row::Gap { contact }) } else { slip(pair - usize::from(gap)) };
+        }
+        rows
+    }
+
+    /// The trial state in which every contact sticks; `false` if no contact resists the load.
+    fn stick(&mut self, problem: &Problem<D, C>) -> bool {
+        let springs = || {
+            problem
+                .sites
+                .iter()
+                .enumerate()
+                .flat_map(|(i, site)| (0..site.axes).map(move |axis| (i, site, axis)))
+        };
+        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| site.map.column(axis) * site.k[axis].sqrt();
+        if !springs().map(row).eq(self.springs.iter().copied()) {
+            self.springs.clear();
+            self.springs.extend(springs().map(row));
+            self.factor.assign(&self.springs);
+        }
+        let wrench = problem.wrench;
+        if self.factor.rank() < D {
+            let free = self.factor.null_vectors();
+            let work =
+                free[..D - self.factor.rank()].iter().map(|v| v.dot(&wrench)).fold(0.0_f64, f64::hypot);
+            if work > NO_WORK * wrench.norm() {
+                return false;
+            }
+        }
+        self.x.clear();
+        self.x.extend(springs().map(|(i, site, axis)| site.k[axis].sqrt() * problem.drives[i][axis]));
+        let load = self.factor.load_coordinates(&wrench);
+        let mut travelled = SVector::zeros();
+        // Once to solve, twice more to remove what rounding left of it.
+        for _ in 0..3 {
+            let step = self.factor.coordinates(&self.x) + load;
+            self.factor.subtract(&mut self.x, &step);
+            travelled += step;
+        }
+        self.solution.travelled = travelled;
+        true
+    }
+
+    /// The twist of least norm of the solution.
+    fn least_twist(&self) -> SVector<f64, D> {
+        let mut twist = self.factor.preimage(&self.solution.moved);
+        if self.factor.rank() < D {
+            for v in &self.factor.null_vectors()[..D - self.factor.rank()] {
+                twist -= v * v.dot(&twist);
+            }
+        }
+        twist
+    }
+
+    fn search(&mut self, problem: &Problem<D, C>, other_paths: usize) -> bool {
+        self.path.form.assign(problem, &self.factor, &self.x);
+        let limit = self.path.pivot_limit();
+        for attempt in 0..=other_paths {
+            let end = self.path.run_from_trial(attempt, self.path.pivots + limit);
+            if end == End::Complementary && self.solution.take(&mut self.path, problem) {
+                return true;
+            }
+        }
+        false
+    }
+}
