@@ -22,7 +22,8 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
-    tally.nothing_beyond += usize::from(path.step_error() > 1e-10);
+    let completed = matches!(path.end(), Some(PathEnd::Completed));
+    tally.nothing_beyond += usize::from(completed && path.step_error() > 1e-10);
     for event in &events {
         let breach = scene.breach_on_the_round_cone(event.leg, event.fraction, &event.state);
         prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
@@ -77,7 +78,8 @@ fn the_law_holds_along_arcs() {
     println!("{t:?}");
     assert!(t.checked > 250 && t.slides > 80 && t.sticks > 50 && t.opens > 10 && t.closes > 10, "{t:?}");
     assert!(t.completed > 30 && t.limits > 10 && t.undecided == 0, "{t:?}");
-    // Only where displacements are huge, and rounding allows no less, do errors add up to more than 1e-10.
+    // Where a path is lost the error asked for grows; on the others errors add up to more than 1e-10 only where displacements are huge,
+    // and rounding allows no less.
     assert!(t.nothing_beyond <= 5, "{t:?}");
 }
 

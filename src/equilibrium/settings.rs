@@ -23,8 +23,8 @@ pub struct Settings {
     /// without an equilibrium, raise it to get a proof for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
-    /// the largest force, of slips over the largest displacement. The default, 1e-13, is near what rounding allows; larger ones
-    /// make fewer and longer steps. Where a path is straight there are none.
+    /// the largest force, of slips over the largest displacement. The default, 1e-13, is near what rounding allows (where it allows no
+    /// less than a larger one, that is reported); larger ones make fewer and longer steps. Where a path is straight there are none.
     pub step_error: f64,
 }
 

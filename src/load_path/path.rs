@@ -144,7 +144,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         Ok(())
     }
 
-    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`]; zero
+    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
+    /// rounding forbids that; zero
     /// where nothing had to be integrated, as always in the plane and on polygons.
     ///
     /// An estimate is for forces over the largest force and for slips over the largest displacement, whichever is worse. It is that
@@ -269,7 +270,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             energy.add_part(&reached.energy);
         }
         self.step_error += reached.error;
-        let bend = Some(Bend { rule, tolerance: self.settings.step_error, slipped });
+        let bend = Some(Bend { rule, tolerance: self.settings.step_error * self.pace.looser, slipped });
         let stretch = self.stretch(here.clone(), to, at.clone());
         self.pieces.push(Stretch { bend, ..stretch });
         self.node.arrive(&mut self.segment, here, to, &at);

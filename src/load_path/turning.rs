@@ -31,7 +31,7 @@ const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 /// The energy of a step balances but for this many times its error; on another equilibrium it is off by far.
-const UNBALANCED: f64 = 1e3;
+const UNBALANCED: f64 = 1e2;
 /// A leg that takes more steps along arcs is given up.
 const MOST_STEPS: usize = 20_000;
 /// Evaluations on the way to an event: bisection alone would need 50.
@@ -60,6 +60,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let dies_out = too_short || to <= self.factor;
         if dies_out && self.node.let_go(&here) {
             self.at_node = true;
+            return;
+        }
+        if dies_out && self.pace.loosen(rest) {
             return;
         }
         if dies_out || self.pace.steps > MOST_STEPS {
@@ -117,9 +120,10 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let forces = here.lines.iter().map(|line| line.force).collect();
         let start = PieceState { forces, twist: here.twist };
         let mut arc = Arc::new(&self.segment, &self.node.states, self.factor, start, here.twist_rate);
-        let reached = extrapolate(&mut arc, rule, to, self.settings.step_error)?;
+        let tolerance = self.settings.step_error * self.pace.looser;
+        let reached = extrapolate(&mut arc, rule, to, tolerance)?;
         // A step that jumped over to another equilibrium converges as well; its energy does not balance.
-        if reached.energy.residual().abs() > UNBALANCED * self.settings.step_error.max(reached.error) {
+        if reached.energy.residual().abs() > UNBALANCED * tolerance.max(reached.error) {
             return None;
         }
         let here = self.node.tangent_at(&self.segment, to, &reached.there.at).ok()?;
