@@ -12,7 +12,8 @@ use crate::grasp::{Twist, Wrench};
 pub struct Event<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1, exact up to rounding.
+    /// How much of the leg has been gone, from 0 to 1, exact up to rounding; where something slides on the round cone up to the
+    /// error of the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
@@ -24,7 +25,7 @@ pub struct Event<const D: usize, const C: usize> {
     /// along them.
     pub free_motions: Vec<Twist<D>>,
     /// Other ways in which the contacts on an edge could go on: the continuation is not unique unless this is `Some(0)`, which
-    /// a P-matrix of the rates proves or, among few contacts, trying all; `None` if neither says. The path prefers that
+    /// a P-matrix of the rates proves or, among few contacts, trying all; `None` if neither says, as at the apex of a round cone. The path prefers that
     /// nothing changes, then that what slides goes on sliding and what has reached an edge slides, then that everything
     /// sticks, then what Lemke's method finds; and of the motions that the same forces allow, one in which contacts without
     /// force do not drag the object along.

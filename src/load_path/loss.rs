@@ -14,6 +14,8 @@ use crate::lcp::{self, Outcome, Proof};
 const A_LITTLE: f64 = 1e-6;
 /// On the round cone that may be too little to tell: then a little more.
 const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
+/// Forces closer than this part of them, that far beyond the end, are those of the same path.
+const NEAR: f64 = 1e-3;
 /// Among more contacts on round cones a search in vain takes seconds.
 const FEW_CONTACTS: usize = 8;
 /// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
@@ -34,6 +36,12 @@ pub(super) fn end_of_arc<const D: usize, const C: usize>(
     beyond_on_the_round_cone(segment, true, forces, loss, settings)
 }
 
+/// Whether forces are those of a path that goes on: on a way so short they change by the root of it at most.
+fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>]) -> bool {
+    let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+    found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= NEAR * largest)
+}
+
 /// What a solution from scratch says a little further on, with the slip so far.
 fn beyond_on_the_round_cone<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
@@ -51,7 +59,10 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
             Settled::FreeMotion(_) | Settled::Separating(_) | Settled::NoneOf(_) => {
                 return PathEnd::LimitLoad(loss);
             }
-            Settled::Found(..) if ends => return PathEnd::Snap(loss),
+            // Where another equilibrium is no other the path was not lost, but could not be followed.
+            Settled::Found(found, _) if ends && !is_near(&found.forces, forces) => {
+                return PathEnd::Snap(loss);
+            }
             Settled::Undecided(_) if part == A_LITTLE => {
                 if nothing_holds(&around(&here, forces), &around(&past(FURTHER), forces)) {
                     return PathEnd::LimitLoad(loss);

@@ -114,13 +114,19 @@ impl<const D: usize, const C: usize> Node<D, C> {
         if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
-        // At the apex there is no telling: every state is as good a guess. On the round cone Newton's method starts from two of them.
+        // At the apex there is no telling: every state is as good a guess. On the round cone it opens, or Newton's
+        // method starts from two of them.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
+            if !rates.round {
+                return Verdict::Unbalanced;
+            }
+            if let holds @ Verdict::Holds(_) = try_states(rates, sliding.to_vec()) {
+                return holds;
+            }
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { State::Rolling } else { sliding[i] });
             let found = [closed.collect(), sliding.to_vec()]
                 .iter()
-                .filter(|_| rates.round)
                 .filter_map(|states| solution_near(rates, states))
                 .find_map(|near| polish(rates, &near));
             return found.map_or(Verdict::Unbalanced, Verdict::Holds);

@@ -102,6 +102,10 @@ pub(super) fn others<const D: usize, const C: usize>(
     rates: &Problem<D, C>,
     found: &Found<D, C>,
 ) -> Option<usize> {
+    // What polygons say of an apex is not true of the round cone.
+    if rates.round {
+        return None;
+    }
     if has_one_solution(rates) {
         return Some(0);
     }
