@@ -1,7 +1,8 @@
 //! What the polish from the polygon to the round cone costs beside the pivoting that precedes it, on random grasps of which some
 //! contacts slide.
 //!
-//! Of each scene are timed, in turns: making the kinematic form and Lemke's method on it; the whole answer on the polygon,
+//! Of each scene are timed, in turns: the pivoting, which is making the kinematic form and Lemke's method on it, and from 8
+//! contacts on Lemke's method on contact states; the whole answer on the polygon,
 //! its corners along the trial tractions; the whole answer on the round cone, from the same pivots; the whole answer where
 //! every contact is bonded, which needs neither. The polish is turning the polygons, the solution on them, Newton's method
 //! from there and the last digits. It takes at most what the round answer takes beyond the pivoting: only the trial state
@@ -12,12 +13,15 @@ use std::hint::black_box;
 
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::spatial::{ContactState, Grasp};
+use grasp_lcp::structured::Workspace;
 use grasp_lcp::{PolygonCone, Settings};
 
 use crate::best_time::best_in_turns;
 use crate::scene::{Failure, Random, random_fingers};
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
+/// From so many on the ladder pivots on contact states.
+const ON_STATES: usize = 8;
 /// Scenes of each number of contacts; their medians are printed.
 const SCENES: usize = 25;
 
@@ -91,8 +95,13 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     }
     let lemke = grasp_lcp::lcp::Settings::default();
     let stuck = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded()))?;
+    let mut workspace = Workspace::default();
     let [pivoting, polygon, round, bonded] = best_in_turns([
         &mut || {
+            if count >= ON_STATES {
+                black_box(workspace.solve(&grasp, &load)?);
+                return Ok(());
+            }
             let form = grasp.kinematic_form(&load, &PolygonCone::default())?.ok_or("rows to pivot on")?;
             black_box(form.lcp.solve_with(&lemke));
             Ok(())
