@@ -3,6 +3,12 @@
 //! Every question is answered on its own by the same serial code; threads (feature `parallel`, rayon's global pool) only
 //! decide who does which. This is the only room that knows of threads.
 
+mod progress;
+mod uncertainty;
+
+pub use progress::{Progress, map_watched};
+pub use uncertainty::Uncertainty;
+
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
@@ -33,4 +39,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn onset_each(&self, ramps: &[Ramp<D, C>], settings: &Settings) -> Vec<Result<Onset<D, C>, Error>> {
         map_in_order(ramps, |ramp| self.onset(ramp, settings))
     }
+}
+
+/// The onsets of sliding of many grasps along one ramp; an error in one does not stop the rest.
+#[must_use]
+pub fn onset_of_each<const D: usize, const C: usize>(
+    grasps: &[Grasp<D, C>],
+    ramp: &Ramp<D, C>,
+    settings: &Settings,
+) -> Vec<Result<Onset<D, C>, Error>> {
+    map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
 }

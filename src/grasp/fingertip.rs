@@ -215,7 +215,7 @@ impl<const C: usize> SoftFingertip<C> {
             name: contact.name.as_ref().map(|name| format!("{name} {i}")),
             point: contact.point + frame * place.offset,
             tangent: Some(frame.column(1).into_owned()),
-            stiffness: contact.stiffness.share(place.share),
+            stiffness: contact.stiffness.scaled(place.share),
             ..contact.clone()
         };
         Ok(self.places.iter().enumerate().map(child).collect())

@@ -26,13 +26,13 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// The springs of a part that carries this share of them; a rigid side stays rigid.
-    pub(super) fn share(&self, share: f64) -> Self {
+    /// Springs so many times as stiff; a rigid side stays rigid.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
         match self {
             Self::BodyAndFinger { body, finger } => {
-                Self::BodyAndFinger { body: body * share, finger: finger * share }
+                Self::BodyAndFinger { body: body * factor, finger: finger * factor }
             }
-            Self::Series(k) => Self::Series(k * share),
+            Self::Series(k) => Self::Series(k * factor),
         }
     }
 }

@@ -1,0 +1,49 @@
+//! Sweeps that a caller can watch and stop.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use super::map_in_order;
+
+/// How far a sweep is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Progress {
+    /// Questions answered so far.
+    pub answered: usize,
+    /// Questions in all.
+    pub of: usize,
+}
+
+/// `f` of every item, in the order of the items, with `watch` called after every answer (from whichever thread gave it): every count
+/// from 1 on comes once. When `watch` breaks, questions that were not begun stay unanswered: their place holds `None`. Which
+/// those are depends on the threads; the answers that are there do not.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use grasp_lcp::sweep::map_watched;
+///
+/// let squares = map_watched(&[1, 2, 3], |x| x * x, |progress| {
+///     eprint!("\r{} of {}", progress.answered, progress.of);
+///     ControlFlow::Continue(())
+/// });
+/// assert_eq!(squares, [Some(1), Some(4), Some(9)]);
+/// ```
+pub fn map_watched<T: Sync, R: Send>(
+    items: &[T],
+    f: impl Fn(&T) -> R + Sync + Send,
+    watch: impl Fn(Progress) -> ControlFlow<()> + Sync + Send,
+) -> Vec<Option<R>> {
+    let (answered, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    map_in_order(items, |item| {
+        if stopped.load(Ordering::Relaxed) {
+            return None;
+        }
+        let answer = f(item);
+        let answered = answered.fetch_add(1, Ordering::Relaxed) + 1;
+        if watch(Progress { answered, of: items.len() }).is_break() {
+            stopped.store(true, Ordering::Relaxed);
+        }
+        Some(answer)
+    })
+}

@@ -1,0 +1,137 @@
+//! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same seed.
+
+use std::f64::consts::TAU;
+
+use super::map_in_order;
+use crate::equilibrium::Settings;
+use crate::error::Error;
+use crate::grasp::{Contact, Grasp};
+use crate::load_path::{Onset, Ramp};
+
+/// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of its own, `exp(σ z)` with z
+/// normally distributed: its median is the datum, it keeps its sign, and zero and infinity stay what they are. For small σ that is
+/// the relative standard deviation.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
+/// use grasp_lcp::sweep::Uncertainty;
+/// use grasp_lcp::Settings;
+///
+/// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.4).command([0.01, 0.0]);
+/// let grasp = Grasp::new([finger(1.0), finger(-1.0)])?;
+/// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+///
+/// // How often does it hold 6 N without sliding, if friction is known to 20 % and stiffness to 10 %?
+/// let off = Uncertainty { friction: 0.2, stiffness: 0.1, ..Uncertainty::seeded(7) };
+/// let onsets = grasp.onset_of_samples(&weight, &off, 1000, &Settings::default());
+/// let holds = onsets.iter().filter(|o| o.as_ref().is_ok_and(|o| o.factor().is_some_and(|w| w > 6.0))).count();
+/// assert!((700..950).contains(&holds));
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uncertainty {
+    /// Of the coefficient of friction.
+    pub friction: f64,
+    /// Of the stiffness, one factor for all axes of a contact, body and finger.
+    pub stiffness: f64,
+    /// Of the normal command: how well the squeeze is known.
+    pub squeeze: f64,
+    /// Samples with another seed are others.
+    pub seed: u64,
+}
+
+impl Uncertainty {
+    /// No uncertainty yet, with a seed.
+    #[must_use]
+    pub const fn seeded(seed: u64) -> Self {
+        Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, seed }
+    }
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled.
+    ///
+    /// # Errors
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum overflows.
+    pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
+        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
+            let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
+            let [friction, stiffness, squeeze] =
+                [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
+                    .map(|sigma| (sigma * draw.normal()).exp());
+            let mut sampled: Contact<C> = contact.clone();
+            sampled.friction *= friction;
+            sampled.command[0] *= squeeze;
+            sampled.stiffness = contact.stiffness.scaled(stiffness);
+            sampled
+        });
+        Self::new(contacts)
+    }
+
+    /// The onsets of sliding of so many samples, in the order of their numbers: the same bits for any number of threads. An error in one does
+    /// not stop the rest.
+    #[must_use]
+    pub fn onset_of_samples(
+        &self,
+        ramp: &Ramp<D, C>,
+        uncertainty: &Uncertainty,
+        samples: u64,
+        settings: &Settings,
+    ) -> Vec<Result<Onset<D, C>, Error>> {
+        let numbers: Vec<u64> = (0..samples).collect();
+        map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset(ramp, settings))
+    }
+}
+
+/// Numbers that depend on nothing but where they are drawn: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
+/// generators, 2014).
+struct Draw(u64);
+
+impl Draw {
+    /// Each word of the place stirs all bits of the state.
+    fn new(place: [u64; 3]) -> Self {
+        let mut draw = Self(0);
+        for word in place {
+            draw.0 ^= word;
+            draw.0 = draw.next();
+        }
+        draw
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// In (0, 1), never at its ends.
+    fn uniform(&mut self) -> f64 {
+        ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+    }
+
+    /// By the method of Box and Muller.
+    fn normal(&mut self) -> f64 {
+        let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
+        radius * angle.cos()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normal_numbers_have_the_moments_of_a_normal_distribution() {
+        let count = 40_000_u64;
+        let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
+        let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
+        // Within five standard deviations of what so many draws give.
+        let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
+        assert!(moment(1).abs() < error(1.0), "{}", moment(1));
+        assert!((moment(2) - 1.0).abs() < error(2.0), "{}", moment(2));
+        assert!(moment(3).abs() < error(15.0), "{}", moment(3));
+        assert!((moment(4) - 3.0).abs() < error(96.0), "{}", moment(4));
+    }
+}
