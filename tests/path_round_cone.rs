@@ -23,7 +23,7 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     let events = path.run();
     tally.count(&events, &path);
     let completed = matches!(path.end(), Some(PathEnd::Completed));
-    tally.nothing_beyond += usize::from(completed && path.step_error() > 1e-10);
+    tally.inaccurate += usize::from(completed && path.step_error() > 1e-10);
     for event in &events {
         let breach = scene.breach_on_the_round_cone(event.leg, event.fraction, &event.state);
         prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
@@ -80,7 +80,7 @@ fn the_law_holds_along_arcs() {
     assert!(t.completed > 30 && t.limits > 10 && t.undecided == 0, "{t:?}");
     // Where a path is lost the error asked for grows; on the others errors add up to more than 1e-10 only where displacements are huge,
     // and rounding allows no less.
-    assert!(t.nothing_beyond <= 5, "{t:?}");
+    assert!(t.inaccurate <= 5, "{t:?}");
 }
 
 fn word(change: &Change<3>) -> &'static str {
@@ -104,6 +104,7 @@ fn story(
         let mut list: Vec<_> =
             event.changes.iter().map(|(i, change)| format!("{} {}", contacts[*i], word(change))).collect();
         list.sort();
+        list.dedup();
         list
     };
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));
@@ -146,14 +147,15 @@ fn same_story(
 fn same_start(scene: &Spatial, other: &Spatial, contacts: &[usize]) -> bool {
     let starts = [scene, other].map(|s| s.grasp().solve(&s.start()).unwrap());
     let [Some(a), Some(b)] = starts.each_ref().map(|s| s.equilibrium()) else { return false };
-    let press = scene.press();
-    b.contacts
-        .iter()
-        .zip(contacts)
-        .all(|(c, &i)| (c.normal_force() - a.contacts[i].normal_force()).abs() <= 1e-10 * press)
+    a.contacts.iter().enumerate().all(|(i, c)| {
+        let parts = b.contacts.iter().zip(contacts).filter(|(_, of)| **of == i);
+        let there: f64 = parts.map(|(part, _)| part.normal_force()).sum();
+        (there - c.normal_force()).abs() <= 1e-10 * scene.press()
+    })
 }
 
-/// Another frame, contacts in another order, tangents turned about the normals: the same story. Whether a loss is proved to be a limit may depend
+/// Another frame, contacts in another order, tangents turned about the normals, a contact given as two of half its stiffness: the same
+/// story. Whether a loss is proved to be a limit may depend
 /// on rounding.
 #[test]
 fn frames_and_order_do_not_matter() {
@@ -169,8 +171,13 @@ fn frames_and_order_do_not_matter() {
         let straight: Vec<usize> = (0..n).collect();
         let order: Vec<usize> = (0..n).map(|i| (i + 1) % n).collect();
         let moved = View::moved([0.3, -0.7, 1.1], [0.2, -0.1, 0.4]).scene(&scene);
-        let others =
-            [(moved, straight.clone()), (scene.reordered(&order), order), (turned(&scene, 0.7), straight)];
+        let halves = [&straight[..], &[0]].concat();
+        let others = [
+            (moved, straight.clone()),
+            (scene.reordered(&order), order),
+            (turned(&scene, 0.7), straight),
+            (scene.halved(0), halves),
+        ];
         for (other, contacts) in others {
             if !same_start(&scene, &other, &contacts) {
                 continue;
@@ -194,7 +201,7 @@ fn frames_and_order_do_not_matter() {
         Ok(())
     });
     println!("{t:?}");
-    assert!(t.checked > 40, "{t:?}");
+    assert!(t.checked > 80, "{t:?}");
 }
 
 /// The tangents of every contact turned about its normal, commands with them.

@@ -159,9 +159,9 @@ fn agree(tallies: &Tallies) {
     assert_eq!(opening.same + opening.other_pivots, opening.scenes);
 }
 
-/// Where a variable is zero up to rounding, rounding decides which of two bases it belongs to.
-fn unsettled_mostly_agree(unsettled: &Tally) {
-    assert!(unsettled.scenes > 50 && 20 * unsettled.same >= 19 * unsettled.scenes, "{unsettled:?}");
+/// Where a variable is zero up to rounding, rounding decides which of two bases it belongs to: in so many scenes at most.
+fn unsettled_agree_but_for(exceptions: usize, unsettled: &Tally) {
+    assert!(unsettled.scenes > 50 && unsettled.same + exceptions >= unsettled.scenes, "{unsettled:?}");
 }
 
 #[test]
@@ -171,8 +171,7 @@ fn random_scenes_in_the_plane() {
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 2600 && closed.pivots + opening.pivots > 13_000);
     assert_eq!(opening.other_pivots, 0);
-    unsettled_mostly_agree(&unsettled);
-    println!("{opening:?} {unsettled:?}");
+    unsettled_agree_but_for(1, &unsettled);
 }
 
 #[test]
@@ -182,8 +181,7 @@ fn random_scenes_in_space() {
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.same + opening.same > 2400 && closed.pivots + opening.pivots > 28_000);
     assert!(opening.other_pivots < 80, "{opening:?}");
-    unsettled_mostly_agree(&unsettled);
-    println!("{opening:?} {unsettled:?}");
+    unsettled_agree_but_for(4, &unsettled);
 }
 
 /// More than are looked at one by one: the others wait until their slack is used up.

@@ -11,8 +11,8 @@ use crate::structured::propose_by_newton;
 /// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
 /// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
 const STRUCTURED_FROM: usize = 8;
-/// From this many contacts on Newton's method is tried before: with few contacts it often goes round in circles, with this many it
-/// arrived in each of 600 random scenes of ordinary numbers, and in more than eight of ten where stiffnesses and friction lie decades apart.
+/// From this many contacts on Newton's method is tried before: with few contacts it often goes round in circles, with many hardly ever
+/// unless stiffnesses and friction lie decades apart.
 pub(super) const MANY: usize = 32;
 /// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
 const MOST_DENSE_ROWS: usize = 2000;

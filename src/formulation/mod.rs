@@ -25,7 +25,7 @@ pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State, whole_law};
 pub(crate) use regular::Regular;
 pub(crate) use return_map::{Returned, Slide, respond, slide_on};
-pub(crate) use spring::{contact_stiffness, edge_direction};
+pub(crate) use spring::{contact_stiffness, corner, edge_direction};
 pub(crate) use tangent::{Springs, balance, tangent_stiffness};
 
 use std::sync::Arc;

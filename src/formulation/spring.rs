@@ -144,7 +144,7 @@ pub(crate) fn edge_direction<const D: usize, const C: usize>(
 }
 
 /// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
-fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
+pub(crate) fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
     let determinant = h1[1] * h2[2] - h1[2] * h2[1];
     let mut p = SVector::zeros();
     p[1] = (h2[2] - h1[2]) / determinant;

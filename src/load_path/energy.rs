@@ -20,7 +20,8 @@ pub struct Energy {
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
     pub dissipated: f64,
     /// Sum of the sizes of all contributions, piece by piece and contact by contact: what the rounding of the balance is
-    /// measured against, since works cancel.
+    /// measured against, since works cancel. Along a sliding arc of the round cone the stored energies count themselves, before and
+    /// after each step, since their change is a difference.
     pub turnover: f64,
 }
 

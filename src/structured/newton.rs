@@ -13,7 +13,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::bordered::Bordered;
-use crate::formulation::{Law, Problem, State};
+use crate::formulation::{Law, Problem, State, corner};
 
 /// Steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 16;
@@ -255,7 +255,7 @@ fn respond<const D: usize, const C: usize>(
             }
             Code::Corner(j) => {
                 let mut pushed =
-                    corner(&problem.polygon(contact).normals, usize::from(j)) * problem.mu(contact);
+                    corner_after(&problem.polygon(contact).normals, usize::from(j)) * problem.mu(contact);
                 pushed[0] = 1.0;
                 force = pushed * force[0];
                 t.stiffness.ger(site.k[0], &(site.map * pushed), &g, 1.0);
@@ -329,7 +329,7 @@ fn nearest<const C: usize>(
         };
         // At the corner both slips must go outwards.
         let (h1, h2) = (&normals[at], &normals[(at + 1) % count]);
-        let rest = trial - corner(normals, at) * r;
+        let rest = trial - corner_after(normals, at) * r;
         let slip = SVector::<f64, C>::from_fn(|a, _| if a == 0 { 0.0 } else { rest[a] / k[a] });
         let turn = h1[1] * h2[2] - h1[2] * h2[1];
         let first = (slip[1] * h2[2] - slip[2] * h2[1]) / turn;
@@ -342,14 +342,9 @@ fn nearest<const C: usize>(
     Code::Facet(code(facet))
 }
 
-/// The corner between a facet and the next: h₁·p = h₂·p = 1.
-fn corner<const C: usize>(normals: &[SVector<f64, C>], facet: usize) -> SVector<f64, C> {
-    let (h1, h2) = (&normals[facet], &normals[(facet + 1) % normals.len()]);
-    let determinant = h1[1] * h2[2] - h1[2] * h2[1];
-    let mut p = SVector::zeros();
-    p[1] = (h2[2] - h1[2]) / determinant;
-    p[2] = (h1[1] - h2[1]) / determinant;
-    p
+/// The corner between a facet and the next.
+fn corner_after<const C: usize>(normals: &[SVector<f64, C>], facet: usize) -> SVector<f64, C> {
+    corner(&normals[facet], &normals[(facet + 1) % normals.len()])
 }
 
 /// T dq = R with the units of the twist taken out; `None` if T is singular.

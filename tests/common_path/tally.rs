@@ -21,6 +21,8 @@ pub(crate) struct Tally {
     pub(crate) undecided: usize,
     /// Losses just beyond which another method finds no equilibrium at all.
     pub(crate) nothing_beyond: usize,
+    /// Paths whose steps add up to a large error.
+    pub(crate) inaccurate: usize,
     /// What the property itself was checked on.
     pub(crate) checked: usize,
 }
