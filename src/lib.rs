@@ -63,6 +63,7 @@
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory; sensitivities |
+//! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
 //! | `picture` | grasps and load curves as SVG (feature `plot`) |
@@ -93,9 +94,11 @@ pub mod load_path;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod planar;
+pub mod screening;
 pub mod spatial;
 pub mod structured;
 pub mod sweep;
+mod wide;
 
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};

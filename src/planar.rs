@@ -53,3 +53,9 @@ pub type Change = crate::load_path::Change<2>;
 pub type PathEnd = crate::load_path::PathEnd<3, 2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3, 2>;
+/// A few contacts made ready for screening; see [`crate::screening::Fingers`].
+pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
+/// Many of them; see [`crate::screening::Batch`].
+pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
+/// What pulls on them; see [`crate::screening::Pull`].
+pub type Pull = crate::screening::Pull<3>;

@@ -54,3 +54,9 @@ pub type Change = crate::load_path::Change<3>;
 pub type PathEnd = crate::load_path::PathEnd<6, 3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 6, 3>;
+/// A few contacts made ready for screening; see [`crate::screening::Fingers`].
+pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
+/// Many of them; see [`crate::screening::Batch`].
+pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
+/// What pulls on them; see [`crate::screening::Pull`].
+pub type Pull = crate::screening::Pull<6>;

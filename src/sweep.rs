@@ -13,6 +13,10 @@ use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 use crate::load_path::{Onset, Ramp};
+use crate::screening::{Batch, Part, Pull, Screened};
+
+/// Blocks of scenes that one thread screens in one go.
+const BLOCKS: usize = 256;
 
 /// `f` of every item, in order: in parallel with the feature `parallel`, one after the other without it.
 pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
@@ -49,4 +53,24 @@ pub fn onset_of_each<const D: usize, const C: usize>(
     settings: &Settings,
 ) -> Vec<Result<Onset<D, C>, Error>> {
     map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
+}
+
+/// When the first contact of each grasp of a batch leaves rolling as the load grows; [`Batch::onsets_into`] does the same on one thread and into
+/// memory that is there.
+#[must_use]
+pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
+    batch: &Batch<D, C, N>,
+    pull: &Pull<D>,
+) -> Vec<Screened> {
+    let mut answers = Vec::new();
+    let parts = batch.parts(pull, BLOCKS, &mut answers);
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        let parts: Vec<_> = parts.collect();
+        parts.into_par_iter().for_each(Part::screen);
+    }
+    #[cfg(not(feature = "parallel"))]
+    parts.for_each(Part::screen);
+    answers
 }

@@ -18,8 +18,9 @@
 //! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
 //! variable is known as soon as the leaving one is, so both are done in one pass over memory.
 
-use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine, wide};
+use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine};
 use super::scaling::Scaling;
+use crate::wide::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

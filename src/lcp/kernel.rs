@@ -1,36 +1,6 @@
-//! The inner loops of a pivot, written so that the compiler turns them into vector instructions.
-//!
-//! With the feature `simd` they are compiled for wider vectors as well and the widest that the processor has is chosen
-//! at run time. The operations and their order are the same, hence so are all bits.
+//! The inner loops of a pivot, written so that the compiler turns them into vector instructions (see [`crate::wide`]).
 
-/// A loop with its operands.
-pub(crate) trait Loop {
-    type Output;
-    /// Must be inlined for the caller's vectors to be used.
-    fn run(self) -> Self::Output;
-}
-
-/// Runs a loop on the widest vectors there are.
-#[cfg(feature = "simd")]
-#[inline]
-pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
-    struct Wide<L>(L);
-    impl<L: Loop> pulp::NullaryFnOnce for Wide<L> {
-        type Output = L::Output;
-        #[inline(always)]
-        fn call(self) -> L::Output {
-            self.0.run()
-        }
-    }
-    pulp::Arch::new().dispatch(Wide(work))
-}
-
-/// Runs a loop as it was compiled.
-#[cfg(not(feature = "simd"))]
-#[inline]
-pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
-    work.run()
-}
+use crate::wide::Loop;
 
 /// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
 pub(crate) struct UpdateAndCombine<'a> {

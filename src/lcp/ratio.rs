@@ -6,8 +6,8 @@
 //! Nothing is added to the data. If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
 use super::dictionary::{Dictionary, Unknown, largest};
-use super::kernel::{Loop, wide};
 use super::settings::Settings;
+use crate::wide::{Loop, wide};
 
 /// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;

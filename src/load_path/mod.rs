@@ -30,6 +30,7 @@ pub use beyond::{Beyond, Continuation};
 pub use energy::Energy;
 pub use event::{Change, Event, Loss, PathEnd};
 pub use leg::Leg;
+pub(crate) use margin::ROUNDING;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use path::LoadPath;
 pub use questions::{Reserve, RollingRange};

@@ -1,0 +1,239 @@
+//! The stiffness of the object with every contact rolling, `T = Σ G_i K_i G_iᵀ`, in factors.
+//!
+//! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
+
+use super::block::Block;
+use super::finger::{Finger, Force, moment, world};
+use super::lanes::{Lanes, dot};
+
+/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring.
+const NOTHING: f64 = 1e-13;
+
+/// Stiffness of the object about the centroid of its contacts, in factors.
+pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: usize> {
+    pub(super) fingers: [Finger<C, L>; N],
+    centre: [Lanes<L>; C],
+    pub(super) arms: [[Lanes<L>; C]; N],
+    /// Largest entry of an arm.
+    pub(super) reach: Lanes<L>,
+    /// L below the diagonal, and D⁻¹ on it: zero for what moves freely.
+    factors: [[Lanes<L>; D]; D],
+    /// Positive if something moves freely.
+    pub(super) free: Lanes<L>,
+}
+
+impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, N, L> {
+    #[inline(always)]
+    pub(super) fn new(block: &Block<C, N, L>) -> Self {
+        let share = Lanes::all(1.0 / N as f64);
+        let none = [Lanes::default(); C];
+        let mut fingers = [Finger { normal: none, springs: [Lanes::default(); 2] }; N];
+        for i in 0..N {
+            for axis in 0..C {
+                fingers[i].normal[axis] = block.normal[axis][i];
+            }
+            fingers[i].springs = [block.springs[0][i], block.springs[1][i]];
+        }
+        let mut centre = none;
+        let mut arms = [centre; N];
+        let mut reach = Lanes::default();
+        for axis in 0..C {
+            for i in 0..N {
+                centre[axis] += block.point[axis][i] * share;
+            }
+            for i in 0..N {
+                arms[i][axis] = block.point[axis][i] - centre[axis];
+                reach = reach.max(arms[i][axis].abs());
+            }
+        }
+        let mut body = Self {
+            fingers,
+            centre,
+            arms,
+            reach,
+            factors: [[Lanes::default(); D]; D],
+            free: Lanes::default(),
+        };
+        for i in 0..N {
+            body.add(&fingers[i], &arms[i]);
+        }
+        body.factor();
+        body
+    }
+
+    /// The same in every lane of two.
+    #[inline(always)]
+    pub(super) fn twice(&self) -> Body<D, C, N, 2> {
+        let none = [Lanes::default(); C];
+        let mut twice = Body {
+            fingers: [Finger { normal: none, springs: [Lanes::default(); 2] }; N],
+            centre: none,
+            arms: [none; N],
+            reach: Lanes::all(self.reach.0[0]),
+            factors: [[Lanes::default(); D]; D],
+            free: Lanes::all(self.free.0[0]),
+        };
+        for axis in 0..C {
+            twice.centre[axis] = Lanes::all(self.centre[axis].0[0]);
+            for i in 0..N {
+                twice.arms[i][axis] = Lanes::all(self.arms[i][axis].0[0]);
+                twice.fingers[i].normal[axis] = Lanes::all(self.fingers[i].normal[axis].0[0]);
+            }
+        }
+        for i in 0..N {
+            for spring in 0..2 {
+                twice.fingers[i].springs[spring] = Lanes::all(self.fingers[i].springs[spring].0[0]);
+            }
+        }
+        for row in 0..D {
+            for column in 0..=row {
+                twice.factors[row][column] = Lanes::all(self.factors[row][column].0[0]);
+            }
+        }
+        twice
+    }
+
+    /// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
+    #[inline(always)]
+    fn add(&mut self, finger: &Finger<C, L>, arm: &[Lanes<L>; C]) {
+        let t = &mut self.factors;
+        let [normal, tangential] = finger.springs;
+        let more = normal - tangential;
+        let turning = moment(arm, &finger.normal);
+        let mut line = [Lanes::default(); D];
+        for k in 0..D {
+            line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
+        }
+        for row in 0..D {
+            let stiff = more * line[row];
+            for column in 0..=row {
+                t[row][column] += stiff * line[column];
+            }
+        }
+        let mut pulled = *arm;
+        for axis in 0..C {
+            pulled[axis] = tangential * arm[axis];
+        }
+        let square = dot(&pulled, arm);
+        for axis in 0..C {
+            t[axis][axis] += tangential;
+        }
+        if C == 2 {
+            t[2][0] -= pulled[1];
+            t[2][1] += pulled[0];
+            t[2][2] += square;
+            return;
+        }
+        for axis in 0..C {
+            let (next, last) = ((axis + 1) % C, (axis + 2) % C);
+            t[C + axis][next] -= pulled[last];
+            t[C + axis][last] += pulled[next];
+            t[C + axis][C + axis] += square;
+            for other in 0..=axis {
+                t[C + axis][C + other] -= pulled[axis] * arm[other];
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) {
+        let (zero, one) = (Lanes::default(), Lanes::all(1.0));
+        let t = &mut self.factors;
+        for column in 0..D {
+            let whole = t[column][column];
+            // Column by column: what stands left of it holds L already.
+            let mut scaled = [zero; D];
+            let mut pivot = whole;
+            for k in 0..column {
+                // t[k][k] holds 1/d_k; L_ck d_k was kept above the diagonal.
+                scaled[k] = t[k][column];
+                pivot -= t[column][k] * scaled[k];
+            }
+            let bound = Lanes::all(NOTHING) * whole;
+            let inverse = pivot.above(bound, one / pivot, zero);
+            self.free += pivot.above(bound, zero, one);
+            t[column][column] = inverse;
+            for row in column + 1..D {
+                let mut rest = t[row][column];
+                for k in 0..column {
+                    rest -= t[row][k] * scaled[k];
+                }
+                t[column][row] = rest;
+                t[row][column] = rest * inverse;
+            }
+        }
+    }
+
+    /// `T⁻¹ w`, zero for what moves freely.
+    #[inline(always)]
+    pub(super) fn motion(&self, w: &[Lanes<L>; D]) -> [Lanes<L>; D] {
+        let f = &self.factors;
+        let mut q = *w;
+        for row in 1..D {
+            for column in 0..row {
+                q[row] -= f[row][column] * q[column];
+            }
+        }
+        for row in 0..D {
+            q[row] = q[row] * f[row][row];
+        }
+        for row in (0..D).rev() {
+            for below in row + 1..D {
+                q[row] -= f[below][row] * q[below];
+            }
+        }
+        q
+    }
+
+    /// The load about the centroid.
+    #[inline(always)]
+    pub(super) fn carried(&self, load: &[Lanes<L>; D]) -> [Lanes<L>; D] {
+        let mut force = [Lanes::default(); C];
+        force.copy_from_slice(&load[..C]);
+        let turning = moment(&self.centre, &force);
+        let mut carried = *load;
+        for k in C..D {
+            carried[k] -= turning[k - C];
+        }
+        carried
+    }
+
+    /// What the forces leave of the load, and which part of it that is.
+    #[inline(always)]
+    pub(super) fn unbalanced(
+        &self,
+        forces: &[Force<C, L>; N],
+        load: &[Lanes<L>; D],
+    ) -> ([Lanes<L>; D], Lanes<L>) {
+        let mut left = *load;
+        let mut size = Lanes::default();
+        for axis in 0..C {
+            size += load[axis].abs();
+        }
+        for i in 0..N {
+            let force = world(&self.fingers[i], &forces[i]);
+            let turning = moment(&self.arms[i], &force);
+            for k in 0..D {
+                left[k] += if k < C { force[k] } else { turning[k - C] };
+            }
+            for axis in 0..C {
+                size += force[axis].abs();
+            }
+        }
+        let mut moments = self.reach * size;
+        let (mut worst_force, mut worst_moment) = (Lanes::default(), Lanes::default());
+        for k in 0..D {
+            if k < C {
+                worst_force = worst_force.max(left[k].abs());
+            } else {
+                worst_moment = worst_moment.max(left[k].abs());
+                moments += load[k].abs();
+            }
+        }
+        // Nothing of nothing is nothing.
+        let tiny = Lanes::all(f64::MIN_POSITIVE);
+        let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
+        // Comparisons above pass over what is not a number.
+        (left, part + Lanes::all(0.0) * left[0])
+    }
+}

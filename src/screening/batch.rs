@@ -1,0 +1,128 @@
+//! Many grasps of as many contacts each, laid out so that several are screened at once.
+
+use super::block::{Block, Pull};
+use super::fingers::Fingers;
+use super::screened::Screened;
+use crate::wide::{Loop, wide};
+
+/// Scenes side by side.
+pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
+
+/// Many grasps of `N` contacts each, to be screened under common loads.
+///
+/// Numbers of eight grasps lie side by side, so that one instruction works on several of them. A grasp gets the same answer,
+/// to the last bit, as from [`Fingers::onset`] on its own, whatever the batch, the processor and the number of threads.
+///
+/// ```
+/// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
+/// use grasp_lcp::sweep::onsets_of_batch;
+///
+/// let mut batch = Batch::default();
+/// for squeeze in [0.01, 0.02, 0.03] {
+///     let jaw = |side: f64| {
+///         Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([squeeze, 0.0])
+///     };
+///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
+/// }
+/// let onsets = onsets_of_batch(&batch, &Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?);
+/// assert!((onsets[2].factor().unwrap() - 30.0).abs() < 1e-13);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Batch<const D: usize, const C: usize, const N: usize> {
+    blocks: Vec<Block<C, N, LANES>>,
+    len: usize,
+}
+
+impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> {
+    fn default() -> Self {
+        Self { blocks: Vec::new(), len: 0 }
+    }
+}
+
+impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
+    /// An empty batch with room for so many grasps.
+    #[must_use]
+    pub fn with_capacity(grasps: usize) -> Self {
+        Self { blocks: Vec::with_capacity(grasps.div_ceil(LANES)), len: 0 }
+    }
+
+    /// Appends a grasp.
+    pub fn push(&mut self, fingers: &Fingers<D, C, N>) {
+        let lane = self.len % LANES;
+        if lane == 0 {
+            self.blocks.push(Block::EMPTY);
+        }
+        if let Some(block) = self.blocks.last_mut() {
+            // Lanes that stay empty hold the last scene again.
+            block.set(lane..LANES, &fingers.block);
+        }
+        self.len += 1;
+    }
+
+    /// The number of grasps.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Removes all grasps and keeps the memory.
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.len = 0;
+    }
+
+    /// When the first contact of each grasp leaves rolling as the load grows, on one thread; for all cores there is
+    /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch). `answers` is cleared first; with room for all of them nothing is
+    /// allocated.
+    pub fn onsets_into(&self, pull: &Pull<D>, answers: &mut Vec<Screened>) {
+        for part in self.parts(pull, self.blocks.len(), answers) {
+            part.screen();
+        }
+    }
+
+    /// The batch in parts of so many blocks of scenes, each with the places for its answers.
+    pub(crate) fn parts<'a>(
+        &'a self,
+        pull: &'a Pull<D>,
+        blocks: usize,
+        answers: &'a mut Vec<Screened>,
+    ) -> impl Iterator<Item = Part<'a, D, C, N>> {
+        answers.clear();
+        answers.resize(self.len, Screened::UNKNOWN);
+        let size = blocks.max(1);
+        let parts = self.blocks.chunks(size).zip(answers.chunks_mut(size * LANES));
+        parts.map(move |(blocks, answers)| Part { blocks, pull, answers })
+    }
+}
+
+/// A part of a batch.
+pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize> {
+    blocks: &'a [Block<C, N, LANES>],
+    pull: &'a Pull<D>,
+    answers: &'a mut [Screened],
+}
+
+impl<const D: usize, const C: usize, const N: usize> Part<'_, D, C, N> {
+    pub(crate) fn screen(self) {
+        wide(self);
+    }
+}
+
+impl<const D: usize, const C: usize, const N: usize> Loop for Part<'_, D, C, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (block, answers) in self.blocks.iter().zip(self.answers.chunks_mut(LANES)) {
+            let screened = block.screen(self.pull);
+            answers.copy_from_slice(&screened[..answers.len()]);
+        }
+    }
+}

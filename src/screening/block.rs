@@ -1,0 +1,108 @@
+//! One kernel for one scene and for several side by side.
+
+use std::ops::Range;
+
+use super::exit::judge;
+use super::lanes::Lanes;
+use super::pair::Sizes;
+use super::screened::Screened;
+use super::{pair, rolling};
+use crate::error::{Error, is_moderate};
+use crate::grasp::Wrench;
+
+/// `L` scenes of `N` contacts each; arrays run over axes, then contacts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
+    pub(super) point: [[Lanes<L>; N]; C],
+    /// Unit normals into the object.
+    pub(super) normal: [[Lanes<L>; N]; C],
+    /// Normal and tangential stiffness; in a planar pair the compliances, see [`super::pair`].
+    pub(super) springs: [[Lanes<L>; N]; 2],
+    /// Commanded displacements less the clearance, coordinate axes.
+    pub(super) command: [[Lanes<L>; N]; C],
+    /// Friction coefficients, or codes; see [`super::exit`].
+    pub(super) friction: [Lanes<L>; N],
+    /// Of planar pairs only.
+    pub(super) sizes: Sizes<L>,
+}
+
+/// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull<const D: usize> {
+    base: [f64; D],
+    direction: [f64; D],
+    /// Whether the base load is any.
+    loaded: bool,
+}
+
+impl<const D: usize> Pull<D> {
+    /// The load `base + factor · direction`, about the origin of the coordinates of each grasp.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite.
+    pub fn new(base: &Wrench<D>, direction: &Wrench<D>) -> Result<Self, Error> {
+        for (what, wrench) in [("base load", base), ("load direction", direction)] {
+            let w = wrench.as_vector();
+            if let Some(component) = w.iter().position(|x| !is_moderate(*x)) {
+                return Err(Error::Wrench { what, component, value: w[component] });
+            }
+        }
+        let entries = |wrench: &Wrench<D>| std::array::from_fn(|k| wrench.as_vector()[k]);
+        Ok(Self { base: entries(base), direction: entries(direction), loaded: *base != Wrench::ZERO })
+    }
+}
+
+impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
+    /// Nothing yet.
+    pub(super) const EMPTY: Self = {
+        let none = Lanes([0.0; L]);
+        let zero = [none; N];
+        let sizes = Sizes { commands: none, moment: none, force: none };
+        Self {
+            point: [zero; C],
+            normal: [zero; C],
+            springs: [zero; 2],
+            command: [zero; C],
+            friction: zero,
+            sizes,
+        }
+    };
+
+    /// Puts a scene into these lanes.
+    pub(super) fn set(&mut self, lanes: Range<usize>, scene: &Block<C, N, 1>) {
+        for lane in lanes.clone() {
+            self.sizes.commands.0[lane] = scene.sizes.commands.0[0];
+            self.sizes.moment.0[lane] = scene.sizes.moment.0[0];
+            self.sizes.force.0[lane] = scene.sizes.force.0[0];
+        }
+        for contact in 0..N {
+            for lane in lanes.clone() {
+                for axis in 0..C {
+                    self.point[axis][contact].0[lane] = scene.point[axis][contact].0[0];
+                    self.normal[axis][contact].0[lane] = scene.normal[axis][contact].0[0];
+                    self.command[axis][contact].0[lane] = scene.command[axis][contact].0[0];
+                }
+                for spring in 0..2 {
+                    self.springs[spring][contact].0[lane] = scene.springs[spring][contact].0[0];
+                }
+                self.friction[contact].0[lane] = scene.friction[contact].0[0];
+            }
+        }
+    }
+
+    /// The onsets of all scenes. Inlined, so that it is compiled for the vectors of the caller.
+    #[inline(always)]
+    pub(super) fn screen<const D: usize>(&self, pull: &Pull<D>) -> [Screened; L] {
+        let (mut base, mut direction) = ([Lanes::default(); D], [Lanes::default(); D]);
+        for k in 0..D {
+            base[k] = Lanes::all(pull.base[k]);
+            direction[k] = Lanes::all(pull.direction[k]);
+        }
+        let [base, rates] = if C == 2 && N == 2 {
+            pair::forces(self, pull.loaded.then_some(&base), &direction)
+        } else {
+            rolling::forces(self, &base, &direction)
+        };
+        judge(&self.friction, &base, &rates)
+    }
+}

@@ -1,0 +1,93 @@
+//! One contact: its springs, and what forces and motions do at the end of its arm.
+
+use super::lanes::{Lanes, dot};
+
+/// One contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Finger<const C: usize, const L: usize> {
+    pub(super) normal: [Lanes<L>; C],
+    pub(super) springs: [Lanes<L>; 2],
+}
+
+/// Its force: normal, and tangential in space a vector, in the plane the first entry.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Force<const C: usize, const L: usize> {
+    pub(super) normal: Lanes<L>,
+    pub(super) tangential: [Lanes<L>; C],
+}
+
+/// The moment of a force at an arm, in the first entries.
+#[inline(always)]
+pub(super) fn moment<const C: usize, const L: usize>(
+    arm: &[Lanes<L>; C],
+    f: &[Lanes<L>; C],
+) -> [Lanes<L>; 3] {
+    let zero = Lanes::default();
+    if C == 2 {
+        [arm[0] * f[1] - arm[1] * f[0], zero, zero]
+    } else {
+        [
+            arm[1] * f[2 % C] - arm[2 % C] * f[1],
+            arm[2 % C] * f[0] - arm[0] * f[2 % C],
+            arm[0] * f[1] - arm[1] * f[0],
+        ]
+    }
+}
+
+/// The displacement at an arm.
+#[inline(always)]
+pub(super) fn displacement<const D: usize, const C: usize, const L: usize>(
+    arm: &[Lanes<L>; C],
+    q: &[Lanes<L>; D],
+) -> [Lanes<L>; C] {
+    let mut u = *arm;
+    if C == 2 {
+        u[0] = q[0] - q[2] * arm[1];
+        u[1] = q[1] + q[2] * arm[0];
+    } else {
+        for axis in 0..C {
+            let (next, last) = ((axis + 1) % C, (axis + 2) % C);
+            u[axis] = q[axis] + (q[C + next] * arm[last] - q[C + last] * arm[next]);
+        }
+    }
+    u
+}
+
+/// The force in coordinate axes.
+#[inline(always)]
+pub(super) fn world<const C: usize, const L: usize>(
+    finger: &Finger<C, L>,
+    force: &Force<C, L>,
+) -> [Lanes<L>; C] {
+    let n = &finger.normal;
+    let mut world = force.tangential;
+    if C == 2 {
+        world = [Lanes::default(); C];
+        world[0] = n[1] * force.tangential[0];
+        world[1] = -(n[0] * force.tangential[0]);
+    }
+    for axis in 0..C {
+        world[axis] += n[axis] * force.normal;
+    }
+    world
+}
+
+/// The force of a contact whose springs are stretched so.
+#[inline(always)]
+pub(super) fn stretched<const C: usize, const L: usize>(
+    finger: &Finger<C, L>,
+    s: &[Lanes<L>; C],
+) -> Force<C, L> {
+    let [normal, tangential] = finger.springs;
+    let n = &finger.normal;
+    let along = dot(n, s);
+    let mut across = [Lanes::default(); C];
+    if C == 2 {
+        across[0] = tangential * (n[1] * s[0] - n[0] * s[1]);
+    } else {
+        for axis in 0..C {
+            across[axis] = tangential * (s[axis] - n[axis] * along);
+        }
+    }
+    Force { normal: normal * along, tangential: across }
+}

@@ -1,0 +1,88 @@
+//! The contacts of one grasp, checked once and made ready.
+
+use super::block::{Block, Pull};
+use super::exit::{OPENS_ONLY, STAYS};
+use super::lanes::Lanes;
+use super::screened::Screened;
+use crate::error::{Error, Field};
+use crate::grasp::{Contact, Hold};
+
+/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling.
+///
+/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see [`planar::Fingers`](crate::planar::Fingers) and
+/// [`spatial::Fingers`](crate::spatial::Fingers).
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
+///
+/// let jaw = |side: f64| {
+///     Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0])
+/// };
+/// let fingers = Fingers::new(&[jaw(-1.0), jaw(1.0)])?;
+/// // Each jaw presses with 10 N and holds half of what hangs on it.
+/// let onset = fingers.onset(&Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?);
+/// assert!((onset.factor().unwrap() - 10.0).abs() < 1e-13);
+/// assert!(onset.leaving().eq([0, 1]));
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Fingers<const D: usize, const C: usize, const N: usize> {
+    pub(super) block: Block<C, N, 1>,
+}
+
+impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
+    /// Checks the contacts and makes them ready.
+    ///
+    /// # Errors
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
+    /// differs from one tangent to the other.
+    pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
+        const { assert!(D == C + C * (C - 1) / 2 && (C == 2 || C == 3)) };
+        const { assert!(2 <= N && N <= 5) };
+        let mut block = Block::<C, N, 1>::EMPTY;
+        for (index, contact) in contacts.iter().enumerate() {
+            contact.check(index)?;
+            let frame = contact.frame(index)?;
+            let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
+            let k = contact.series_stiffness_of_axes();
+            let tangential = if frictionless { 0.0 } else { k[1] };
+            if C == 3 && !frictionless && k[1] != k[C - 1] {
+                return Err(Error::Contact {
+                    contact: contact.label(index),
+                    field: Field::SeriesStiffness,
+                    value: k[C - 1],
+                    allowed: "the same along both tangents",
+                });
+            }
+            let mut a = contact.command;
+            a[0] -= contact.clearance;
+            let a = frame * a;
+            for axis in 0..C {
+                block.point[axis][index] = Lanes([contact.point[axis]]);
+                block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
+                block.command[axis][index] = Lanes([a[axis]]);
+            }
+            block.springs[0][index] = Lanes([k[0]]);
+            block.springs[1][index] = Lanes([tangential]);
+            let slides = contact.friction > 0.0 && contact.friction.is_finite();
+            block.friction[index] = Lanes([match contact.hold {
+                Hold::Bonded => STAYS,
+                _ if slides => contact.friction,
+                Hold::Unilateral => OPENS_ONLY,
+                Hold::KeptClosed => STAYS,
+            }]);
+        }
+        if C == 2 && N == 2 {
+            super::pair::to_compliances(&mut block);
+        }
+        Ok(Self { block })
+    }
+
+    /// When the first contact leaves rolling as the load grows.
+    #[must_use]
+    #[inline]
+    pub fn onset(&self, pull: &Pull<D>) -> Screened {
+        let [screened] = self.block.screen(pull);
+        screened
+    }
+}

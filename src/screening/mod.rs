@@ -1,0 +1,26 @@
+//! At which load does the first contact leave rolling, for millions of grasps of two to five contacts?
+//!
+//! The commonest question of a planner, answered without memory of its own and without a branch: all springs are stretched as if every
+//! contact rolled, once at factor zero of the load and once for its rate, and a ratio test on the exact cone says where the first contact
+//! leaves. This is what [`Grasp::onset`](crate::grasp::Grasp::onset) finds, too, wherever every contact rolls at factor zero and the numbers
+//! are not extreme; where they are, screening says so ([`Verdict`]) and leaves the answer to it. It does not ask what comes beyond the onset.
+//!
+//! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and
+//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) on all cores.
+
+mod balance;
+mod batch;
+mod block;
+mod exit;
+mod finger;
+mod fingers;
+mod lanes;
+mod pair;
+mod rolling;
+mod screened;
+
+pub use batch::Batch;
+pub(crate) use batch::Part;
+pub use block::Pull;
+pub use fingers::Fingers;
+pub use screened::{Screened, Verdict};

@@ -1,0 +1,191 @@
+//! Two contacts in the plane: forces in closed form, in compliances.
+//!
+//! With p the way from contact 1 to contact 2, `p_1 = p` and `p_2 = -p`, `p_i⊥` a quarter turn further, m the midpoint and `C_i = K_i⁻¹` in coordinate axes, balance
+//! of forces and moments leaves one unknown λ, the force along the line through both,
+//!
+//! ```text
+//! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
+//! ```
+//!
+//! and that the object does not change its length fixes it:
+//!
+//! ```text
+//! Σ p_i·(a_i - C_i F_i) = 0
+//! ```
+//!
+//! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
+
+use super::block::Block;
+use super::exit::{Forces, ON_THE_EDGE};
+use super::lanes::Lanes;
+use crate::load_path::ROUNDING;
+
+/// Turns stiffnesses into compliances. A contact without friction has none along its tangent to speak of, an infinite one: then the condition on λ
+/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together; their
+/// compliances are not numbers.
+pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
+    let slippery = scene.springs[1].map(|k| k.0[0] == 0.0);
+    let count = slippery.iter().filter(|slips| **slips).count();
+    for i in 0..N {
+        let [normal, tangential] = [scene.springs[0][i], scene.springs[1][i]];
+        let compliances = match count {
+            0 => [Lanes::all(1.0) / normal, Lanes::all(1.0) / tangential],
+            1 => [Lanes::all(0.0), Lanes::all(f64::from(u8::from(slippery[i])))],
+            _ => [Lanes::all(f64::NAN); 2],
+        };
+        for (axis, compliance) in compliances.into_iter().enumerate() {
+            scene.springs[axis][i] = compliance;
+        }
+        if count > 0 {
+            for axis in 0..C {
+                scene.command[axis][i] = Lanes::all(0.0);
+            }
+        }
+    }
+    scene.sizes = Sizes::of(scene);
+}
+
+/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sizes<const L: usize> {
+    pub(super) commands: Lanes<L>,
+    pub(super) moment: Lanes<L>,
+    pub(super) force: Lanes<L>,
+}
+
+impl Sizes<1> {
+    /// Of a pair of contacts with compliances.
+    pub(super) fn of<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Self {
+        let pair = Pair::new(scene);
+        let one = Lanes::all(1.0);
+        let [x, y] = [0, 1].map(|axis| scene.point[axis][1] - scene.point[axis][0]);
+        let length = x.abs() + y.abs();
+        let (mut gives, mut commands) = (Lanes::default(), Lanes::default());
+        for i in 0..2 {
+            gives += pair.u[i].abs() + pair.v[i].abs();
+            commands += scene.command[0][i].abs() + scene.command[1][i].abs();
+        }
+        let scale = length * pair.one_over_give;
+        let gives = one + scale * gives;
+        let moment = length * pair.one_over_square * gives;
+        let [x, y] = pair.midpoint;
+        Self { commands: length * scale * commands, moment, force: moment * (x.abs() + y.abs()) + gives }
+    }
+}
+
+/// Two contacts and the line through them. Arrays run over the contacts.
+struct Pair<const L: usize> {
+    normal: [[Lanes<L>; 2]; 2],
+    midpoint: [Lanes<L>; 2],
+    /// Entries of `p_i` along normals and tangents.
+    n: [Lanes<L>; 2],
+    t: [Lanes<L>; 2],
+    /// Those of `C_i p_i`.
+    u: [Lanes<L>; 2],
+    v: [Lanes<L>; 2],
+    one_over_give: Lanes<L>,
+    one_over_square: Lanes<L>,
+    /// How much the line would have to give if s were one, and what the fingers take from it by going where they are told.
+    sheared: Lanes<L>,
+    commanded: Lanes<L>,
+}
+
+impl<const L: usize> Pair<L> {
+    #[inline(always)]
+    fn new<const C: usize, const N: usize>(block: &Block<C, N, L>) -> Self {
+        let zero = [Lanes::default(); 2];
+        let [px, py] = [block.point[0], block.point[1]];
+        let x = [px[1] - px[0], px[0] - px[1]];
+        let y = [py[1] - py[0], py[0] - py[1]];
+        let half = Lanes::all(0.5);
+        let midpoint = [half * (px[0] + px[1]), half * (py[0] + py[1])];
+        let (mut normal, mut n, mut t, mut u, mut v) = ([zero; 2], zero, zero, zero, zero);
+        let (mut give, mut sheared, mut commanded) = (zero, zero, zero);
+        for i in 0..2 {
+            normal[0][i] = block.normal[0][i];
+            normal[1][i] = block.normal[1][i];
+            n[i] = normal[0][i] * x[i] + normal[1][i] * y[i];
+            t[i] = normal[1][i] * x[i] - normal[0][i] * y[i];
+            u[i] = block.springs[0][i] * n[i];
+            v[i] = block.springs[1][i] * t[i];
+            give[i] = u[i] * n[i] + v[i] * t[i];
+            sheared[i] = u[i] * t[i] - v[i] * n[i];
+            commanded[i] = block.command[0][i] * x[i] + block.command[1][i] * y[i];
+        }
+        let one_over_give = Lanes::all(1.0) / (give[0] + give[1]);
+        let one_over_square = Lanes::all(1.0) / (x[0] * x[0] + y[0] * y[0]);
+        Self {
+            normal,
+            midpoint,
+            n,
+            t,
+            u,
+            v,
+            one_over_give,
+            one_over_square,
+            sheared: sheared[0] + sheared[1],
+            commanded: commanded[0] + commanded[1],
+        }
+    }
+
+    /// Forces that a load alone brings about.
+    #[inline(always)]
+    fn load<const D: usize, const C: usize, const N: usize>(
+        &self,
+        load: &[Lanes<L>; D],
+        sizes: &Sizes<L>,
+    ) -> Forces<C, N, L> {
+        let zero = [Lanes::default(); 2];
+        let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
+        // Minus half of the load.
+        let (x, y) = (Lanes::all(-0.5) * load[0], Lanes::all(-0.5) * load[1]);
+        let (mut halves, mut given) = ([zero; 2], zero);
+        for i in 0..2 {
+            halves[0][i] = self.normal[0][i] * x + self.normal[1][i] * y;
+            halves[1][i] = self.normal[1][i] * x - self.normal[0][i] * y;
+            given[i] = self.u[i] * halves[0][i] + self.v[i] * halves[1][i];
+        }
+        let lambda = -((s * self.sheared + (given[0] + given[1])) * self.one_over_give);
+        let size = sizes.moment * load[2].abs() + sizes.force * (load[0].abs() + load[1].abs());
+        let mut forces = Forces::none();
+        for i in 0..2 {
+            forces.normal[i] = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
+            forces.tangential[0][i] = lambda * self.t[i] + (halves[1][i] - s * self.n[i]);
+            forces.rounding[i] = Lanes::all(ROUNDING) * size;
+        }
+        forces
+    }
+
+    /// Forces that the commands of the fingers alone bring about: along the line through both.
+    #[inline(always)]
+    fn squeeze<const C: usize, const N: usize>(&self, sizes: &Sizes<L>) -> Forces<C, N, L> {
+        let lambda = self.commanded * self.one_over_give;
+        let mut forces = Forces::none();
+        for i in 0..2 {
+            forces.normal[i] = lambda * self.n[i];
+            forces.tangential[0][i] = lambda * self.t[i];
+            forces.rounding[i] = Lanes::all(ON_THE_EDGE) * sizes.commands;
+        }
+        forces
+    }
+}
+
+/// Forces at factor zero of the load, and their rates. Where there are none they are not numbers.
+#[inline(always)]
+pub(super) fn forces<const D: usize, const C: usize, const N: usize, const L: usize>(
+    block: &Block<C, N, L>,
+    base: Option<&[Lanes<L>; D]>,
+    direction: &[Lanes<L>; D],
+) -> [Forces<C, N, L>; 2] {
+    let pair = Pair::new(block);
+    let mut squeezed: Forces<C, N, L> = pair.squeeze(&block.sizes);
+    if let Some(base) = base {
+        let more: Forces<C, N, L> = pair.load(base, &block.sizes);
+        for i in 0..2 {
+            squeezed.normal[i] += more.normal[i];
+            squeezed.tangential[0][i] += more.tangential[0][i];
+            squeezed.rounding[i] += Lanes::all(ON_THE_EDGE / ROUNDING) * more.rounding[i];
+        }
+    }
+    [squeezed, pair.load(direction, &block.sizes)]
+}
