@@ -40,6 +40,10 @@ pub enum Stroke {
     Dashed,
     /// Circles.
     Circles,
+    /// Small dots, for clouds of points.
+    Dots,
+    /// Bars from zero, as wide as the first two points are apart.
+    Bars,
 }
 
 impl Chart {
@@ -177,8 +181,19 @@ impl Chart {
                 Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
                 Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
                 Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
+                Stroke::Dots => {
+                    chart.draw_series(points.map(|p| Circle::new(p, 1, color.mix(0.6).filled())))?
+                }
+                Stroke::Bars => {
+                    let wide = series.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
+                    let bar = |(x, y): (f64, f64)| {
+                        let corners = [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, y)];
+                        Rectangle::new(corners, color.mix(0.7).filled())
+                    };
+                    chart.draw_series(points.map(bar))?
+                }
             };
-            let circles = series.stroke == Stroke::Circles;
+            let circles = matches!(series.stroke, Stroke::Circles | Stroke::Dots);
             drawn.label(&series.name).legend(move |(x, y)| {
                 if circles {
                     Circle::new((x + 10, y), 4, style).into_dyn()
@@ -250,7 +265,7 @@ impl Chart {
             };
             let mut count = 0;
             for Series { points, stroke, .. } in &self.series {
-                if *stroke == Stroke::Circles {
+                if matches!(stroke, Stroke::Circles | Stroke::Dots | Stroke::Bars) {
                     count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
                     continue;
                 }
