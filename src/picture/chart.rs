@@ -182,7 +182,7 @@ impl Chart {
                 Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
                 Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
                 Stroke::Dots => {
-                    chart.draw_series(points.map(|p| Circle::new(p, 1, color.mix(0.6).filled())))?
+                    chart.draw_series(points.map(|p| Circle::new(p, 2, color.mix(0.6).filled())))?
                 }
                 Stroke::Bars => {
                     let wide = series.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
