@@ -1,11 +1,23 @@
 //! When does the paper's two-finger grasp start to slide? Its table recomputed, the onset found directly, two pictures.
 //!
 //! `cargo run --release --example predict_sliding`
+//!
+//! The same for any grasp in a file, planar or spatial: what the file asks is printed, and the first equilibrium of a planar one drawn.
+//!
+//! `cargo run --release --example predict_sliding -- --scene examples/scenes/mug.json`
 
+#[path = "support/predict.rs"]
+mod predict;
+#[path = "support/scene_file.rs"]
+mod scene_file;
 mod support;
 
+use std::path::Path;
+use std::process::ExitCode;
+
 use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
-use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};
+use grasp_lcp::planar::{Beyond, ContactState, Departure, Equilibrium, Onset, Outcome, Wrench};
+use grasp_lcp::scene::{Question, Setup, Space};
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
 
 /// What a contact does, in one word.
@@ -18,7 +30,69 @@ fn word(state: &ContactState) -> &'static str {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => the_papers_grasp(),
+        ["--scene", file] => of_file(Path::new(file)),
+        _ => Err("usage: predict_sliding [--scene FILE]".into()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What a scene file asks.
+fn of_file(file: &Path) -> Result<(), Failure> {
+    let scene = scene_file::read(file)?;
+    println!("{}", file.display());
+    if let Some(comment) = &scene.comment {
+        println!("{comment}");
+    }
+    let in_file = |error| format!("{}: {error}", file.display());
+    match &scene.space {
+        Space::Planar(setup) => {
+            predict::predict(setup).map_err(in_file)?;
+            if let Some(state) = first_equilibrium(setup)? {
+                let outline: Vec<[f64; 2]> = setup.outline.iter().map(|corner| (*corner).into()).collect();
+                let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+                let svg = draw_grasp(&setup.grasp()?, &state, Some(&outline), &stem.replace('_', " "))?;
+                println!();
+                support::save(&format!("scene_{stem}.svg"), &svg)?;
+            }
+        }
+        Space::Spatial(setup) => predict::predict(setup).map_err(in_file)?,
+    }
+    Ok(())
+}
+
+/// That of the first question that has one, for the picture.
+fn first_equilibrium(setup: &Setup<3, 2>) -> Result<Option<Equilibrium>, grasp_lcp::Error> {
+    let grasp = setup.grasp()?;
+    for question in &setup.questions {
+        let state = match question {
+            Question::Solve { load } => grasp.solve_with(load, &setup.settings)?.equilibrium().cloned(),
+            Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?, &setup.settings)? {
+                Onset::At(event) => Some(event.state),
+                Onset::AlreadySliding(state) => Some(*state),
+                _ => None,
+            },
+            _ => None,
+        };
+        if state.is_some() {
+            return Ok(state);
+        }
+    }
+    Ok(None)
+}
+
+fn the_papers_grasp() -> Result<(), Failure> {
     let grasp = two_fingers()?;
 
     println!("The paper's second grasp under a growing load W along -y (N); margin = μ F_n - |F_t|\n");

@@ -67,6 +67,7 @@
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
 //! | `picture` | grasps and load curves as SVG (feature `plot`) |
+//! | `scene` | scenes and answers as JSON, or in any other format that serde knows (feature `serde`) |
 //!
 //! # Answers
 //!
@@ -94,6 +95,8 @@ pub mod load_path;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod planar;
+#[cfg(feature = "serde")]
+pub mod scene;
 pub mod screening;
 pub mod spatial;
 pub mod structured;

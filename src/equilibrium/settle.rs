@@ -15,6 +15,7 @@ use crate::formulation::{
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Rung {
     /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
@@ -69,6 +70,7 @@ pub(crate) enum Settled<const D: usize, const C: usize> {
 
 /// Why nothing could be said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Doubt {
     /// Lemke ended on rays that prove nothing and there are too many contacts to try every combination of states.

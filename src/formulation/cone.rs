@@ -16,6 +16,7 @@ use crate::error::Error;
 
 /// How the polygon lies to the circle of radius one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Fit {
     /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).
     #[default]

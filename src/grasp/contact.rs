@@ -7,6 +7,7 @@ use crate::error::{ContactLabel, Error, Field, LARGEST, MODERATE, is_moderate};
 
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Hold {
     /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]

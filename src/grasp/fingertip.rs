@@ -221,6 +221,15 @@ impl<const C: usize> SoftFingertip<C> {
         Ok(self.places.iter().enumerate().map(child).collect())
     }
 
+    /// The same patch where the number of axes is not known to the compiler; none if it is another one.
+    #[cfg(feature = "serde")]
+    pub(crate) fn of_axes<const B: usize>(self) -> Option<SoftFingertip<B>> {
+        let Self { radius, places } = self;
+        let place =
+            |place: Place<C>| Place { offset: SVector::from_fn(|a, _| place.offset[a]), share: place.share };
+        (B == C).then(|| SoftFingertip { radius, places: places.into_iter().map(place).collect() })
+    }
+
     /// Distance of the outermost points from the centre, m: the radius R, or half the width.
     #[must_use]
     pub fn radius(&self) -> f64 {

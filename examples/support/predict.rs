@@ -1,0 +1,209 @@
+//! Prints what a scene asks, in words and tables.
+
+use grasp_lcp::Error;
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::scene::{
+    Answer, Beyond, Departure, Doing, Equilibrium, Leaving, OnsetAnswer, PathAnswer, PathEnd, Proof,
+    Question, Setup, SolveAnswer, Touch, Turn,
+};
+
+/// Answers every question of a scene and prints the answers.
+pub(crate) fn predict<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Result<(), Error> {
+    let points = setup.grasp()?.len();
+    println!("{} contacts, {points} points of contact", setup.contacts.len());
+    for (question, answer) in setup.questions.iter().zip(setup.answers()?) {
+        match (question, &answer) {
+            (Question::Solve { load }, Answer::Solve(outcome)) => {
+                println!("\nUnder the load {}", wrench(load));
+                solved(setup, outcome);
+            }
+            (Question::Onset(ramp), Answer::Onset(onset)) => {
+                print!("\nOnset of sliding from {} along {}", wrench(&ramp.base), wrench(&ramp.direction));
+                println!(
+                    "{}",
+                    if ramp.command_change.is_some() { ", finger commands changing along" } else { "" }
+                );
+                slides(setup, onset);
+            }
+            (Question::Follow { start, legs }, Answer::Follow(path)) => {
+                println!("\nLoad program of {} legs from {}", legs.len(), wrench(start));
+                followed(setup, path);
+            }
+            (_, other) => println!("{other:?}"),
+        }
+    }
+    Ok(())
+}
+
+fn solved<const D: usize, const C: usize>(setup: &Setup<D, C>, outcome: &SolveAnswer<D, C>) {
+    match outcome {
+        SolveAnswer::Equilibrium(state) => table(setup, state),
+        SolveAnswer::NoEquilibrium(why) => println!("  no equilibrium exists: {}", proof(why)),
+        SolveAnswer::Undecided { doubt } => println!("  undecided: {doubt:?}"),
+        other => println!("  {other:?}"),
+    }
+}
+
+fn slides<const D: usize, const C: usize>(setup: &Setup<D, C>, onset: &OnsetAnswer<D, C>) {
+    match onset {
+        OnsetAnswer::At(event) => {
+            println!("  at factor {:.12}, that is {}", event.factor, wrench(&event.load));
+            for Leaving { place, how, .. } in &event.leaving {
+                match how {
+                    Departure::Slides { direction } => {
+                        println!(
+                            "  {} slides over the object along {}",
+                            name(place),
+                            row(direction.as_slice())
+                        );
+                    }
+                    Departure::Opens => println!("  {} opens", name(place)),
+                    other => println!("  {} {other:?}", name(place)),
+                }
+            }
+            table(setup, &event.state);
+            match &event.beyond {
+                Beyond::Continues { states, .. } => {
+                    let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
+                    println!("  beyond: the grasp holds on, points that slide: {sliding}");
+                }
+                Beyond::LimitLoad { combinations } => println!(
+                    "  beyond: no equilibrium ({combinations} combinations of contact states tried); it is also the limit load"
+                ),
+                Beyond::Snap { .. } => {
+                    println!("  beyond: another equilibrium; the grasp snaps over or is lost");
+                }
+                Beyond::Ends { reason } => println!("  beyond: this equilibrium ends: {}", proof(reason)),
+                other => println!("  beyond: {other:?}"),
+            }
+        }
+        OnsetAnswer::Never => println!("  never: everything keeps rolling however far the load goes"),
+        OnsetAnswer::AlreadySliding { state } => {
+            println!("  something slides already at factor 0:");
+            table(setup, state);
+        }
+        OnsetAnswer::NoBase(why) => println!("  no equilibrium exists at factor 0: {}", proof(why)),
+        OnsetAnswer::GivesWay { factor, reason } => {
+            println!("  nothing slides, but from factor {factor:.12} on nothing resists: {}", proof(reason));
+        }
+        other => println!("  {other:?}"),
+    }
+}
+
+fn followed<const D: usize, const C: usize>(setup: &Setup<D, C>, path: &PathAnswer<D, C>) {
+    for event in &path.events {
+        for change in &event.changes {
+            let what = match &change.what {
+                Turn::Slides { direction } => format!("slides along {}", row(direction.as_slice())),
+                Turn::Sticks => "sticks".to_owned(),
+                Turn::Reverses { direction } => format!("slides back along {}", row(direction.as_slice())),
+                Turn::Turns { direction } => format!("turns to {}", row(direction.as_slice())),
+                Turn::Opens => "opens".to_owned(),
+                Turn::Closes => "closes".to_owned(),
+                Turn::ClosesSliding { direction } => {
+                    format!("closes, sliding along {}", row(direction.as_slice()))
+                }
+                other => format!("{other:?}"),
+            };
+            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
+            println!("  {at}, {}: {} {what}", wrench(&event.load), name(&change.place));
+        }
+    }
+    match &path.end {
+        PathEnd::Completed { state: Some(state) } => {
+            println!("  all legs are held to their end:");
+            table(setup, state);
+        }
+        PathEnd::Completed { state: None } => println!("  all legs are held to their end"),
+        PathEnd::LimitLoad(loss) => println!(
+            "  limit load: beyond {:.9} of leg {}, {}, no equilibrium exists",
+            loss.fraction,
+            loss.leg,
+            wrench(&loss.load)
+        ),
+        PathEnd::Snap(loss) | PathEnd::Ends(loss) => println!(
+            "  this equilibrium ends at {:.9} of leg {}, {}",
+            loss.fraction,
+            loss.leg,
+            wrench(&loss.load)
+        ),
+        PathEnd::GivesWay { leg, fraction, .. } => {
+            println!("  nothing resists from {fraction:.9} of leg {leg} on");
+        }
+        PathEnd::NoStart { start } => {
+            println!("  there is nothing to start from:");
+            solved(setup, start);
+        }
+        other => println!("  {other:?}"),
+    }
+}
+
+/// One line for each contact of the scene; forces of a soft fingertip are sums over its points.
+fn table<const D: usize, const C: usize>(setup: &Setup<D, C>, state: &Equilibrium<D, C>) {
+    println!("  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)");
+    for (index, finger) in setup.contacts.iter().enumerate() {
+        let points: Vec<&Touch<C>> = state.contacts.iter().filter(|c| c.place.contact == index).collect();
+        let sum = |axis: usize| points.iter().map(|c| c.force[axis]).sum::<f64>();
+        let tangential = (1..C).map(sum).fold(0.0, f64::hypot);
+        let margin = points.iter().map(|c| c.margin).fold(f64::INFINITY, f64::min);
+        let label = finger.contact.label_text(index);
+        println!("  {label:24} {:12.6} {tangential:12.6} {margin:12.6}  {}", sum(0), doing(&points));
+    }
+    let r = &state.residuals;
+    let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
+    println!("  the object moves by {}, residual {worst:.0e}", row(state.twist.as_vector().as_slice()));
+}
+
+fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
+    let words = ["rolling", "sliding", "open", "smooth"];
+    let which = |c: &&&Touch<C>| match c.doing {
+        Doing::Rolling => 0,
+        Doing::Sliding { .. } => 1,
+        Doing::Separated => 2,
+        _ => 3,
+    };
+    let parts = words.iter().enumerate().filter_map(|(k, word)| {
+        let count = points.iter().filter(|c| which(c) == k).count();
+        match count {
+            0 => None,
+            _ if points.len() == 1 => Some((*word).to_owned()),
+            _ => Some(format!("{count} {word}")),
+        }
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+fn proof<const D: usize>(proof: &Proof<D>) -> String {
+    match proof {
+        Proof::FreeMotion { motion, .. } => {
+            format!("nothing resists the motion {}", row(motion.as_vector().as_slice()))
+        }
+        Proof::SeparatingMotion { motion, .. } => {
+            format!("no friction works against the motion {}", row(motion.as_vector().as_slice()))
+        }
+        Proof::EveryStateTried { combinations } => {
+            format!("all {combinations} combinations of contact states fail")
+        }
+        other => format!("{other:?}"),
+    }
+}
+
+fn name(place: &grasp_lcp::scene::Place) -> String {
+    let name = place.name.clone().unwrap_or_else(|| format!("contact {}", place.contact));
+    place.point.map_or(name.clone(), |point| format!("{name}, point {point},"))
+}
+
+fn wrench<const D: usize>(wrench: &Wrench<D>) -> String {
+    row(wrench.as_vector().as_slice())
+}
+
+/// Rounding of what would be zero is not worth the reader's time.
+fn row(numbers: &[f64]) -> String {
+    let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    let number = |x: &f64| match x.abs() {
+        a if a <= 1e-14 * size => "0".to_owned(),
+        a if a < 1e-3 => format!("{x:.5e}"),
+        _ => format!("{x:.6}"),
+    };
+    format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
+}

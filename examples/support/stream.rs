@@ -1,0 +1,244 @@
+//! Lines in, answers out: in order, on all cores, in bounded memory.
+//!
+//! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order. A queue of
+//! bounded length carries, for each block, the place where its answer will be put; the reader waits while it is full. A block is closed
+//! when it is full or when no further line has arrived yet, and output is flushed before waiting: who types gets an answer to each line.
+#![allow(dead_code, reason = "each user needs a part of it")]
+
+use std::io::{self, BufReader, Read, Write};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, Sender, SyncSender, TryRecvError, channel, sync_channel};
+use std::thread;
+
+use grasp_lcp::scene::{Answers, Id};
+
+use super::scene_file::{Fault, id_of, parse};
+
+/// Lines of a block.
+const BLOCK: usize = 64;
+/// A block with this many bytes is full.
+pub(crate) const BLOCK_BYTES: usize = 1 << 16;
+/// A longer line is not kept; it is answered by an error.
+pub(crate) const LONGEST_LINE: usize = 1 << 26;
+
+/// What was done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Tally {
+    /// Lines read, empty ones included.
+    pub(crate) lines: usize,
+    /// Lines answered by answers.
+    pub(crate) answered: usize,
+    /// Lines answered by an error.
+    pub(crate) errors: usize,
+}
+
+/// Never more lines than this have been read of which the answers are not yet written, but for those in the buffer of [`BLOCK_BYTES`]
+/// that input is read into.
+pub(crate) const fn most_ahead(threads: usize) -> usize {
+    // In the queue; at the reader that waits to put one there; at the writer.
+    (queue(threads) + 2) * BLOCK
+}
+
+/// Blocks that may be under way or done before the oldest one.
+const fn queue(threads: usize) -> usize {
+    4 * threads
+}
+
+/// One line.
+struct Line {
+    /// From 1.
+    number: usize,
+    text: Vec<u8>,
+    too_long: bool,
+}
+
+struct Job {
+    lines: Vec<Line>,
+    answer: Sender<Answered>,
+}
+
+struct Answered {
+    text: Vec<u8>,
+    tally: Tally,
+}
+
+/// Answers every line of `input` by one line of `output`, in order; lines of nothing but white space are counted and skipped.
+pub(crate) fn answer_lines(
+    input: impl Read + Send,
+    mut output: impl Write,
+    threads: usize,
+) -> io::Result<Tally> {
+    let threads = threads.max(1);
+    // No more jobs than places.
+    let (put_job, take_job) = channel::<Job>();
+    let (put_place, take_place) = sync_channel::<Receiver<Answered>>(queue(threads));
+    let take_job = &Mutex::new(take_job);
+    thread::scope(|scope| {
+        let reader = scope.spawn(move || read_blocks(input, &put_job, &put_place));
+        for _ in 0..threads {
+            scope.spawn(move || {
+                while let Some(Job { lines, answer }) = next(take_job) {
+                    // Nobody waits for it if writing failed.
+                    let _ = answer.send(answer_block(&lines));
+                }
+            });
+        }
+        let written = write_blocks(&take_place, &mut output);
+        // The reader stops when there is nobody to read for.
+        drop(take_place);
+        let read = reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        written.and_then(|tally| read.map(|lines| Tally { lines, ..tally }))
+    })
+}
+
+fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
+    jobs.lock().ok()?.recv().ok()
+}
+
+/// Returns the number of lines.
+fn read_blocks(
+    input: impl Read,
+    jobs: &Sender<Job>,
+    places: &SyncSender<Receiver<Answered>>,
+) -> io::Result<usize> {
+    let mut input = BufReader::with_capacity(BLOCK_BYTES, input);
+    let mut number = 0;
+    let mut lines = Vec::new();
+    let mut bytes = 0;
+    loop {
+        let line = read_line(&mut input, number + 1);
+        let (more, failed) = match line {
+            Ok(Some(line)) => {
+                number += 1;
+                bytes += line.text.len();
+                lines.push(line);
+                (true, None)
+            }
+            Ok(None) => (false, None),
+            Err(error) => (false, Some(error)),
+        };
+        let full = lines.len() == BLOCK || bytes >= BLOCK_BYTES;
+        let waits = !input.buffer().contains(&b'\n');
+        if !lines.is_empty() && (full || waits || !more) {
+            let (answer, place) = channel();
+            let job = Job { lines: std::mem::take(&mut lines), answer };
+            bytes = 0;
+            if places.send(place).is_err() || jobs.send(job).is_err() {
+                return Ok(number);
+            }
+        }
+        match failed {
+            Some(error) => return Err(error),
+            None if !more => return Ok(number),
+            None => {}
+        }
+    }
+}
+
+/// The next line without its end; of one that is too long, nothing but that.
+fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<Line>> {
+    use io::BufRead;
+    let mut line = Line { number, text: Vec::new(), too_long: false };
+    let mut any = false;
+    loop {
+        let arrived = match input.fill_buf() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            other => other?,
+        };
+        if arrived.is_empty() {
+            return Ok(any.then_some(line));
+        }
+        any = true;
+        let end = arrived.iter().position(|byte| *byte == b'\n');
+        let part = &arrived[..end.unwrap_or(arrived.len())];
+        line.too_long |= line.text.len() + part.len() > LONGEST_LINE;
+        if line.too_long {
+            line.text = Vec::new();
+        } else {
+            line.text.extend_from_slice(part);
+        }
+        let used = part.len() + usize::from(end.is_some());
+        input.consume(used);
+        if end.is_some() {
+            return Ok(Some(line));
+        }
+    }
+}
+
+fn write_blocks(places: &Receiver<Receiver<Answered>>, output: &mut impl Write) -> io::Result<Tally> {
+    let mut tally = Tally::default();
+    while let Some(place) = receive(places, output)? {
+        // A worker that is gone has panicked; the scope says so.
+        let Some(block) = receive(&place, output)? else { break };
+        output.write_all(&block.text)?;
+        tally.answered += block.tally.answered;
+        tally.errors += block.tally.errors;
+    }
+    output.flush()?;
+    Ok(tally)
+}
+
+/// The next item; what was written is flushed before waiting for it.
+fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<T>> {
+    match from.try_recv() {
+        Ok(item) => Ok(Some(item)),
+        Err(TryRecvError::Disconnected) => Ok(None),
+        Err(TryRecvError::Empty) => {
+            output.flush()?;
+            Ok(from.recv().ok())
+        }
+    }
+}
+
+fn answer_block(lines: &[Line]) -> Answered {
+    let mut block = Answered { text: Vec::new(), tally: Tally::default() };
+    for line in lines {
+        if line.text.trim_ascii().is_empty() && !line.too_long {
+            continue;
+        }
+        let answer = answer(line);
+        if answer.error.is_some() {
+            block.tally.errors += 1;
+        } else {
+            block.tally.answered += 1;
+        }
+        serde_json::to_writer(&mut block.text, &answer).expect("answers have text keys and go to memory");
+        block.text.push(b'\n');
+    }
+    block
+}
+
+/// What a line becomes.
+#[derive(serde::Serialize)]
+struct Reply {
+    line: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<Id>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    answers: Option<Answers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<Fault>,
+}
+
+fn answer(line: &Line) -> Reply {
+    let mut reply = Reply { line: line.number, id: None, answers: None, error: None };
+    if line.too_long {
+        reply.error = Some(Fault::of_line(format!("longer than {LONGEST_LINE} bytes")));
+        return reply;
+    }
+    let answered = parse(&line.text).and_then(|scene| {
+        reply.id.clone_from(&scene.id);
+        scene.answers().map_err(|error| Fault::of_question(&error))
+    });
+    match answered {
+        Ok(answers) if answers.is_empty() => {
+            reply.error = Some(Fault::of_line("no questions: there is nothing to answer".to_owned()));
+        }
+        Ok(answers) => reply.answers = Some(answers),
+        Err(fault) => {
+            reply.id = reply.id.or_else(|| id_of(&line.text));
+            reply.error = Some(fault);
+        }
+    }
+    reply
+}

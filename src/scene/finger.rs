@@ -1,0 +1,198 @@
+//! One entry of the list of contacts: a contact, or a soft fingertip in its place.
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, Serializer};
+
+use super::fingertip::Tip;
+use super::numbers::{Friction, Given, Number, Spring};
+use super::object;
+use super::rows::{Few, Row};
+use crate::error::Error;
+use crate::grasp::{Contact, Hold, Stiffness};
+
+/// A contact of a scene: one point, or the patch of a soft fingertip around it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Finger<const C: usize> {
+    /// The contact.
+    pub contact: Contact<C>,
+    /// How it is spread, if it is not a point.
+    pub soft: Option<Tip>,
+    /// For the reader of the file.
+    pub comment: Option<String>,
+}
+
+impl<const C: usize> From<Contact<C>> for Finger<C> {
+    fn from(contact: Contact<C>) -> Self {
+        Self { contact, soft: None, comment: None }
+    }
+}
+
+impl<const C: usize> Finger<C> {
+    /// The same, spread over a patch.
+    #[must_use]
+    pub fn soft(self, tip: Tip) -> Self {
+        Self { soft: Some(tip), ..self }
+    }
+
+    /// The point contacts that it stands for.
+    ///
+    /// # Errors
+    /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
+    pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<C>>, Error> {
+        let Some(tip) = &self.soft else { return Ok(vec![self.contact.clone()]) };
+        self.contact.check(index)?;
+        self.contact.frame(index)?;
+        tip.spread::<C>()?.contacts(&self.contact)
+    }
+
+    /// Number of point contacts that it stands for.
+    pub(super) fn count(&self) -> Result<usize, Error> {
+        self.soft.as_ref().map_or(Ok(1), |tip| tip.spread::<C>().map(|patch| patch.points().len()))
+    }
+}
+
+/// As it stands in the file.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written<const C: usize> {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    comment: Option<String>,
+    point: Row<Given, C>,
+    normal: Row<Given, C>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tangent: Option<Row<Given, C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    body_stiffness: Option<Axes<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    finger_stiffness: Option<Axes<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    series_stiffness: Option<Axes<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    friction: Option<Number<Friction>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    command: Option<Row<Given, C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    clearance: Option<Number<Given>>,
+    #[serde(default, skip_serializing_if = "is_unilateral")]
+    hold: Hold,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    soft: Option<Tip>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_unilateral(hold: &Hold) -> bool {
+    *hold == Hold::Unilateral
+}
+
+/// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
+struct Axes<const C: usize>(SVector<f64, C>);
+
+impl<const C: usize> Serialize for Axes<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Few::<Spring, 3>::of(self.0.as_slice()).serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Axes<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match *Few::<Spring, 3>::deserialize(deserializer)?.as_slice() {
+            [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
+            [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
+            ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
+            ref other => {
+                let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
+                let message = format!(
+                    "{} given, must be 2 (normal, tangential){or_axes}, each a number or \"rigid\"; or \"rigid\" alone",
+                    other.len()
+                );
+                Err(D::Error::custom(message))
+            }
+        }
+    }
+}
+
+impl<const C: usize> Serialize for Finger<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let contact = &self.contact;
+        let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
+        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Axes(*k));
+        let (body, finger, series) = match &contact.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
+            Stiffness::Series(k) => (None, None, Some(Axes(*k))),
+        };
+        let said = |x: f64| x.to_bits() != 0;
+        Written {
+            name: contact.name.clone(),
+            comment: self.comment.clone(),
+            point: Row::new(contact.point),
+            normal: Row::new(contact.normal),
+            tangent: contact.tangent.map(Row::new),
+            body_stiffness: body,
+            finger_stiffness: finger,
+            series_stiffness: series,
+            friction: said(contact.friction).then(|| Number::new(contact.friction)),
+            command: contact.command.iter().any(|x| said(*x)).then(|| Row::new(contact.command)),
+            clearance: said(contact.clearance).then(|| Number::new(contact.clearance)),
+            hold: contact.hold,
+            soft: self.soft.clone(),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a contact", Self::of_written)
+    }
+}
+
+impl<const C: usize> Finger<C> {
+    fn of_written(written: Written<C>) -> Result<Self, String> {
+        let mut contact = Contact::new(written.point.0, written.normal.0);
+        contact.name = written.name;
+        contact.tangent = written.tangent.map(|t| t.0);
+        contact.stiffness =
+            stiffness(written.body_stiffness, written.finger_stiffness, written.series_stiffness)?;
+        contact.friction = written.friction.map_or(0.0, |mu| mu.0);
+        contact.command = written.command.map_or(SVector::zeros(), |u| u.0);
+        contact.clearance = written.clearance.map_or(0.0, |gap| gap.0);
+        contact.hold = written.hold;
+        // Where it stands in the list is known to the list only.
+        let fault = |error| match error {
+            Error::Contact { contact, field, value, allowed } => {
+                let name = contact.name.map_or(String::new(), |name| format!("{name}: "));
+                format!("{name}{field} is {value}, must be {allowed}")
+            }
+            other => other.to_string(),
+        };
+        contact.check(0).map_err(fault)?;
+        contact.frame(0).map_err(fault)?;
+        if let Some(tip) = &written.soft {
+            tip.spread::<C>().map_err(fault)?;
+        }
+        Ok(Self { contact, soft: written.soft, comment: written.comment })
+    }
+}
+
+fn stiffness<const C: usize>(
+    body: Option<Axes<C>>,
+    finger: Option<Axes<C>>,
+    series: Option<Axes<C>>,
+) -> Result<Stiffness<C>, String> {
+    let axes = |side: Option<Axes<C>>| side.map_or(SVector::repeat(f64::INFINITY), |k| k.0);
+    match (body, finger, series) {
+        (None, None, None) => {
+            Err("no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness".to_owned())
+        }
+        (None, None, Some(k)) => Ok(Stiffness::Series(k.0)),
+        (body, finger, None) => Ok(Stiffness::BodyAndFinger { body: axes(body), finger: axes(finger) }),
+        _ => Err(
+            "series_stiffness is body and finger together: give it, or body_stiffness and finger_stiffness"
+                .to_owned(),
+        ),
+    }
+}

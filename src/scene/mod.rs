@@ -1,0 +1,186 @@
+//! Scenes: grasps, and what is asked of them, as text (feature `serde`).
+//!
+//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes itself; its [answers](Scene::answers) are
+//! written the same way. What cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers
+//! out of range. Units are those of the crate: SI, or any consistent ones.
+//!
+//! # The format, version `grasp-lcp/1`
+//!
+//! The scene. Either `planar` or `spatial`:
+//!
+//! | field | value | if left out |
+//! |---|---|---|
+//! | `format` | `"grasp-lcp/1"` | an error |
+//! | `id` | a text or a whole number; whoever answers repeats it | none |
+//! | `comment` | a text for the reader | none |
+//! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | a spatial one |
+//! | `spatial` | a setup in space: they have 3 | a planar one |
+//!
+//! The setup:
+//!
+//! | field | value | if left out |
+//! |---|---|---|
+//! | `contacts` | a list of contacts, at least one | an error |
+//! | `outline` | corners of the object in order, m; only drawn | none |
+//! | `questions` | a list of questions | none |
+//! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
+//!
+//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames):
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `name`, `comment` | texts | | none |
+//! | `point` | where it touches | m | an error |
+//! | `normal` | direction into the object, of any length | | an error |
+//! | `tangent` | direction of the first tangent | | chosen from the normal |
+//! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
+//! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
+//! | `series_stiffness` | both in series, in place of the two | N/m | not used |
+//! | `friction` | coefficient μ, or `"infinite"` | | 0 |
+//! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
+//! | `clearance` | gap before anything moves | m | 0 |
+//! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
+//! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
+//!
+//! The patch shares stiffness and has friction, command, clearance and hold of the contact (see [`SoftFingertip`](crate::grasp::SoftFingertip)). In
+//! space `{"ring": {"radius": …, "points": …}}` or `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}`, in the plane
+//! `{"pair": {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the pressure is `"uniform"` (if left out),
+//! `"parabolic"` or `"hertz"`.
+//!
+//! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space, N and N m about
+//! the origin; what is left out is zero. `"at": [0.1, 0]` lets the force act there (m): its moment is added.
+//!
+//! A question is an object with one field:
+//!
+//! | field | with | asks for |
+//! |---|---|---|
+//! | `solve` | `load` (a wrench) | the equilibrium under it |
+//! | `onset` | `base`, `direction` (wrenches), `command_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
+//! | `follow` | `start` (a wrench), `legs` | the load path of a program |
+//!
+//! Wrenches that are left out are zero. `command_change` and all other commands are one row for each contact of the scene (m, in its contact
+//! frame); all points of a soft fingertip follow it. A leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), or one of each;
+//! what it does not mention stays.
+//!
+//! The settings (see [`Settings`](crate::Settings)):
+//!
+//! | field | value | if left out |
+//! |---|---|---|
+//! | `cone` | in space `"round"`, or `"polygon"` for answers on the polygonal cone itself, onsets included | round |
+//! | `polygon` | `{"facets": …, "fit": "inscribed"}`, or `"circumscribed"` or `"balanced"` | 8, inscribed |
+//! | `max_pivots` | limit of pivots | by size |
+//! | `most_states` | most combinations of contact states to try | 20 000 |
+//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-13 |
+//!
+//! Two fingers in the plane:
+//!
+//! ```
+//! use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, Scene};
+//!
+//! let scene: Scene = serde_json::from_str(r#"{
+//!     "format": "grasp-lcp/1",
+//!     "planar": {
+//!         "contacts": [
+//!             {
+//!                 "name": "left", "point": [-4, 1.8], "normal": [8, -1],
+//!                 "body_stiffness": [10, 10], "finger_stiffness": [10, 10],
+//!                 "friction": 0.25, "command": [0.1, -0.0125]
+//!             },
+//!             {
+//!                 "name": "right", "point": [4, 1.8], "normal": [-8, -1],
+//!                 "body_stiffness": [10, 10], "finger_stiffness": [10, 10],
+//!                 "friction": 0.25, "command": [0.1, 0.0125]
+//!             }
+//!         ],
+//!         "questions": [{ "onset": { "direction": { "force": [0, -1] } } }]
+//!     }
+//! }"#)?;
+//! let Answers::Planar(answers) = scene.answers()? else { panic!("a planar scene") };
+//! let [Answer::Onset(OnsetAnswer::At(onset))] = &answers[..] else { panic!("{answers:?}") };
+//! assert!((onset.factor - 65f64.sqrt() / 66.0).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A block in space on a bonded foot and a soft fingertip that presses from above and is dragged sideways:
+//!
+//! ```
+//! use grasp_lcp::scene::Scene;
+//!
+//! let scene: Scene = serde_json::from_str(r#"{
+//!     "format": "grasp-lcp/1",
+//!     "id": 7,
+//!     "spatial": {
+//!         "contacts": [
+//!             {
+//!                 "name": "foot", "point": [0, 0, -0.05], "normal": [0, 0, 1],
+//!                 "series_stiffness": [5e4, 4e4, 3e4], "friction": "infinite", "hold": "bonded",
+//!                 "soft": { "ring": { "radius": 0.05, "points": 6 } }
+//!             },
+//!             {
+//!                 "name": "index", "point": [0, 0, 0.05], "normal": [0, 0, -1], "tangent": [1, 0, 0],
+//!                 "body_stiffness": "rigid", "finger_stiffness": [1500, 900],
+//!                 "friction": 0.6, "command": [0.004, 0, 0],
+//!                 "soft": { "disc": { "radius": 0.006, "annuli": 1, "points": 4, "pressure": "hertz" } }
+//!             }
+//!         ],
+//!         "questions": [
+//!             { "solve": { "load": { "force": [0, 0, -2], "at": [0.01, 0, 0] } } },
+//!             { "follow": { "legs": [{ "commands_by": [[0, 0, 0], [0, 0.008, 0]] }] } }
+//!         ],
+//!         "settings": { "polygon": { "facets": 12 }, "step_error": 1e-10 }
+//!     }
+//! }"#)?;
+//! let answers = serde_json::to_value(scene.answers()?)?;
+//! assert_eq!(answers[0]["solve"]["outcome"], "equilibrium");
+//! assert_eq!(answers[1]["follow"]["outcome"], "completed");
+//! assert_eq!(answers[1]["follow"]["events"][0]["changes"][0]["name"], "index");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Answers
+//!
+//! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome": "equilibrium", …}}`. The outcome comes first, and
+//! only an equilibrium has forces, with its residuals:
+//!
+//! | question | outcomes | type |
+//! |---|---|---|
+//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`SolveAnswer`] |
+//! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
+//! | `follow` | `completed`, `limit_load`, `snap`, `ends`, `gives_way`, `no_start`, `undecided` | [`PathAnswer`] |
+//!
+//! The names in the text are those of the fields and variants of these types, in lower case with underscores. Contacts are named by
+//! their place in the scene and, for a soft fingertip, the point of its patch. A number that is not finite is written in words: `"infinite"`,
+//! `"-infinite"`, `"not a number"`. Fields may be added to answers without a new version.
+//!
+//! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature `float_roundtrip`.
+//!
+//! # Errors
+//!
+//! A scene that can be read has numbers in range and lists of matching length. Messages name the contact's data, the value and what is allowed;
+//! line and column are added by `serde_json`, the path of the field (`planar.contacts[1].friction`) by `serde_path_to_error`, as in the
+//! example `predict_sliding`.
+
+mod answer;
+mod finger;
+mod fingertip;
+mod numbers;
+mod object;
+mod onset;
+mod path;
+mod place;
+mod question;
+mod rows;
+mod settings;
+mod setup;
+mod wrench;
+mod written;
+
+pub use answer::{Answer, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
+pub use finger::Finger;
+pub use fingertip::Tip;
+pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};
+pub use path::{Change, Energy, Event, Loss, PathAnswer, PathEnd, Turn};
+pub use place::{Doing, Place, Touch};
+pub use question::{Commands, Goal, Leg, Question, RampAsked};
+pub use setup::Setup;
+pub use written::{Answers, FORMAT, Id, Scene, Space};

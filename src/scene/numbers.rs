@@ -1,0 +1,173 @@
+//! Numbers, with words for those that JSON cannot write.
+//!
+//! A format that has no infinity turns one into `null` without a word. Here it is said: a rigid spring is "rigid", friction
+//! without limit "infinite", and an answer that is not finite "infinite", "-infinite" or "not a number".
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
+use serde::ser::{Serialize, Serializer};
+
+use crate::error::{MODERATE, is_moderate};
+
+/// A kind of number: which words stand for numbers, and which numbers are refused.
+pub(super) trait Kind {
+    const EXPECTED: &'static str;
+    fn of_word(word: &str) -> Option<f64>;
+    fn allows(x: f64) -> bool;
+    fn word(x: f64) -> &'static str;
+}
+
+/// Part of a question: finite and not absurdly large.
+pub(super) enum Given {}
+/// A coefficient of friction.
+pub(super) enum Friction {}
+/// Stiffness of a spring.
+pub(super) enum Spring {}
+/// Part of an answer: whatever came out.
+pub(super) enum Found {}
+
+impl Kind for Given {
+    const EXPECTED: &'static str = "a number";
+    fn of_word(_: &str) -> Option<f64> {
+        None
+    }
+    fn allows(x: f64) -> bool {
+        is_moderate(x)
+    }
+    fn word(x: f64) -> &'static str {
+        Found::word(x)
+    }
+}
+
+impl Kind for Friction {
+    const EXPECTED: &'static str = "a number or \"infinite\"";
+    fn of_word(word: &str) -> Option<f64> {
+        (word == "infinite").then_some(f64::INFINITY)
+    }
+    fn allows(_: f64) -> bool {
+        true
+    }
+    fn word(x: f64) -> &'static str {
+        Found::word(x)
+    }
+}
+
+impl Kind for Spring {
+    const EXPECTED: &'static str = "a number or \"rigid\"";
+    fn of_word(word: &str) -> Option<f64> {
+        (word == "rigid").then_some(f64::INFINITY)
+    }
+    fn allows(_: f64) -> bool {
+        true
+    }
+    fn word(x: f64) -> &'static str {
+        if x == f64::INFINITY { "rigid" } else { Found::word(x) }
+    }
+}
+
+impl Kind for Found {
+    const EXPECTED: &'static str = "a number, \"infinite\", \"-infinite\" or \"not a number\"";
+    fn of_word(word: &str) -> Option<f64> {
+        [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].into_iter().find(|x| Self::word(*x) == word)
+    }
+    fn allows(_: f64) -> bool {
+        true
+    }
+    fn word(x: f64) -> &'static str {
+        if x.is_nan() {
+            "not a number"
+        } else if x > 0.0 {
+            "infinite"
+        } else {
+            "-infinite"
+        }
+    }
+}
+
+/// A number of a kind.
+pub(super) struct Number<K>(pub(super) f64, PhantomData<K>);
+
+impl<K> Number<K> {
+    pub(super) fn new(x: f64) -> Self {
+        Self(x, PhantomData)
+    }
+}
+
+impl<K: Kind> Serialize for Number<K> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.0.is_finite() {
+            serializer.serialize_f64(self.0)
+        } else {
+            serializer.serialize_str(K::word(self.0))
+        }
+    }
+}
+
+impl<'de, K: Kind> Deserialize<'de> for Number<K> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberVisitor::<K>::new()).map(Self::new)
+    }
+}
+
+pub(super) struct NumberVisitor<K>(PhantomData<K>);
+
+impl<K> NumberVisitor<K> {
+    pub(super) fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<K: Kind> Visitor<'_> for NumberVisitor<K> {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(K::EXPECTED)
+    }
+
+    fn visit_f64<E: Error>(self, x: f64) -> Result<f64, E> {
+        if K::allows(x) { Ok(x) } else { Err(E::custom(format_args!("{x:e} must be {MODERATE}"))) }
+    }
+
+    fn visit_u64<E: Error>(self, x: u64) -> Result<f64, E> {
+        self.visit_f64(x as f64)
+    }
+
+    fn visit_i64<E: Error>(self, x: i64) -> Result<f64, E> {
+        self.visit_f64(x as f64)
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<f64, E> {
+        K::of_word(word).ok_or_else(|| E::invalid_value(Unexpected::Str(word), &self))
+    }
+}
+
+/// For fields of answers that are plain numbers.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+pub(super) fn serialize<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    Number::<Found>::new(*x).serialize(serializer)
+}
+
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Number::<Found>::deserialize(deserializer).map(|number| number.0)
+}
+
+/// The same for fields that may be left out.
+pub(super) mod or_none {
+    use super::{Deserialize, Deserializer, Found, Number, Serialize, Serializer};
+
+    #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
+    pub(in super::super) fn serialize<S: Serializer>(
+        x: &Option<f64>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        x.map(Number::<Found>::new).serialize(serializer)
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<f64>, D::Error> {
+        Ok(Option::<Number<Found>>::deserialize(deserializer)?.map(|number| number.0))
+    }
+}

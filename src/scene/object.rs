@@ -1,0 +1,44 @@
+//! Objects that are checked as a whole once they are read.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+
+/// Reads an object as `W` and makes a `T` of it. What is wrong is said before the object is left: a format that knows lines and columns adds
+/// those of its end. Said later, they would be those of whatever comes next.
+pub(super) fn read<'de, W, T, D>(
+    deserializer: D,
+    what: &'static str,
+    make: impl FnOnce(W) -> Result<T, String>,
+) -> Result<T, D::Error>
+where
+    W: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    deserializer.deserialize_map(Object { what, make, written: PhantomData })
+}
+
+struct Object<W, F> {
+    what: &'static str,
+    make: F,
+    written: PhantomData<W>,
+}
+
+impl<'de, W, T, F> Visitor<'de> for Object<W, F>
+where
+    W: Deserialize<'de>,
+    F: FnOnce(W) -> Result<T, String>,
+{
+    type Value = T;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(self.what)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+        let written = W::deserialize(MapAccessDeserializer::new(map))?;
+        (self.make)(written).map_err(A::Error::custom)
+    }
+}

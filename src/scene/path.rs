@@ -1,0 +1,267 @@
+//! Answers to "what happens along this load program?"
+
+use nalgebra::SVector;
+use serde::{Deserialize, Serialize};
+
+use super::answer::{Equilibrium, SolveAnswer};
+use super::numbers;
+use super::place::{Place, Places};
+use super::rows::row;
+use crate::grasp::{Twist, Wrench};
+use crate::load_path as path;
+
+/// A load path that was followed to its end; see [`path::LoadPath`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PathAnswer<const D: usize, const C: usize> {
+    /// How it ended.
+    #[serde(flatten)]
+    pub end: PathEnd<D, C>,
+    /// What happened on the way.
+    pub events: Vec<Event<D, C>>,
+    /// Of every leg that was entered, up to where the path was followed.
+    pub energies: Vec<Energy>,
+    /// Sum of the estimated errors of the steps along sliding arcs.
+    #[serde(with = "numbers")]
+    pub step_error: f64,
+}
+
+/// How a load path ends; see [`path::PathEnd`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "outcome", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum PathEnd<const D: usize, const C: usize> {
+    /// All legs were followed to their end.
+    Completed {
+        /// The equilibrium there; left out where rounding does not allow it to be written down, and where there was no way to go.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        state: Option<Box<Equilibrium<D, C>>>,
+    },
+    /// No equilibrium exists just beyond.
+    LimitLoad(Loss<D>),
+    /// This equilibrium ends, but others exist just beyond.
+    Snap(Loss<D>),
+    /// This equilibrium ends; whether others exist is not known.
+    Ends(Loss<D>),
+    /// Nothing resists the load from here on.
+    GivesWay {
+        /// The leg, from 0.
+        leg: usize,
+        /// How much of the leg has been gone.
+        #[serde(with = "numbers")]
+        fraction: f64,
+        /// The free motion on which the load works.
+        motion: Twist<D>,
+    },
+    /// There is no equilibrium to start from.
+    NoStart {
+        /// What there is.
+        start: Box<SolveAnswer<D, C>>,
+    },
+    /// Rounding keeps the path from being followed further.
+    Undecided {
+        /// The leg, from 0.
+        leg: usize,
+        /// How much of the leg has been gone.
+        #[serde(with = "numbers")]
+        fraction: f64,
+    },
+}
+
+/// Where an equilibrium cannot be continued; see [`path::Loss`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Loss<const D: usize> {
+    /// The leg, from 0.
+    pub leg: usize,
+    /// How much of the leg has been gone.
+    #[serde(with = "numbers")]
+    pub fraction: f64,
+    /// The load there.
+    pub load: Wrench<D>,
+    /// The contacts that stand on the edge of their cone there.
+    pub contacts: Vec<Place>,
+    /// The unit motion with which the object leaves, if the states determine one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<Twist<D>>,
+}
+
+/// Something changes on a load path; see [`path::Event`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Event<const D: usize, const C: usize> {
+    /// The leg, from 0.
+    pub leg: usize,
+    /// How much of the leg has been gone, from 0 to 1.
+    #[serde(with = "numbers")]
+    pub fraction: f64,
+    /// The load there.
+    pub load: Wrench<D>,
+    /// What changes, contact by contact.
+    pub changes: Vec<Change<C>>,
+    /// Unit motions that nothing resists from here on.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free_motions: Vec<Twist<D>>,
+    /// Other ways in which the path could go on; left out if that is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_continuations: Option<usize>,
+    /// The equilibrium there. Its states are those before the event.
+    pub state: Equilibrium<D, C>,
+}
+
+/// A contact that changes its state.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Change<const C: usize> {
+    /// Which contact.
+    #[serde(flatten)]
+    pub place: Place,
+    /// What it does from here on.
+    #[serde(flatten)]
+    pub what: Turn<C>,
+}
+
+/// What a contact does from an event on; see [`path::Change`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "what", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Turn<const C: usize> {
+    /// A rolling contact starts to slide.
+    Slides {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        #[serde(with = "row")]
+        direction: SVector<f64, C>,
+    },
+    /// A sliding contact sticks.
+    Sticks,
+    /// A sliding contact slides back.
+    Reverses {
+        /// Its new direction.
+        #[serde(with = "row")]
+        direction: SVector<f64, C>,
+    },
+    /// A sliding contact turns to another edge of its cone (space).
+    Turns {
+        /// Its new direction.
+        #[serde(with = "row")]
+        direction: SVector<f64, C>,
+    },
+    /// A closed contact opens.
+    Opens,
+    /// An open contact closes and sticks.
+    Closes,
+    /// An open contact closes and slides from the start.
+    ClosesSliding {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        #[serde(with = "row")]
+        direction: SVector<f64, C>,
+    },
+}
+
+impl<const C: usize> From<path::Change<C>> for Turn<C> {
+    fn from(change: path::Change<C>) -> Self {
+        match change {
+            path::Change::Slides { direction } => Self::Slides { direction },
+            path::Change::Sticks => Self::Sticks,
+            path::Change::Reverses { direction } => Self::Reverses { direction },
+            path::Change::Turns { direction } => Self::Turns { direction },
+            path::Change::Opens => Self::Opens,
+            path::Change::Closes => Self::Closes,
+            path::Change::ClosesSliding { direction } => Self::ClosesSliding { direction },
+        }
+    }
+}
+
+/// Energies of one leg, J; see [`path::Energy`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Energy {
+    /// Work of the load on the object.
+    #[serde(with = "numbers")]
+    pub load_work: f64,
+    /// Work of the fingers' drives.
+    #[serde(with = "numbers")]
+    pub finger_work: f64,
+    /// Change of the energy stored in the springs.
+    #[serde(with = "numbers")]
+    pub stored: f64,
+    /// Heat from friction.
+    #[serde(with = "numbers")]
+    pub dissipated: f64,
+    /// What does not balance, over the sum of the sizes of all contributions: zero in exact arithmetic.
+    #[serde(with = "numbers")]
+    pub residual: f64,
+}
+
+impl Places {
+    /// A path that was followed to its end, and the events on the way.
+    pub(super) fn path<const D: usize, const C: usize>(
+        &self,
+        path: &path::LoadPath<D, C>,
+        events: &[path::Event<D, C>],
+    ) -> PathAnswer<D, C> {
+        PathAnswer {
+            end: self.end(path),
+            events: events.iter().map(|event| self.event(event)).collect(),
+            energies: path
+                .energies()
+                .iter()
+                .map(|energy| Energy {
+                    load_work: energy.load_work,
+                    finger_work: energy.finger_work,
+                    stored: energy.stored,
+                    dissipated: energy.dissipated,
+                    residual: energy.residual(),
+                })
+                .collect(),
+            step_error: path.step_error(),
+        }
+    }
+
+    fn end<const D: usize, const C: usize>(&self, path: &path::LoadPath<D, C>) -> PathEnd<D, C> {
+        match path.end() {
+            Some(path::PathEnd::Completed) => PathEnd::Completed {
+                state: path.position().map(|(_, _, state)| Box::new(self.equilibrium(&state))),
+            },
+            Some(path::PathEnd::LimitLoad(loss)) => PathEnd::LimitLoad(self.loss(loss)),
+            Some(path::PathEnd::Snap(loss)) => PathEnd::Snap(self.loss(loss)),
+            Some(path::PathEnd::Ends(loss)) => PathEnd::Ends(self.loss(loss)),
+            Some(path::PathEnd::GivesWay { leg, fraction, motion }) => {
+                PathEnd::GivesWay { leg: *leg, fraction: *fraction, motion: *motion }
+            }
+            Some(path::PathEnd::NoStart(outcome)) => {
+                PathEnd::NoStart { start: Box::new(self.outcome(outcome)) }
+            }
+            Some(path::PathEnd::Undecided { leg, fraction }) => {
+                PathEnd::Undecided { leg: *leg, fraction: *fraction }
+            }
+            None => PathEnd::Undecided { leg: 0, fraction: 0.0 },
+        }
+    }
+
+    fn loss<const D: usize>(&self, loss: &path::Loss<D>) -> Loss<D> {
+        Loss {
+            leg: loss.leg,
+            fraction: loss.fraction,
+            load: loss.load,
+            contacts: self.many(&loss.contacts),
+            motion: loss.motion,
+        }
+    }
+
+    fn event<const D: usize, const C: usize>(&self, event: &path::Event<D, C>) -> Event<D, C> {
+        let change = |(contact, change): &(usize, path::Change<C>)| Change {
+            place: self.0[*contact].clone(),
+            what: (*change).into(),
+        };
+        Event {
+            leg: event.leg,
+            fraction: event.fraction,
+            load: event.load,
+            changes: event.changes.iter().map(change).collect(),
+            free_motions: event.free_motions.clone(),
+            other_continuations: event.other_continuations,
+            state: self.equilibrium(&event.state),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Which contact of the scene an answer speaks of, and what it says of it.
+
+use nalgebra::SVector;
+use serde::{Deserialize, Serialize};
+
+use super::numbers;
+use super::rows::{row, row_or_none};
+use crate::equilibrium::{ContactAnswer, ContactState};
+
+/// A contact of the grasp, as the scene knows it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Place {
+    /// Its place in the list of contacts, from 0.
+    pub contact: usize,
+    /// Which point of a soft fingertip, from 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub point: Option<usize>,
+    /// The name of the contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+}
+
+/// The contacts of a grasp in their order.
+pub(super) struct Places(pub(super) Vec<Place>);
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "state", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Doing<const C: usize> {
+    /// Open, or touching without force.
+    Separated,
+    /// Closed and stuck.
+    Rolling,
+    /// Closed and on the edge of its cone.
+    Sliding {
+        /// Unit direction in which the finger slips over the body, coordinate axes.
+        #[serde(with = "row")]
+        direction: SVector<f64, C>,
+    },
+    /// Closed without friction.
+    Frictionless,
+}
+
+impl<const C: usize> From<ContactState<C>> for Doing<C> {
+    fn from(state: ContactState<C>) -> Self {
+        match state {
+            ContactState::Separated => Self::Separated,
+            ContactState::Rolling => Self::Rolling,
+            ContactState::Sliding { direction } => Self::Sliding { direction },
+            ContactState::Frictionless => Self::Frictionless,
+        }
+    }
+}
+
+/// One contact of an equilibrium; see [`ContactAnswer`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Touch<const C: usize> {
+    /// Which contact.
+    #[serde(flatten)]
+    pub place: Place,
+    /// What it does.
+    #[serde(flatten)]
+    pub doing: Doing<C>,
+    /// Force on the object in the contact frame, N: normal (positive pushes), tangential.
+    #[serde(with = "row")]
+    pub force: SVector<f64, C>,
+    /// The same force along the coordinate axes, N.
+    #[serde(with = "row")]
+    pub force_world: SVector<f64, C>,
+    /// Gap between the surfaces, m.
+    #[serde(with = "numbers")]
+    pub gap: f64,
+    /// Slip of the finger over the body in the contact frame, m.
+    #[serde(with = "row")]
+    pub slip: SVector<f64, C>,
+    /// Friction in reserve, N; "infinite" with infinite friction.
+    #[serde(with = "numbers")]
+    pub margin: f64,
+    /// Displacement of the body's core, coordinate axes, m.
+    #[serde(with = "row")]
+    pub body_core: SVector<f64, C>,
+    /// Displacement of the body's surface, coordinate axes, m; left out if only the series stiffness is known.
+    #[serde(default, with = "row_or_none", skip_serializing_if = "Option::is_none")]
+    pub body_surface: Option<SVector<f64, C>>,
+    /// Displacement of the finger's surface, coordinate axes, m; left out if only the series stiffness is known.
+    #[serde(default, with = "row_or_none", skip_serializing_if = "Option::is_none")]
+    pub finger_surface: Option<SVector<f64, C>>,
+}
+
+impl Places {
+    pub(super) fn touch<const C: usize>(&self, index: usize, answer: &ContactAnswer<C>) -> Touch<C> {
+        Touch {
+            place: self.0[index].clone(),
+            doing: answer.state.into(),
+            force: answer.force,
+            force_world: answer.force_world,
+            gap: answer.gap,
+            slip: answer.slip,
+            margin: answer.margin,
+            body_core: answer.body_core,
+            body_surface: answer.body_surface,
+            finger_surface: answer.finger_surface,
+        }
+    }
+
+    pub(super) fn many(&self, indices: &[usize]) -> Vec<Place> {
+        indices.iter().map(|&index| self.0[index].clone()).collect()
+    }
+}

@@ -1,0 +1,150 @@
+//! What is asked of a scene: an equilibrium, an onset of sliding, a load path.
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
+
+use super::numbers::Given;
+use super::object;
+use super::rows::Row;
+use crate::grasp::Wrench;
+
+/// One question, `{"solve": …}`, `{"onset": …}` or `{"follow": …}`.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Question<const D: usize, const C: usize> {
+    /// The equilibrium under a load; see [`Grasp::solve_with`](crate::grasp::Grasp::solve_with).
+    Solve {
+        /// The load; none unless said otherwise.
+        #[serde(default = "no_load")]
+        load: Wrench<D>,
+    },
+    /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::grasp::Grasp::onset).
+    Onset(RampAsked<D, C>),
+    /// The load path of a program; see [`Grasp::follow_with`](crate::grasp::Grasp::follow_with).
+    Follow {
+        /// The load at the start; none unless said otherwise.
+        #[serde(default = "no_load")]
+        start: Wrench<D>,
+        /// The program.
+        legs: Vec<Leg<D, C>>,
+    },
+}
+
+/// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ times their change; see
+/// [`Ramp`](crate::load_path::Ramp).
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RampAsked<const D: usize, const C: usize> {
+    /// The load at factor 0; none unless said otherwise.
+    #[serde(default = "no_load")]
+    pub base: Wrench<D>,
+    /// What one unit of the factor adds to it; nothing unless said otherwise.
+    #[serde(default = "no_load")]
+    pub direction: Wrench<D>,
+    /// What one unit of the factor adds to the finger commands, if to them at all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command_change: Option<Commands<C>>,
+}
+
+fn no_load<const D: usize>() -> Wrench<D> {
+    Wrench::ZERO
+}
+
+/// Finger commands or changes of them: one for each contact of the scene in its contact frame, m. The points of a soft fingertip
+/// have that of their contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Commands<const C: usize>(pub Vec<SVector<f64, C>>);
+
+impl<const C: usize> Serialize for Commands<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(|u| Row::<Given, C>::new(*u)))
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Commands<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let rows = Vec::<Row<Given, C>>::deserialize(deserializer)?;
+        Ok(Self(rows.into_iter().map(|row| row.0).collect()))
+    }
+}
+
+/// Where load or commands go.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Goal<T> {
+    /// By this much.
+    By(T),
+    /// To this.
+    To(T),
+}
+
+/// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by` or `commands_to`, or one of each; what
+/// is not mentioned stays.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Leg<const D: usize, const C: usize> {
+    /// What becomes of the load.
+    pub load: Option<Goal<Wrench<D>>>,
+    /// What becomes of the finger commands.
+    pub commands: Option<Goal<Commands<C>>>,
+}
+
+impl<const D: usize, const C: usize> Leg<D, C> {
+    /// A leg of load, of commands, or of both at once.
+    #[must_use]
+    pub fn new(load: Option<Goal<Wrench<D>>>, commands: Option<Goal<Commands<C>>>) -> Self {
+        Self { load, commands }
+    }
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields, bound = "")]
+struct WrittenLeg<const D: usize, const C: usize> {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    load_by: Option<Wrench<D>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    load_to: Option<Wrench<D>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    commands_by: Option<Commands<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    commands_to: Option<Commands<C>>,
+}
+
+/// At most one of both.
+fn goal<T>(by: Option<T>, to: Option<T>, names: [&str; 2]) -> Result<Option<Goal<T>>, String> {
+    match (by, to) {
+        (None, None) => Ok(None),
+        (Some(by), None) => Ok(Some(Goal::By(by))),
+        (None, Some(to)) => Ok(Some(Goal::To(to))),
+        (Some(_), Some(_)) => Err(format!("{} and {}: a leg has one of them", names[0], names[1])),
+    }
+}
+
+fn split<T: Clone>(goal: Option<&Goal<T>>) -> (Option<T>, Option<T>) {
+    match goal {
+        None => (None, None),
+        Some(Goal::By(by)) => (Some(by.clone()), None),
+        Some(Goal::To(to)) => (None, Some(to.clone())),
+    }
+}
+
+impl<const D: usize, const C: usize> Serialize for Leg<D, C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (load_by, load_to) = split(self.load.as_ref());
+        let (commands_by, commands_to) = split(self.commands.as_ref());
+        WrittenLeg { load_by, load_to, commands_by, commands_to }.serialize(serializer)
+    }
+}
+
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, "a leg", |written: WrittenLeg<D, C>| {
+            let WrittenLeg { load_by, load_to, commands_by, commands_to } = written;
+            Ok(Self {
+                load: goal(load_by, load_to, ["load_by", "load_to"])?,
+                commands: goal(commands_by, commands_to, ["commands_by", "commands_to"])?,
+            })
+        })
+    }
+}

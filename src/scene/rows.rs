@@ -1,0 +1,182 @@
+//! Rows of numbers: points, forces, stiffnesses along the axes.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde::ser::{Serialize, SerializeSeq, Serializer};
+
+use super::numbers::{Found, Kind, Number, NumberVisitor};
+
+/// A list of up to `MOST` numbers of a kind; a number by itself is a list of one.
+pub(super) struct Few<K, const MOST: usize> {
+    pub(super) values: [f64; MOST],
+    pub(super) count: usize,
+    kind: PhantomData<K>,
+}
+
+impl<K, const MOST: usize> Few<K, MOST> {
+    pub(super) fn of(list: &[f64]) -> Self {
+        let mut values = [0.0; MOST];
+        values[..list.len()].copy_from_slice(list);
+        Self { values, count: list.len(), kind: PhantomData }
+    }
+
+    pub(super) fn as_slice(&self) -> &[f64] {
+        &self.values[..self.count]
+    }
+}
+
+impl<K: Kind, const MOST: usize> Serialize for Few<K, MOST> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut seq = serializer.serialize_seq(Some(self.count))?;
+        for x in self.as_slice() {
+            seq.serialize_element(&Number::<K>::new(*x))?;
+        }
+        seq.end()
+    }
+}
+
+impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for Few<K, MOST> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FewVisitor(PhantomData))
+    }
+}
+
+struct FewVisitor<K, const MOST: usize>(PhantomData<K>);
+
+impl<'de, K: Kind, const MOST: usize> Visitor<'de> for FewVisitor<K, MOST> {
+    type Value = Few<K, MOST>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "a list of at most {MOST} numbers")
+    }
+
+    fn visit_f64<E: Error>(self, x: f64) -> Result<Self::Value, E> {
+        NumberVisitor::<K>::new().visit_f64(x).map(|x| Few::of(&[x]))
+    }
+
+    fn visit_u64<E: Error>(self, x: u64) -> Result<Self::Value, E> {
+        self.visit_f64(x as f64)
+    }
+
+    fn visit_i64<E: Error>(self, x: i64) -> Result<Self::Value, E> {
+        self.visit_f64(x as f64)
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<Self::Value, E> {
+        NumberVisitor::<K>::new().visit_str(word).map(|x| Few::of(&[x]))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+        let mut few = Few { values: [0.0; MOST], count: 0, kind: PhantomData };
+        while let Some(number) = seq.next_element::<Number<K>>()? {
+            if few.count == MOST {
+                return Err(A::Error::invalid_length(MOST + 1, &self));
+            }
+            few.values[few.count] = number.0;
+            few.count += 1;
+        }
+        Ok(few)
+    }
+}
+
+/// As many numbers as there are axes.
+pub(super) struct Row<K, const C: usize>(pub(super) SVector<f64, C>, PhantomData<K>);
+
+impl<K, const C: usize> Row<K, C> {
+    pub(super) fn new(row: SVector<f64, C>) -> Self {
+        Self(row, PhantomData)
+    }
+}
+
+impl<K: Kind, const C: usize> Serialize for Row<K, C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Few::<K, C>::of(self.0.as_slice()).serialize(serializer)
+    }
+}
+
+impl<'de, K: Kind, const C: usize> Deserialize<'de> for Row<K, C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let row = deserializer.deserialize_seq(RowVisitor::<K, C>(PhantomData))?;
+        Ok(Self::new(row))
+    }
+}
+
+struct RowVisitor<K, const C: usize>(PhantomData<K>);
+
+impl<'de, K: Kind, const C: usize> Visitor<'de> for RowVisitor<K, C> {
+    type Value = SVector<f64, C>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{C} numbers in a {} scene", if C == 2 { "planar" } else { "spatial" })
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+        let mut row = SVector::zeros();
+        let mut count = 0;
+        while let Some(number) = seq.next_element::<Number<K>>()? {
+            if count < C {
+                row[count] = number.0;
+            }
+            count += 1;
+        }
+        if count == C { Ok(row) } else { Err(A::Error::invalid_length(count, &self)) }
+    }
+}
+
+/// For fields of answers that are one row.
+pub(super) mod row {
+    use super::{Deserialize, Deserializer, Found, Row, SVector, Serialize, Serializer};
+
+    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
+        row: &SVector<f64, C>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        Row::<Found, C>::new(*row).serialize(serializer)
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
+        deserializer: D,
+    ) -> Result<SVector<f64, C>, D::Error> {
+        Row::<Found, C>::deserialize(deserializer).map(|row| row.0)
+    }
+}
+
+/// For fields of answers that may be a row.
+pub(super) mod row_or_none {
+    use super::{Deserialize, Deserializer, Found, Row, SVector, Serialize, Serializer};
+
+    #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
+    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
+        row: &Option<SVector<f64, C>>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        row.map(Row::<Found, C>::new).serialize(serializer)
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
+        deserializer: D,
+    ) -> Result<Option<SVector<f64, C>>, D::Error> {
+        Ok(Option::<Row<Found, C>>::deserialize(deserializer)?.map(|row| row.0))
+    }
+}
+
+/// For fields of answers that are rows.
+pub(super) mod list {
+    use super::{Deserialize, Deserializer, Found, Row, SVector, Serializer};
+
+    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
+        rows: &[SVector<f64, C>],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(rows.iter().map(|row| Row::<Found, C>::new(*row)))
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
+        deserializer: D,
+    ) -> Result<Vec<SVector<f64, C>>, D::Error> {
+        Ok(Vec::<Row<Found, C>>::deserialize(deserializer)?.into_iter().map(|row| row.0).collect())
+    }
+}

@@ -1,0 +1,96 @@
+//! Settings as they are written; those that are left out have the crate's defaults.
+
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
+
+use super::object;
+use crate::equilibrium::Settings;
+use crate::formulation::{Fit, PolygonCone};
+
+/// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
+impl Serialize for PolygonCone {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        WrittenPolygon { facets: self.facets(), fit: self.fit() }.serialize(serializer)
+    }
+}
+
+/// `{"facets": 8, "fit": "inscribed"}`, both optional (feature `serde`), see [`crate::scene`]. Refuses what [`PolygonCone::new`] refuses.
+impl<'de> Deserialize<'de> for PolygonCone {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a polygon", |WrittenPolygon { facets, fit }| {
+            Self::new(facets, fit).map_err(|error| error.to_string())
+        })
+    }
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct WrittenPolygon {
+    facets: usize,
+    fit: Fit,
+}
+
+impl Default for WrittenPolygon {
+    fn default() -> Self {
+        let cone = PolygonCone::default();
+        Self { facets: cone.facets(), fit: cone.fit() }
+    }
+}
+
+/// The cone that answers in space are for.
+#[derive(Clone, Copy, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Cone {
+    Round,
+    Polygon,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct WrittenSettings {
+    cone: Cone,
+    polygon: PolygonCone,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max_pivots: Option<usize>,
+    most_states: usize,
+    step_error: f64,
+}
+
+impl Default for WrittenSettings {
+    fn default() -> Self {
+        Self::from(&Settings::default())
+    }
+}
+
+impl From<&Settings> for WrittenSettings {
+    fn from(settings: &Settings) -> Self {
+        Self {
+            cone: if settings.round { Cone::Round } else { Cone::Polygon },
+            polygon: settings.cone,
+            max_pivots: settings.max_pivots,
+            most_states: settings.most_states,
+            step_error: settings.step_error,
+        }
+    }
+}
+
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …}` (feature `serde`), see [`crate::scene`].
+impl Serialize for Settings {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        WrittenSettings::from(self).serialize(serializer)
+    }
+}
+
+/// All fields optional (feature `serde`), see [`crate::scene`].
+impl<'de> Deserialize<'de> for Settings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "settings", |written: WrittenSettings| {
+            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error } = written;
+            if !(step_error > 0.0 && step_error < 1.0) {
+                return Err(format!("step_error is {step_error}, must be between 0 and 1"));
+            }
+            let round = matches!(cone, Cone::Round);
+            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error })
+        })
+    }
+}

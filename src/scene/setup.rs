@@ -1,0 +1,240 @@
+//! A grasp with what is asked of it, in the plane or in space.
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+
+use super::answer::Answer;
+use super::finger::Finger;
+use super::numbers::Given;
+use super::object;
+use super::place::{Place, Places};
+use super::question::{Commands, Goal, Leg, Question, RampAsked};
+use super::rows::{Row, list};
+use crate::equilibrium::Settings;
+use crate::error::{ContactLabel, Error};
+use crate::grasp::Grasp;
+use crate::load_path::{self, Ramp};
+
+/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[non_exhaustive]
+pub struct Setup<const D: usize, const C: usize> {
+    /// At least one.
+    pub contacts: Vec<Finger<C>>,
+    /// Corners of the object in order, m. They are only drawn.
+    #[serde(with = "list", skip_serializing_if = "Vec::is_empty")]
+    pub outline: Vec<SVector<f64, C>>,
+    /// Answered in this order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub questions: Vec<Question<D, C>>,
+    /// For all questions.
+    #[serde(skip_serializing_if = "is_default")]
+    pub settings: Settings,
+}
+
+fn is_default(settings: &Settings) -> bool {
+    *settings == Settings::default()
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written<const D: usize, const C: usize> {
+    contacts: Vec<Finger<C>>,
+    #[serde(default)]
+    outline: Vec<Row<Given, C>>,
+    #[serde(default)]
+    questions: Vec<Question<D, C>>,
+    #[serde(default)]
+    settings: Settings,
+}
+
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, "a setup", |Written { contacts, outline, questions, settings }| {
+            if contacts.is_empty() {
+                return Err(Error::EmptyGrasp.to_string());
+            }
+            for (index, question) in questions.iter().enumerate() {
+                for (what, commands) in commands_of(question) {
+                    let (given, expected) = (commands.0.len(), contacts.len());
+                    if given != expected {
+                        let error = Error::Size { what, given, expected };
+                        return Err(format!("question {index}: {error}"));
+                    }
+                }
+            }
+            let outline = outline.into_iter().map(|corner| corner.0).collect();
+            Ok(Self { contacts, outline, questions, settings })
+        })
+    }
+}
+
+impl<const D: usize, const C: usize> From<&Grasp<D, C>> for Setup<D, C> {
+    /// Every contact as a point; nothing is asked yet.
+    fn from(grasp: &Grasp<D, C>) -> Self {
+        Self::new(grasp.contacts().iter().cloned().map(Finger::from))
+    }
+}
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    /// Contacts of which nothing is asked yet.
+    pub fn new(contacts: impl IntoIterator<Item = Finger<C>>) -> Self {
+        Self {
+            contacts: contacts.into_iter().collect(),
+            outline: Vec::new(),
+            questions: Vec::new(),
+            settings: Settings::default(),
+        }
+    }
+
+    /// The same with one more question.
+    #[must_use]
+    pub fn ask(mut self, question: Question<D, C>) -> Self {
+        self.questions.push(question);
+        self
+    }
+
+    /// The same with other settings.
+    #[must_use]
+    pub fn with_settings(mut self, settings: Settings) -> Self {
+        self.settings = settings;
+        self
+    }
+
+    /// The grasp: soft fingertips are spread, so that it may have more contacts than the scene.
+    ///
+    /// # Errors
+    /// As for [`Grasp::new`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index that the contact has in the scene.
+    pub fn grasp(&self) -> Result<Grasp<D, C>, Error> {
+        let mut points = Vec::with_capacity(self.contacts.len());
+        let mut of = Vec::with_capacity(self.contacts.len());
+        for (index, finger) in self.contacts.iter().enumerate() {
+            points.extend(finger.points(index)?);
+            of.resize(points.len(), index);
+        }
+        Grasp::new(points).map_err(|error| match error {
+            Error::Contact { contact: ContactLabel { index, name }, field, value, allowed } => {
+                let contact = ContactLabel { index: of[index], name };
+                Error::Contact { contact, field, value, allowed }
+            }
+            other => other,
+        })
+    }
+
+    /// The ramp of a question as the grasp has it: with command changes for every point of a soft fingertip.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the command changes are not one for each contact of the scene.
+    pub fn ramp(&self, asked: &RampAsked<D, C>) -> Result<Ramp<D, C>, Error> {
+        let ramp = Ramp::load(asked.base, asked.direction);
+        Ok(match &asked.command_change {
+            Some(change) => ramp.with_commands(self.spread(change, CHANGES)?),
+            None => ramp,
+        })
+    }
+
+    /// The legs of a load program as the grasp has them: with commands for every point of a soft fingertip.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene.
+    pub fn legs(&self, legs: &[Leg<D, C>]) -> Result<Vec<load_path::Leg<D, C>>, Error> {
+        legs.iter().map(|leg| self.leg(leg)).collect()
+    }
+
+    fn leg(&self, leg: &Leg<D, C>) -> Result<load_path::Leg<D, C>, Error> {
+        let mut out = load_path::Leg::load_by(crate::grasp::Wrench::ZERO);
+        match &leg.load {
+            None => {}
+            Some(Goal::By(change)) => out = out.and_load_by(*change),
+            Some(Goal::To(load)) => out = out.and_load_to(*load),
+        }
+        Ok(match &leg.commands {
+            None => out,
+            Some(Goal::By(change)) => out.and_commands_by(self.spread(change, COMMANDS)?),
+            Some(Goal::To(commands)) => out.and_commands_to(self.spread(commands, COMMANDS)?),
+        })
+    }
+
+    /// Commands of every point from those of the contacts.
+    fn spread(&self, commands: &Commands<C>, what: &'static str) -> Result<Vec<SVector<f64, C>>, Error> {
+        let (given, expected) = (commands.0.len(), self.contacts.len());
+        if given != expected {
+            return Err(Error::Size { what, given, expected });
+        }
+        let mut all = Vec::with_capacity(expected);
+        for (finger, command) in self.contacts.iter().zip(&commands.0) {
+            all.resize(all.len() + finger.count()?, *command);
+        }
+        Ok(all)
+    }
+
+    /// Where the contacts of the grasp stand in the scene.
+    fn places(&self) -> Result<Places, Error> {
+        let mut places = Vec::new();
+        for (contact, finger) in self.contacts.iter().enumerate() {
+            let name = finger.contact.name.as_ref();
+            if finger.soft.is_none() {
+                places.push(Place { contact, point: None, name: name.cloned() });
+                continue;
+            }
+            for point in 0..finger.count()? {
+                places.push(Place { contact, point: Some(point), name: name.cloned() });
+            }
+        }
+        Ok(Places(places))
+    }
+
+    /// The answer to every question, in order.
+    ///
+    /// # Errors
+    /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that answer: a malformed question is an error,
+    /// "no equilibrium" is an answer.
+    pub fn answers(&self) -> Result<Vec<Answer<D, C>>, Error> {
+        let (grasp, places) = (self.grasp()?, self.places()?);
+        self.questions.iter().map(|question| self.answer(&grasp, &places, question)).collect()
+    }
+
+    fn answer(
+        &self,
+        grasp: &Grasp<D, C>,
+        places: &Places,
+        question: &Question<D, C>,
+    ) -> Result<Answer<D, C>, Error> {
+        let settings = &self.settings;
+        Ok(match question {
+            Question::Solve { load } => Answer::Solve(places.outcome(&grasp.solve_with(load, settings)?)),
+            Question::Onset(asked) => {
+                let ramp = self.ramp(asked)?;
+                let onset = if settings.round {
+                    grasp.onset(&ramp, settings)?
+                } else {
+                    grasp.onset_on_polygon(&ramp, settings)?
+                };
+                Answer::Onset(places.onset(&onset))
+            }
+            Question::Follow { start, legs } => {
+                let mut path = grasp.follow_with(*start, &self.legs(legs)?, settings)?;
+                let events = path.run();
+                Answer::Follow(places.path(&path, &events))
+            }
+        })
+    }
+}
+
+const CHANGES: &str = "command changes";
+const COMMANDS: &str = "commands of a leg";
+
+/// The lists of a question that have one entry a contact.
+fn commands_of<const D: usize, const C: usize>(
+    question: &Question<D, C>,
+) -> Vec<(&'static str, &Commands<C>)> {
+    match question {
+        Question::Solve { .. } => Vec::new(),
+        Question::Onset(asked) => asked.command_change.iter().map(|c| (CHANGES, c)).collect(),
+        Question::Follow { legs, .. } => legs
+            .iter()
+            .filter_map(|leg| leg.commands.as_ref())
+            .map(|(Goal::By(c) | Goal::To(c))| (COMMANDS, c))
+            .collect(),
+    }
+}

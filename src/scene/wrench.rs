@@ -1,0 +1,117 @@
+//! Wrenches and twists as they are written: linear and angular part by name.
+//!
+//! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space. What is left out is zero.
+//! A force that acts elsewhere than at the origin may say where, `"at": [0.1, 0]`; its moment is added.
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
+use super::numbers::{Found, Given, Number};
+use super::object;
+use super::rows::Few;
+use crate::grasp::{Twist, Wrench, wrench_of};
+
+/// Number of linear components of `D` in all.
+const fn linear<const D: usize>() -> usize {
+    const { assert!(D == 3 || D == 6) };
+    if D == 3 { 2 } else { 3 }
+}
+
+fn write<S: Serializer, const D: usize>(
+    serializer: S,
+    components: &SVector<f64, D>,
+    [name, linear_name, angular_name]: [&'static str; 3],
+) -> Result<S::Ok, S::Error> {
+    let (linear, angular) = components.as_slice().split_at(linear::<D>());
+    let mut out = serializer.serialize_struct(name, 2)?;
+    out.serialize_field(linear_name, &Few::<Found, 3>::of(linear))?;
+    if let [moment] = angular {
+        out.serialize_field(angular_name, &Number::<Found>::new(*moment))?;
+    } else {
+        out.serialize_field(angular_name, &Few::<Found, 3>::of(angular))?;
+    }
+    out.end()
+}
+
+/// A part of `expected` components, zero if it is left out.
+fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f64; 3], String> {
+    let mut part = [0.0; 3];
+    if let Some(given) = given.map(Few::as_slice) {
+        if given.len() != expected {
+            let (count, space) = (given.len(), if expected == 3 { "space" } else { "the plane" });
+            return Err(format!("{name}: {count} given, must be {expected} in {space}"));
+        }
+        part[..expected].copy_from_slice(given);
+    }
+    Ok(part)
+}
+
+/// Both parts in one row.
+fn join<K, const D: usize>(
+    parts: [Option<&Few<K, 3>>; 2],
+    names: [&str; 2],
+) -> Result<SVector<f64, D>, String> {
+    let axes = linear::<D>();
+    let linear_part = part(parts[0], axes, names[0])?;
+    let angular_part = part(parts[1], D - axes, names[1])?;
+    Ok(SVector::from_fn(|k, _| if k < axes { linear_part[k] } else { angular_part[k - axes] }))
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WrittenWrench {
+    force: Option<Few<Given, 3>>,
+    moment: Option<Few<Given, 3>>,
+    at: Option<Few<Given, 3>>,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WrittenTwist {
+    translation: Option<Few<Found, 3>>,
+    rotation: Option<Few<Found, 3>>,
+}
+
+/// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
+impl<const D: usize> Serialize for Wrench<D> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        write(serializer, self.as_vector(), ["Wrench", "force", "moment"])
+    }
+}
+
+/// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`]. Refuses numbers that a grasp would refuse.
+impl<'de, const D: usize> Deserialize<'de> for Wrench<D> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {
+            let mut wrench: SVector<f64, D> = join([force.as_ref(), moment.as_ref()], ["force", "moment"])?;
+            if at.is_some() {
+                let at = part(at.as_ref(), linear::<D>(), "at")?;
+                let force = |a: usize| if a < linear::<D>() { wrench[a] } else { 0.0 };
+                let through = wrench_of::<6, 3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
+                // The plane turns about z, the last axis of space.
+                for k in linear::<D>()..D {
+                    wrench[k] += through[6 + k - D];
+                }
+            }
+            Ok(Self::from_vector(wrench))
+        })
+    }
+}
+
+/// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
+impl<const D: usize> Serialize for Twist<D> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        write(serializer, self.as_vector(), ["Twist", "translation", "rotation"])
+    }
+}
+
+/// `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
+impl<'de, const D: usize> Deserialize<'de> for Twist<D> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
+            let parts = [translation.as_ref(), rotation.as_ref()];
+            join(parts, ["translation", "rotation"]).map(Self::from_vector)
+        })
+    }
+}

@@ -1,0 +1,184 @@
+//! The whole of a scene: its version, its name, its space.
+
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, Serializer};
+
+use super::answer::Answer;
+use super::object;
+use super::setup::Setup;
+use crate::error::Error;
+use crate::{planar, spatial};
+
+/// The version of the format that is written and read.
+pub const FORMAT: &str = "grasp-lcp/1";
+
+/// A grasp in the plane or in space, with what is asked of it; see [the format](crate::scene).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Scene {
+    /// Whatever the caller wants to know the answers by.
+    pub id: Option<Id>,
+    /// For the reader of the file.
+    pub comment: Option<String>,
+    /// Contacts, questions and settings.
+    pub space: Space,
+}
+
+/// A scene in the plane or in space.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Space {
+    /// 3 degrees of freedom, 2 axes a contact.
+    Planar(Setup<3, 2>),
+    /// 6 degrees of freedom, 3 axes a contact.
+    Spatial(Setup<6, 3>),
+}
+
+/// What a caller knows a scene by; answers repeat it.
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(untagged, expecting = "an id is a text or a whole number")]
+pub enum Id {
+    /// A number.
+    Number(i64),
+    /// A text.
+    Text(String),
+}
+
+/// The answers to the questions of a scene, in their order. They are written as a list.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(untagged)]
+pub enum Answers {
+    /// Of a scene in the plane.
+    Planar(Vec<Answer<3, 2>>),
+    /// Of a scene in space.
+    Spatial(Vec<Answer<6, 3>>),
+}
+
+impl Answers {
+    /// Number of answers.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Planar(list) => list.len(),
+            Self::Spatial(list) => list.len(),
+        }
+    }
+
+    /// Whether nothing was asked.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Scene {
+    /// The answer to every question, in order.
+    ///
+    /// # Errors
+    /// As for [`Setup::answers`].
+    pub fn answers(&self) -> Result<Answers, Error> {
+        match &self.space {
+            Space::Planar(setup) => setup.answers().map(Answers::Planar),
+            Space::Spatial(setup) => setup.answers().map(Answers::Spatial),
+        }
+    }
+}
+
+impl From<Space> for Scene {
+    fn from(space: Space) -> Self {
+        Self { id: None, comment: None, space }
+    }
+}
+
+impl From<Setup<3, 2>> for Scene {
+    fn from(setup: Setup<3, 2>) -> Self {
+        Space::Planar(setup).into()
+    }
+}
+
+impl From<Setup<6, 3>> for Scene {
+    fn from(setup: Setup<6, 3>) -> Self {
+        Space::Spatial(setup).into()
+    }
+}
+
+impl From<&planar::Grasp> for Scene {
+    fn from(grasp: &planar::Grasp) -> Self {
+        Setup::from(grasp).into()
+    }
+}
+
+impl From<&spatial::Grasp> for Scene {
+    fn from(grasp: &spatial::Grasp) -> Self {
+        Setup::from(grasp).into()
+    }
+}
+
+/// The version, which is the only one there is.
+struct Format;
+
+impl Serialize for Format {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(FORMAT)
+    }
+}
+
+impl<'de> Deserialize<'de> for Format {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let given = String::deserialize(deserializer)?;
+        if given == FORMAT {
+            return Ok(Self);
+        }
+        Err(D::Error::custom(format_args!(
+            "\"{given}\" is not a format that is read here, must be \"{FORMAT}\""
+        )))
+    }
+}
+
+#[derive(serde::Serialize)]
+struct Out<'a> {
+    format: Format,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a Id>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comment: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    planar: Option<&'a Setup<3, 2>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spatial: Option<&'a Setup<6, 3>>,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct In {
+    #[expect(dead_code, reason = "that it can be read is all that matters")]
+    format: Format,
+    id: Option<Id>,
+    comment: Option<String>,
+    planar: Option<Setup<3, 2>>,
+    spatial: Option<Setup<6, 3>>,
+}
+
+impl Serialize for Scene {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (planar, spatial) = match &self.space {
+            Space::Planar(setup) => (Some(setup), None),
+            Space::Spatial(setup) => (None, Some(setup)),
+        };
+        let comment = self.comment.as_deref();
+        Out { format: Format, id: self.id.as_ref(), comment, planar, spatial }.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Scene {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a scene", |In { id, comment, planar, spatial, .. }| {
+            let space = match (planar, spatial) {
+                (Some(setup), None) => Space::Planar(setup),
+                (None, Some(setup)) => Space::Spatial(setup),
+                (None, None) => return Err("missing field `planar` or `spatial`".to_owned()),
+                (Some(_), Some(_)) => return Err("planar and spatial: a scene has one of them".to_owned()),
+            };
+            Ok(Self { id, comment, space })
+        })
+    }
+}
