@@ -53,3 +53,7 @@ pub type Change = crate::load_path::Change<2>;
 pub type PathEnd = crate::load_path::PathEnd<3, 2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3, 2>;
+/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3, 2>;
+/// One contact changes on it; see [`crate::load_path::PatchEvent`].
+pub type PatchEvent = crate::load_path::PatchEvent<3, 2>;

@@ -54,3 +54,7 @@ pub type Change = crate::load_path::Change<3>;
 pub type PathEnd = crate::load_path::PathEnd<6, 3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 6, 3>;
+/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 6, 3>;
+/// One contact changes on it; see [`crate::load_path::PatchEvent`].
+pub type PatchEvent = crate::load_path::PatchEvent<6, 3>;
