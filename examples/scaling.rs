@@ -1,7 +1,7 @@
 //! How do the solvers scale, from a pinch to a hundred thousand contacts?
 //!
 //! `cargo run --release --example scaling` prints each figure, best of several runs, beside the dense solver in the same run
-//! where that is still affordable. One function a group of rows; `main` is the table of contents.
+//! where that is still affordable (load paths beside `Grasp::follow`). One function a group of rows; `main` is the table of contents.
 #![allow(clippy::doc_markdown)]
 
 use std::error::Error;
@@ -10,8 +10,10 @@ use std::time::Instant;
 
 use grasp_lcp::formulation::PolygonCone;
 use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::load_path::{Leg, PathEnd};
 use grasp_lcp::structured::{Search, Workspace};
 use grasp_lcp::{Settings, planar, spatial};
+use nalgebra::SVector;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -19,6 +21,7 @@ fn main() -> Outcome {
     println!("{:<58} {:>12} {:>12} {:>9}  remarks", "work", "time", "dense", "ratio");
     few_contacts()?;
     patches()?;
+    whole_paths()?;
     growth()?;
     whole_solve()
 }
@@ -74,6 +77,52 @@ fn patch<const D: usize, const C: usize>(
         black_box(workspace.solve(grasp, load).is_ok());
     });
     row(&format!("{name}, Newton first"), newton, dense, &found(&mut workspace, grasp, load)?);
+    Ok(())
+}
+
+/// Whole load paths, pressed to begin with and sheared up to where most of the patch slides, and back: every event exact, from the
+/// public question on, with the equilibrium to start from; beside `Grasp::follow` where that is still affordable.
+fn whole_paths() -> Outcome {
+    for n in [100, 1000, 10_000, 100_000] {
+        let (grasp, load) = planar_patch(n)?;
+        whole_path("plane", &grasp, &load, n <= 100)?;
+    }
+    for n in [100, 1000] {
+        let (grasp, load) = spatial_patch(n)?;
+        whole_path("space", &grasp, &load, n <= 100)?;
+    }
+    Ok(())
+}
+
+fn whole_path<const D: usize, const C: usize>(
+    place: &str,
+    grasp: &Grasp<D, C>,
+    load: &Wrench<D>,
+    affordable: bool,
+) -> Outcome {
+    // Along the normals, which all contacts share.
+    let press = SVector::from_fn(|k, _| if k == C - 1 { load.as_vector()[k] } else { 0.0 });
+    let press = Wrench::from_vector(press);
+    let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
+    for (name, legs) in [("", &there_and_back[..1]), (" and back", &there_and_back)] {
+        let mut path = grasp.follow_patch(press, legs)?;
+        let events = path.by_ref().count();
+        let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
+        let looked = path.contacts_looked_at() as f64 / events as f64;
+        let how = if matches!(path.end(), Some(PathEnd::Completed)) { "" } else { ", not completed" };
+        let time = best((20_000 / grasp.len()).clamp(5, 50), || {
+            black_box(grasp.follow_patch(press, legs).map_or(0, Iterator::count));
+        });
+        let settings = Settings::default().on_the_polygon();
+        let whole = || grasp.follow_with(press, legs, &settings).map(|mut path| path.run().len());
+        let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
+        row(
+            &format!("load path{name}, patch in the {place}, n = {}", grasp.len()),
+            time,
+            long,
+            &format!("{events} events of {looked:.0} contacts, residual {residual:.1e}{how}"),
+        );
+    }
     Ok(())
 }
 

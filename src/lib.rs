@@ -62,7 +62,7 @@
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
-//! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory; sensitivities |
+//! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
 //! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |

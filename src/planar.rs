@@ -59,3 +59,7 @@ pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
 pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
 /// What pulls on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<3>;
+/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3, 2>;
+/// One contact changes on it; see [`crate::load_path::PatchEvent`].
+pub type PatchEvent = crate::load_path::PatchEvent<3, 2>;

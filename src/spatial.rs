@@ -60,3 +60,7 @@ pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
 pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
 /// What pulls on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<6>;
+/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 6, 3>;
+/// One contact changes on it; see [`crate::load_path::PatchEvent`].
+pub type PatchEvent = crate::load_path::PatchEvent<6, 3>;

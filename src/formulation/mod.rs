@@ -20,7 +20,7 @@ pub(crate) use cone::Polygon;
 pub(crate) use force_form::{force_form, force_states};
 pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};
-pub(crate) use orthogonal::Orthogonal;
+pub(crate) use orthogonal::{Orthogonal, orthonormalise_against};
 pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
 pub(crate) use problem::{Law, Problem, State, whole_law};
 pub(crate) use regular::Regular;

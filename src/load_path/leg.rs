@@ -102,6 +102,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 }
 
 /// A program on its way: the present leg, and the goals between which it leads.
+#[derive(Debug, Clone)]
 pub(super) struct Program<const D: usize, const C: usize> {
     legs: Vec<Leg<D, C>>,
     /// The present leg; as many as there are legs when all are done.

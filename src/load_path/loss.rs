@@ -132,7 +132,7 @@ fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
 /// The unit motion with which the object leaves when everything that stands on an edge slides: a motion that nothing resists
 /// then, on which the load works; or else the motion of the rates in these states, which would balance the load if only the
 /// slips were not against friction: taken the other way, they are along it.
-fn leaving_motion<const D: usize, const C: usize>(
+pub(super) fn leaving_motion<const D: usize, const C: usize>(
     rates: &Problem<D, C>,
     load: &SVector<f64, D>,
     states: &[State],

@@ -1,4 +1,5 @@
-//! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it.
+//! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory,
+//! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`]).
 
 mod arc;
 mod beyond;
@@ -13,6 +14,7 @@ mod node;
 mod nothing_holds;
 mod onset;
 mod pace;
+mod patch;
 mod path;
 mod questions;
 mod ramp;
@@ -32,6 +34,7 @@ pub use event::{Change, Event, Loss, PathEnd};
 pub use leg::Leg;
 pub(crate) use margin::ROUNDING;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
+pub use patch::{PatchEvent, PatchPath};
 pub use path::LoadPath;
 pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;

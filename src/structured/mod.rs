@@ -15,5 +15,6 @@ mod ratio;
 mod solution;
 mod workspace;
 
+pub(crate) use newton::{Code, both};
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

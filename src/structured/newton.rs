@@ -74,7 +74,7 @@ impl Kind {
 
 /// A contact state in a few bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Code {
+pub(crate) enum Code {
     Open,
     Rolling,
     Facet(u16),
@@ -83,7 +83,17 @@ pub(super) enum Code {
 }
 
 impl Code {
-    pub(super) fn state(self, facets: usize) -> State {
+    pub(crate) fn of(state: State) -> Self {
+        let number = |j: usize| u16::try_from(j).unwrap_or(u16::MAX);
+        match state {
+            State::Open => Self::Open,
+            State::Rolling => Self::Rolling,
+            State::Sliding { first, second: None } => Self::Facet(number(first)),
+            State::Sliding { first, second: Some(_) } => Self::Corner(number(first)),
+        }
+    }
+
+    pub(crate) fn state(self, facets: usize) -> State {
         match self {
             Self::Open => State::Open,
             Self::Rolling => State::Rolling,
@@ -270,7 +280,11 @@ fn respond<const D: usize, const C: usize>(
 }
 
 /// Both results, on two threads if the work is worth it.
-fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
+pub(crate) fn both<R: Send>(
+    count: usize,
+    a: impl FnOnce() -> R + Send,
+    b: impl FnOnce() -> R + Send,
+) -> (R, R) {
     #[cfg(feature = "parallel")]
     if count >= APART {
         return rayon::join(a, b);
