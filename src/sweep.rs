@@ -55,15 +55,14 @@ pub fn onset_of_each<const D: usize, const C: usize>(
     map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
 }
 
-/// When the first contact of each grasp of a batch leaves rolling as the load grows; [`Batch::onsets_into`] does the same on one thread and into
-/// memory that is there.
-#[must_use]
+/// When the first contact of each grasp of a batch leaves rolling as the load grows: [`Batch::onsets_into`] on all cores. `answers` is
+/// cleared first; its memory is used again.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
     pull: &Pull<D>,
-) -> Vec<Screened> {
-    let mut answers = Vec::new();
-    let parts = batch.parts(pull, BLOCKS, &mut answers);
+    answers: &mut Vec<Screened>,
+) {
+    let parts = batch.parts(pull, BLOCKS, answers);
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
@@ -72,5 +71,4 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     }
     #[cfg(not(feature = "parallel"))]
     parts.for_each(Part::screen);
-    answers
 }

@@ -191,7 +191,8 @@ fn a_batch_gives_the_same_bits() {
         let (alone, batch) = (alone.into_inner(), batch.into_inner());
         let mut together = vec![];
         batch.onsets_into(&pull, &mut together);
-        let in_parallel = onsets_of_batch(&batch, &pull);
+        let mut in_parallel = vec![];
+        onsets_of_batch(&batch, &pull, &mut in_parallel);
         assert_eq!(batch.len(), 331);
         let alone: Vec<_> = alone.iter().map(bits).collect();
         assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);

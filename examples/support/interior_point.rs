@@ -25,6 +25,7 @@ fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
 
 /// What the interior-point method says.
 #[derive(Debug)]
+#[allow(dead_code)] // not every example asks for the tolerance
 pub enum Oracle {
     /// A minimum, and the relative tolerance to which the method believes it.
     Minimum(DVector<f64>, f64),

@@ -24,7 +24,8 @@ pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 ///     };
 ///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
 /// }
-/// let onsets = onsets_of_batch(&batch, &Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?);
+/// let mut onsets = Vec::new();
+/// onsets_of_batch(&batch, &Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?, &mut onsets);
 /// assert!((onsets[2].factor().unwrap() - 30.0).abs() < 1e-13);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```

@@ -48,13 +48,12 @@ impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
     }
 }
 
-/// What a contact must obey to roll, `α F_n + h >= β |F_t|`: α and β are the friction coefficient and one, or 1 and 0 if it can only open;
-/// h is one newton for what never leaves, where α and β are zero.
+/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and one, 1 and 0 if it can only open, both zero if it
+/// never leaves.
 #[derive(Debug, Clone, Copy)]
 struct Cone<const L: usize> {
     alpha: Lanes<L>,
     beta: Lanes<L>,
-    held: Lanes<L>,
 }
 
 /// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no friction, or infinite friction.
@@ -67,8 +66,7 @@ impl<const L: usize> Cone<L> {
     #[inline(always)]
     fn of(friction: Lanes<L>) -> Self {
         let (zero, one) = (Lanes::default(), Lanes::all(1.0));
-        let alpha = friction.abs();
-        Self { alpha, beta: friction.above(zero, one, zero), held: alpha.above(zero, zero, one) }
+        Self { alpha: friction.abs(), beta: friction.above(zero, one, zero) }
     }
 }
 
@@ -81,9 +79,9 @@ struct Exit<const L: usize> {
     sure: Lanes<L>,
 }
 
-/// Where `F + factor · F'` leaves the cone. The margin at factor zero must be positive.
+/// Where `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
 ///
-/// With n and t for `α F_n + h` and `β F_t` the margin `n - |t|` is concave along the line, and in the long run it closes at the rate `|t'| - n'`: whether that is more
+/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the long run it closes at the rate `|t'| - n'`: whether that is more
 /// than rounding decides whether the line leaves at all. In the plane it is two straight lines. In space the first root of a quadratic is wanted,
 ///
 /// ```text
@@ -103,7 +101,7 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     let infinite = Lanes::all(f64::INFINITY);
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
-    let (n, dn) = (cone.alpha * base.normal[contact] + cone.held, cone.alpha * rates.normal[contact]);
+    let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
     let (factor, margin);
     if C == 2 {
         let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
@@ -162,8 +160,9 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     for i in 0..N {
         leaving += factors[i].above(until, zero, Lanes::all(f64::from(1 << i)));
     }
-    // Where there are no forces the second of these is not a number, and stays.
-    let code = first.min(sure).above(zero, first, Lanes::all(UNCLEAR));
+    // Where there are no forces this is not a number; what never leaves has a margin of zero, as exactly as it should.
+    let code = first + Lanes::all(0.0) * sure;
+    let code = (-sure).above(zero, Lanes::all(UNCLEAR), code);
     let code = Lanes::all(BALANCED).above(base.unbalanced + rates.unbalanced, code, Lanes::all(UNCLEAR));
     let code = rates.free.above(zero, Lanes::all(GIVES_WAY), code);
     // What the smaller may be off is at most their difference.

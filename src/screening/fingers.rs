@@ -80,7 +80,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
 
     /// When the first contact leaves rolling as the load grows.
     #[must_use]
-    #[inline]
+    #[inline(never)]
     pub fn onset(&self, pull: &Pull<D>) -> Screened {
         let [screened] = self.block.screen(pull);
         screened

@@ -1,0 +1,146 @@
+//! Equilibria of a few contacts and of patches.
+
+use std::hint::black_box;
+
+use grasp_lcp::Settings;
+use grasp_lcp::formulation::{PolygonCone, Row};
+use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::structured::{Search, Workspace};
+
+use crate::Outcome;
+use crate::report::{best, row};
+use crate::scenes::{fingers, planar_patch, spatial_patch};
+use crate::today::rolls;
+
+/// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace that has seen the grasp before.
+pub fn few_contacts() -> Outcome {
+    for count in 3..=5 {
+        let (grasp, load) = fingers(count)?;
+        let mut workspace = Workspace::default();
+        let time = best(2000, || {
+            black_box(workspace.solve(black_box(&grasp), black_box(&load)).is_ok());
+        });
+        let dense = dense(&grasp, &load, 200);
+        row(
+            &format!("equilibrium, {count} contacts in space, 8 facets"),
+            time,
+            dense,
+            program_once(&grasp, &load, 20),
+            &found(&mut workspace, &grasp, &load)?,
+        );
+    }
+    Ok(())
+}
+
+/// Patches two thirds of which slide in the plane, half in space: by Lemke's method alone, and with Newton's method as a start.
+pub fn patches() -> Outcome {
+    for n in [100, 1000, 10_000, 100_000] {
+        let (grasp, load) = planar_patch(n)?;
+        patch("plane", &grasp, &load, n <= 300)?;
+    }
+    for n in [100, 1000, 10_000] {
+        let (grasp, load) = spatial_patch(n)?;
+        patch("space", &grasp, &load, n <= 100)?;
+    }
+    Ok(())
+}
+
+fn patch<const D: usize, const C: usize>(
+    place: &str,
+    grasp: &Grasp<D, C>,
+    load: &Wrench<D>,
+    affordable: bool,
+) -> Outcome {
+    let runs = (20_000 / grasp.len()).clamp(3, 50);
+    let mut workspace = Workspace::default();
+    let lemke = best(runs, || {
+        black_box(workspace.solve_along_one_path(grasp, load).is_ok());
+    });
+    let remarks = remark(workspace.solve_along_one_path(grasp, load)?);
+    let (dense, today) =
+        if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
+    let name = format!("equilibrium, patch in the {place}, n = {}", grasp.len());
+    row(&format!("{name}, Lemke"), lemke, dense, today, &remarks);
+    let newton = best(runs, || {
+        black_box(workspace.solve(grasp, load).is_ok());
+    });
+    row(&format!("{name}, Newton first"), newton, dense, today, &found(&mut workspace, grasp, load)?);
+    Ok(())
+}
+
+/// The exponent p of n^p between 10³ and 10⁵ contacts in the plane.
+pub fn growth() -> Outcome {
+    let mut times = Vec::new();
+    for n in [1000, 100_000] {
+        let (grasp, load) = planar_patch(n)?;
+        let mut workspace = Workspace::default();
+        times.push(best((20_000 / n).clamp(3, 20), || {
+            black_box(workspace.solve_along_one_path(&grasp, &load).is_ok());
+        }));
+    }
+    println!("growth of Lemke's cost from n = 10³ to 10⁵: n^{:.2}", (times[1] / times[0]).log10() / 2.0);
+    Ok(())
+}
+
+/// From the public question to the answer as physics: building the scene with its validation, and solving it.
+pub fn whole_solve() -> Outcome {
+    for n in [10_000, 100_000] {
+        let build = best(3, || {
+            black_box(planar_patch(n).is_ok());
+        });
+        let (grasp, load) = planar_patch(n)?;
+        let mut worst = f64::NAN;
+        let solve = best(3, || {
+            if let Ok(outcome) = grasp.solve_with(&load, &Settings::default()) {
+                worst = outcome.equilibrium().map_or(f64::NAN, |e| e.residuals.worst());
+            }
+        });
+        row(&format!("building the grasp, plane, n = {n}"), build, f64::NAN, f64::NAN, "");
+        row(
+            &format!("Grasp::solve, plane, n = {n}"),
+            solve,
+            f64::NAN,
+            f64::NAN,
+            &format!("residual {worst:.1e}"),
+        );
+    }
+    Ok(())
+}
+
+/// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
+fn program_once<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>, runs: usize) -> f64 {
+    best(runs, || drop(black_box(rolls(grasp, load))))
+}
+
+/// The kinematic form made and solved as a dense problem, without check of the answer as physics.
+fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>, runs: usize) -> f64 {
+    best(runs, || {
+        if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {
+            black_box(form.lcp.solve());
+        }
+    })
+}
+
+fn found<const D: usize, const C: usize>(
+    workspace: &mut Workspace<D, C>,
+    grasp: &Grasp<D, C>,
+    load: &Wrench<D>,
+) -> Result<String, grasp_lcp::Error> {
+    Ok(remark(workspace.solve(grasp, load)?))
+}
+
+fn remark<const D: usize, const C: usize>(search: Search<'_, D, C>) -> String {
+    let Search::Found(view) = search else { return format!("{search:?}") };
+    let mut last = None;
+    let slides = view.jumps().filter(|row| last.replace(contact_of(row)) != Some(contact_of(row))).count();
+    let way =
+        view.newton_steps().map_or(format!("{} pivots", view.pivots()), |steps| format!("{steps} steps"));
+    format!("{slides} of {} slide, {way}, residual {:.1e}", view.forces().len(), view.residual())
+}
+
+fn contact_of(row: &Row) -> usize {
+    match *row {
+        Row::Gap { contact } | Row::Slip { contact, .. } => contact,
+        _ => usize::MAX,
+    }
+}

@@ -1,0 +1,129 @@
+//! The onset of sliding of small grasps: one at a time, in batches, and as one would find it without this crate.
+
+use std::hint::black_box;
+
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::screening::{Batch, Fingers, Pull};
+use grasp_lcp::sweep::onsets_of_batch;
+use grasp_lcp::{Settings, planar, spatial};
+
+use crate::Outcome;
+use crate::report::{best, row};
+use crate::scenes::uneven;
+use crate::today::bisected_onset;
+
+/// Grasps a family: with their numbers they stay in the processor's nearer memory.
+const GRASPS: usize = 4000;
+
+pub fn rows() -> Outcome {
+    family::<3, 2, 2>("a planar pair", pair, &planar::Wrench::new([0.2, -1.0], 0.1))?;
+    family::<3, 2, 3>("3 contacts in the plane", ring_in_the_plane, &planar::Wrench::new([0.2, -1.0], 0.1))?;
+    let pull = spatial::Wrench::new([0.2, 0.1, -1.0], [0.05, 0.1, 0.02]);
+    family::<6, 3, 3>("3 contacts in space", ring, &pull)?;
+    family::<6, 3, 4>("4 contacts in space", ring, &pull)?;
+    family::<6, 3, 5>("5 contacts in space", ring, &pull)
+}
+
+fn family<const D: usize, const C: usize, const N: usize>(
+    name: &str,
+    contacts: impl Fn(usize) -> [Contact<C>; N],
+    direction: &Wrench<D>,
+) -> Outcome {
+    let scenes: Vec<_> = (0..GRASPS).map(contacts).collect();
+    let pull = Pull::new(&Wrench::ZERO, direction)?;
+    let fingers: Vec<_> = scenes.iter().map(Fingers::<D, C, N>::new).collect::<Result<_, _>>()?;
+    let mut batch = Batch::with_capacity(GRASPS);
+    for grasp in &fingers {
+        batch.push(grasp);
+    }
+
+    let each = 1.0 / GRASPS as f64;
+    let ready = each
+        * best(20, || {
+            for scene in &scenes {
+                black_box(Fingers::<D, C, N>::new(black_box(scene)).is_ok());
+            }
+        });
+    let alone = each
+        * best(100, || {
+            for grasp in &fingers {
+                black_box(black_box(grasp).onset(&pull));
+            }
+        });
+    let mut answers = Vec::new();
+    let together = each * best(200, || batch.onsets_into(black_box(&pull), &mut answers));
+    let mut all = Vec::new();
+    let mut many = Batch::with_capacity(10 * GRASPS);
+    for grasp in (0..10).flat_map(|_| &fingers) {
+        many.push(grasp);
+    }
+    let on_all_cores = each / 10.0
+        * best(20, || {
+            onsets_of_batch(&many, black_box(&pull), &mut all);
+        });
+
+    let ramp = Ramp::load(Wrench::ZERO, *direction);
+    // Those whose contacts all roll to begin with.
+    let rolling = scenes.iter().zip(&answers).filter_map(|(scene, answer)| Some((scene, answer.factor()?)));
+    let few: Vec<_> = rolling.take(100).collect();
+    let grasps: Vec<_> =
+        few.iter().map(|(scene, _)| Grasp::new(scene.iter().cloned())).collect::<Result<_, _>>()?;
+    let mut off = 0.0_f64;
+    let whole = best(5, || {
+        for (grasp, (_, factor)) in grasps.iter().zip(&few) {
+            if let Ok(onset) = grasp.onset(&ramp, &Settings::default()) {
+                off = onset.factor().map_or(f64::NAN, |exact| off.max((factor / exact - 1.0).abs()));
+            }
+        }
+    }) / few.len() as f64;
+    let mut found = 0.0;
+    let today = best(3, || found = bisected_onset(&grasps[0], direction).unwrap_or(f64::NAN));
+    let bisected = (found / few[0].1 - 1.0).abs();
+
+    row(&format!("making ready {name}, with its validation"), ready, f64::NAN, f64::NAN, "");
+    row(
+        &format!("onset of {name}, one at a time"),
+        alone,
+        whole,
+        today,
+        &format!("off Grasp::onset by {off:.0e}, the bisection by {bisected:.0e}"),
+    );
+    let rate = |time: f64| format!("{:.1} million a second", 1e-6 / time);
+    row(&format!("onset of {name}, batch on one thread"), together, whole, today, &rate(together));
+    row(&format!("onset of {name}, batch on all cores"), on_all_cores, whole, today, &rate(on_all_cores));
+    Ok(())
+}
+
+/// Two jaws that press unevenly on a body that is not quite square.
+fn pair(i: usize) -> [planar::Contact; 2] {
+    [-1.0, 1.0].map(|side| {
+        let u = |k: usize| uneven(7 * i + k + usize::from(side > 0.0)) - 0.5;
+        planar::Contact::new([side, 0.3 * u(1)], [-side, 0.3 * u(2)])
+            .series_stiffness(900.0 * (1.0 + u(3)), 600.0 * (1.0 + u(4)))
+            .friction(0.6 + 0.4 * u(5))
+            .command([0.01, 0.001 * u(6)])
+    })
+}
+
+fn ring_in_the_plane<const N: usize>(i: usize) -> [planar::Contact; N] {
+    std::array::from_fn(|finger| {
+        let u = |k: usize| uneven(11 * i + 7 * finger + k) - 0.5;
+        let (sin, cos) = (std::f64::consts::TAU * (finger as f64 + 0.2 * u(1)) / N as f64).sin_cos();
+        planar::Contact::new([cos, sin], [-cos + 0.2 * u(2), -sin + 0.2 * u(3)])
+            .series_stiffness(900.0 * (1.0 + u(4)), 600.0 * (1.0 + u(5)))
+            .friction(0.8 + 0.4 * u(6))
+            .command([0.01, 0.0])
+    })
+}
+
+fn ring<const N: usize>(i: usize) -> [spatial::Contact; N] {
+    std::array::from_fn(|finger| {
+        let u = |k: usize| uneven(13 * i + 9 * finger + k) - 0.5;
+        let (sin, cos) = (std::f64::consts::TAU * (finger as f64 + 0.2 * u(1)) / N as f64).sin_cos();
+        spatial::Contact::new([cos, sin, 0.3 * u(2)], [-cos + 0.2 * u(3), -sin + 0.2 * u(4), 0.2 * u(5)])
+            .series_stiffness(900.0 * (1.0 + u(6)), 600.0 * (1.0 + u(7)))
+            .friction(0.8 + 0.4 * u(8))
+            .command([0.01, 0.0, 0.0])
+    })
+}

@@ -1,0 +1,45 @@
+//! What one does today: the reduced quadratic program by an interior-point method (Clarabel), again and again.
+
+use grasp_lcp::energy::{ReducedRow, Unknowns};
+use grasp_lcp::formulation::PolygonCone;
+use grasp_lcp::grasp::{Grasp, Wrench};
+
+#[path = "../support/interior_point.rs"]
+mod interior_point;
+
+use interior_point::{Oracle, interior_point};
+
+/// A friction row with less slack than this part of the largest one is taken for sliding; at the onset itself the method leaves about as much.
+const ACTIVE: f64 = 1e-6;
+/// Halvings of the interval.
+const HALVINGS: usize = 20;
+
+/// One solution of the program under a load; whether no friction row is active in it.
+pub fn rolls<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    load: &Wrench<D>,
+) -> Result<bool, grasp_lcp::Error> {
+    let reduced = grasp.reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
+    let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
+    let slack = &reduced.program.b * x - &reduced.program.d;
+    let friction =
+        || reduced.rows.iter().zip(&slack).filter(|(row, _)| matches!(row, ReducedRow::Friction { .. }));
+    let largest = friction().map(|(_, slack)| slack.abs()).fold(0.0, f64::max);
+    Ok(friction().all(|(_, slack)| *slack > ACTIVE * largest))
+}
+
+/// The factor of the load from which on the program has a friction row active, by doubling and halving.
+pub fn bisected_onset<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    direction: &Wrench<D>,
+) -> Result<f64, grasp_lcp::Error> {
+    let (mut below, mut above) = (0.0, 1.0);
+    while rolls(grasp, &(*direction * above))? && above < 1e12 {
+        (below, above) = (above, 2.0 * above);
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (below + above);
+        *(if rolls(grasp, &(*direction * middle))? { &mut below } else { &mut above }) = middle;
+    }
+    Ok(below)
+}
