@@ -185,11 +185,9 @@ impl Pad {
         {
             let of = || edges.iter().filter(move |edge| edge.0 == leg);
             let spaced = of().step_by(of().count() / 12 + 1).map(|edge| (edge.1, edge.2)).collect();
-            chart = chart.series(exact, of().map(|edge| (edge.1, edge.3)).collect(), Stroke::Line).series(
-                found,
-                spaced,
-                Stroke::Circles,
-            );
+            chart = chart
+                .series(exact, of().step_by(40).map(|edge| (edge.1, edge.3)).collect(), Stroke::Line)
+                .series(found, spaced, Stroke::Circles);
         }
         chart
     }
@@ -256,9 +254,9 @@ impl Pad {
             while path.next_before(leg, fraction).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
             let centre = [3.0 * (k % 3) as f64, if k < 3 { 3.2 } else { 0.0 }];
-            for i in 0..700 {
+            for i in 0..450 {
                 let (r, angle) =
-                    (((f64::from(i) + 0.5) / 700.0).sqrt(), f64::from(i) * 2.399_963_229_728_653);
+                    (((f64::from(i) + 0.5) / 450.0).sqrt(), f64::from(i) * 2.399_963_229_728_653);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
                 // between 0 and the number of springs
                 let contact = &state.contacts[((0.5 + 0.5 * r) * SPRINGS as f64) as usize];
