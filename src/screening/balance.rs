@@ -10,6 +10,7 @@ use super::lanes::{Lanes, dot};
 const NOTHING: f64 = 1e-13;
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: usize> {
     pub(super) fingers: [Finger<C, L>; N],
     centre: [Lanes<L>; C],
@@ -59,38 +60,6 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         }
         body.factor();
         body
-    }
-
-    /// The same in every lane of two.
-    #[inline(always)]
-    pub(super) fn twice(&self) -> Body<D, C, N, 2> {
-        let none = [Lanes::default(); C];
-        let mut twice = Body {
-            fingers: [Finger { normal: none, springs: [Lanes::default(); 2] }; N],
-            centre: none,
-            arms: [none; N],
-            reach: Lanes::all(self.reach.0[0]),
-            factors: [[Lanes::default(); D]; D],
-            free: Lanes::all(self.free.0[0]),
-        };
-        for axis in 0..C {
-            twice.centre[axis] = Lanes::all(self.centre[axis].0[0]);
-            for i in 0..N {
-                twice.arms[i][axis] = Lanes::all(self.arms[i][axis].0[0]);
-                twice.fingers[i].normal[axis] = Lanes::all(self.fingers[i].normal[axis].0[0]);
-            }
-        }
-        for i in 0..N {
-            for spring in 0..2 {
-                twice.fingers[i].springs[spring] = Lanes::all(self.fingers[i].springs[spring].0[0]);
-            }
-        }
-        for row in 0..D {
-            for column in 0..=row {
-                twice.factors[row][column] = Lanes::all(self.factors[row][column].0[0]);
-            }
-        }
-        twice
     }
 
     /// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.

@@ -2,6 +2,7 @@
 
 use super::block::{Block, Pull};
 use super::fingers::Fingers;
+use super::ready::Ready;
 use super::screened::Screened;
 use crate::wide::{Loop, wide};
 
@@ -122,7 +123,7 @@ impl<const D: usize, const C: usize, const N: usize> Loop for Part<'_, D, C, N> 
     #[inline(always)]
     fn run(self) {
         for (block, answers) in self.blocks.iter().zip(self.answers.chunks_mut(LANES)) {
-            let screened = block.screen(self.pull);
+            let screened = Ready::new(block).screen(&block.friction, self.pull);
             answers.copy_from_slice(&screened[..answers.len()]);
         }
     }

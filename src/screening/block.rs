@@ -1,12 +1,9 @@
-//! One kernel for one scene and for several side by side.
+//! Scenes side by side, and what pulls on them.
 
 use std::ops::Range;
 
-use super::exit::judge;
 use super::lanes::Lanes;
 use super::pair::Sizes;
-use super::screened::Screened;
-use super::{pair, rolling};
 use crate::error::{Error, is_moderate};
 use crate::grasp::Wrench;
 
@@ -29,10 +26,10 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
 /// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull<const D: usize> {
-    base: [f64; D],
-    direction: [f64; D],
+    pub(super) base: [f64; D],
+    pub(super) direction: [f64; D],
     /// Whether the base load is any.
-    loaded: bool,
+    pub(super) loaded: bool,
 }
 
 impl<const D: usize> Pull<D> {
@@ -88,21 +85,5 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
                 self.friction[contact].0[lane] = scene.friction[contact].0[0];
             }
         }
-    }
-
-    /// The onsets of all scenes. Inlined, so that it is compiled for the vectors of the caller.
-    #[inline(always)]
-    pub(super) fn screen<const D: usize>(&self, pull: &Pull<D>) -> [Screened; L] {
-        let (mut base, mut direction) = ([Lanes::default(); D], [Lanes::default(); D]);
-        for k in 0..D {
-            base[k] = Lanes::all(pull.base[k]);
-            direction[k] = Lanes::all(pull.direction[k]);
-        }
-        let [base, rates] = if C == 2 && N == 2 {
-            pair::forces(self, pull.loaded.then_some(&base), &direction)
-        } else {
-            rolling::forces(self, &base, &direction)
-        };
-        judge(&self.friction, &base, &rates)
     }
 }

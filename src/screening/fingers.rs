@@ -3,11 +3,13 @@
 use super::block::{Block, Pull};
 use super::exit::{OPENS_ONLY, STAYS};
 use super::lanes::Lanes;
+use super::ready::Ready;
 use super::screened::Screened;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 
-/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling.
+/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling:
+/// what does not depend on the load is done once.
 ///
 /// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see [`planar::Fingers`](crate::planar::Fingers) and
 /// [`spatial::Fingers`](crate::spatial::Fingers).
@@ -28,6 +30,7 @@ use crate::grasp::{Contact, Hold};
 #[derive(Debug, Clone, Copy)]
 pub struct Fingers<const D: usize, const C: usize, const N: usize> {
     pub(super) block: Block<C, N, 1>,
+    ready: Ready<D, C, N, 1>,
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
@@ -75,14 +78,14 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         if C == 2 && N == 2 {
             super::pair::to_compliances(&mut block);
         }
-        Ok(Self { block })
+        Ok(Self { ready: Ready::new(&block), block })
     }
 
     /// When the first contact leaves rolling as the load grows.
     #[must_use]
     #[inline(never)]
     pub fn onset(&self, pull: &Pull<D>) -> Screened {
-        let [screened] = self.block.screen(pull);
+        let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }
 }

@@ -16,6 +16,7 @@ mod finger;
 mod fingers;
 mod lanes;
 mod pair;
+mod ready;
 mod rolling;
 mod screened;
 

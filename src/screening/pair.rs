@@ -74,7 +74,8 @@ impl Sizes<1> {
 }
 
 /// Two contacts and the line through them. Arrays run over the contacts.
-struct Pair<const L: usize> {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair<const L: usize> {
     normal: [[Lanes<L>; 2]; 2],
     midpoint: [Lanes<L>; 2],
     /// Entries of `p_i` along normals and tangents.
@@ -88,11 +89,12 @@ struct Pair<const L: usize> {
     /// How much the line would have to give if s were one, and what the fingers take from it by going where they are told.
     sheared: Lanes<L>,
     commanded: Lanes<L>,
+    sizes: Sizes<L>,
 }
 
 impl<const L: usize> Pair<L> {
     #[inline(always)]
-    fn new<const C: usize, const N: usize>(block: &Block<C, N, L>) -> Self {
+    pub(super) fn new<const C: usize, const N: usize>(block: &Block<C, N, L>) -> Self {
         let zero = [Lanes::default(); 2];
         let [px, py] = [block.point[0], block.point[1]];
         let x = [px[1] - px[0], px[0] - px[1]];
@@ -125,15 +127,15 @@ impl<const L: usize> Pair<L> {
             one_over_square,
             sheared: sheared[0] + sheared[1],
             commanded: commanded[0] + commanded[1],
+            sizes: block.sizes,
         }
     }
 
     /// Forces that a load alone brings about.
     #[inline(always)]
-    fn load<const D: usize, const C: usize, const N: usize>(
+    pub(super) fn load<const D: usize, const C: usize, const N: usize>(
         &self,
         load: &[Lanes<L>; D],
-        sizes: &Sizes<L>,
     ) -> Forces<C, N, L> {
         let zero = [Lanes::default(); 2];
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
@@ -146,7 +148,7 @@ impl<const L: usize> Pair<L> {
             given[i] = self.u[i] * halves[0][i] + self.v[i] * halves[1][i];
         }
         let lambda = -((s * self.sheared + (given[0] + given[1])) * self.one_over_give);
-        let size = sizes.moment * load[2].abs() + sizes.force * (load[0].abs() + load[1].abs());
+        let size = self.sizes.moment * load[2].abs() + self.sizes.force * (load[0].abs() + load[1].abs());
         let mut forces = Forces::none();
         for i in 0..2 {
             forces.normal[i] = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
@@ -158,34 +160,14 @@ impl<const L: usize> Pair<L> {
 
     /// Forces that the commands of the fingers alone bring about: along the line through both.
     #[inline(always)]
-    fn squeeze<const C: usize, const N: usize>(&self, sizes: &Sizes<L>) -> Forces<C, N, L> {
+    pub(super) fn squeeze<const C: usize, const N: usize>(&self) -> Forces<C, N, L> {
         let lambda = self.commanded * self.one_over_give;
         let mut forces = Forces::none();
         for i in 0..2 {
             forces.normal[i] = lambda * self.n[i];
             forces.tangential[0][i] = lambda * self.t[i];
-            forces.rounding[i] = Lanes::all(ON_THE_EDGE) * sizes.commands;
+            forces.rounding[i] = Lanes::all(ON_THE_EDGE) * self.sizes.commands;
         }
         forces
     }
-}
-
-/// Forces at factor zero of the load, and their rates. Where there are none they are not numbers.
-#[inline(always)]
-pub(super) fn forces<const D: usize, const C: usize, const N: usize, const L: usize>(
-    block: &Block<C, N, L>,
-    base: Option<&[Lanes<L>; D]>,
-    direction: &[Lanes<L>; D],
-) -> [Forces<C, N, L>; 2] {
-    let pair = Pair::new(block);
-    let mut squeezed: Forces<C, N, L> = pair.squeeze(&block.sizes);
-    if let Some(base) = base {
-        let more: Forces<C, N, L> = pair.load(base, &block.sizes);
-        for i in 0..2 {
-            squeezed.normal[i] += more.normal[i];
-            squeezed.tangential[0][i] += more.tangential[0][i];
-            squeezed.rounding[i] += Lanes::all(ON_THE_EDGE / ROUNDING) * more.rounding[i];
-        }
-    }
-    [squeezed, pair.load(direction, &block.sizes)]
 }

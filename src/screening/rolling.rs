@@ -18,76 +18,36 @@ const TIMES: usize = 3;
 /// If motions are free and this part of the load stays unbalanced, it works on them.
 const GIVES_WAY: f64 = 1e-6;
 
-/// Commands of the fingers and a load, and what part of the forces that they bring about is called rounding.
+/// Commands of the fingers or a load, and what part of the forces that they bring about is called rounding.
 struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
-    commands: [[Lanes<L>; C]; N],
+    commands: Option<[[Lanes<L>; C]; N]>,
     load: [Lanes<L>; D],
     rounding: Lanes<L>,
 }
 
-/// Forces at factor zero of the load, and their rates, for which the fingers are at rest.
+/// Forces that the commands of the fingers alone bring about.
 #[inline(always)]
-pub(super) fn forces<const D: usize, const C: usize, const N: usize, const L: usize>(
+pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: usize>(
+    body: &Body<D, C, N, L>,
     block: &Block<C, N, L>,
-    base: &[Lanes<L>; D],
-    direction: &[Lanes<L>; D],
-) -> [Forces<C, N, L>; 2] {
-    let body = Body::<D, C, N, L>::new(block);
-    let at_rest = [[Lanes::default(); C]; N];
-    let mut commands = at_rest;
+) -> Forces<C, N, L> {
+    let mut commands = [[Lanes::default(); C]; N];
     for i in 0..N {
         for axis in 0..C {
             commands[i][axis] = block.command[axis][i];
         }
     }
-    let base = Pulled { commands, load: *base, rounding: Lanes::all(ON_THE_EDGE) };
-    let direction = Pulled { commands: at_rest, load: *direction, rounding: Lanes::all(ROUNDING) };
-    if L == 1 {
-        // A scene that is alone puts its two loads side by side.
-        let both = rolling(&body.twice(), &side_by_side(&base, &direction));
-        return [lane(&both, 0), lane(&both, 1)];
-    }
-    [rolling(&body, &base), rolling(&body, &direction)]
+    let rounding = Lanes::all(ON_THE_EDGE);
+    rolling(body, &Pulled { commands: Some(commands), load: [Lanes::default(); D], rounding })
 }
 
+/// Forces that a load alone brings about, the fingers at rest.
 #[inline(always)]
-fn side_by_side<const D: usize, const C: usize, const N: usize, const L: usize>(
-    one: &Pulled<D, C, N, L>,
-    two: &Pulled<D, C, N, L>,
-) -> Pulled<D, C, N, 2> {
-    let pair = |one: Lanes<L>, two: Lanes<L>| Lanes([one.0[0], two.0[0]]);
-    let mut both = Pulled {
-        commands: [[Lanes::default(); C]; N],
-        load: [Lanes::default(); D],
-        rounding: pair(one.rounding, two.rounding),
-    };
-    for i in 0..N {
-        for axis in 0..C {
-            both.commands[i][axis] = pair(one.commands[i][axis], two.commands[i][axis]);
-        }
-    }
-    for k in 0..D {
-        both.load[k] = pair(one.load[k], two.load[k]);
-    }
-    both
-}
-
-#[inline(always)]
-fn lane<const C: usize, const N: usize, const L: usize>(
-    both: &Forces<C, N, 2>,
-    lane: usize,
+pub(super) fn load<const D: usize, const C: usize, const N: usize, const L: usize>(
+    body: &Body<D, C, N, L>,
+    load: &[Lanes<L>; D],
 ) -> Forces<C, N, L> {
-    let mut forces = Forces::none();
-    for i in 0..N {
-        forces.normal[i] = Lanes::all(both.normal[i].0[lane]);
-        forces.rounding[i] = Lanes::all(both.rounding[i].0[lane]);
-        for axis in 0..C {
-            forces.tangential[axis][i] = Lanes::all(both.tangential[axis][i].0[lane]);
-        }
-    }
-    forces.unbalanced = Lanes::all(both.unbalanced.0[lane]);
-    forces.free = Lanes::all(both.free.0[lane]);
-    forces
+    rolling(body, &Pulled { commands: None, load: body.carried(load), rounding: Lanes::all(ROUNDING) })
 }
 
 #[inline(always)]
@@ -96,12 +56,14 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     pulled: &Pulled<D, C, N, L>,
 ) -> Forces<C, N, L> {
     let zero = Lanes::default();
-    let load = body.carried(&pulled.load);
     let mut contacts = [Force { normal: zero, tangential: [zero; C] }; N];
-    for i in 0..N {
-        contacts[i] = stretched(&body.fingers[i], &pulled.commands[i]);
+    let (mut left, mut part) = (pulled.load, zero);
+    if let Some(commands) = &pulled.commands {
+        for i in 0..N {
+            contacts[i] = stretched(&body.fingers[i], &commands[i]);
+        }
+        (left, part) = body.unbalanced(&contacts, &pulled.load);
     }
-    let (mut left, mut part) = body.unbalanced(&contacts, &load);
     let mut moved = [zero; D];
     for time in 0..=TIMES {
         let q = body.motion(&left);
@@ -116,7 +78,7 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
                 contacts[i].tangential[axis] -= less.tangential[axis];
             }
         }
-        (left, part) = body.unbalanced(&contacts, &load);
+        (left, part) = body.unbalanced(&contacts, &pulled.load);
         let improvable = part.above(Lanes::all(IMPROVED), Lanes::all(1.0), zero);
         if time == TIMES || improvable.0 == [0.0; L] {
             break;
@@ -162,7 +124,9 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
         sizes[i] = contacts[i].normal.abs();
         forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
-            stretch += pulled.commands[i][axis].abs();
+            if let Some(commands) = &pulled.commands {
+                stretch += commands[i][axis].abs();
+            }
             sizes[i] += contacts[i].tangential[axis].abs();
             forces.tangential[axis][i] = contacts[i].tangential[axis];
         }
