@@ -175,20 +175,20 @@ fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
     for grasp in &grasps {
         batch.push(&Fingers::new(&grasp.map(|i| finger(&cloud[i])))?);
     }
-    let mut weakest = vec![(f64::INFINITY, 0, Verdict::Never); grasps.len()];
+    let pulls = directions().into_iter().map(|direction| Pull::new(&Wrench::ZERO, &weight(direction)));
+    let pulls: Vec<_> = pulls.collect::<Result<_, _>>()?;
     let mut answers = Vec::new();
-    for (k, direction) in directions().iter().enumerate() {
-        batch.onsets_into(&Pull::new(&Wrench::ZERO, &weight(*direction))?, &mut answers);
-        for ((multiple, at, verdict), answer) in weakest.iter_mut().zip(&answers) {
+    batch.onsets_into(&pulls, &mut answers);
+    let mut part = Part::default();
+    for (&fingers, answers) in grasps.iter().zip(answers.chunks(pulls.len())) {
+        let (mut multiple, mut weakest, mut verdict) = (f64::INFINITY, 0, Verdict::Never);
+        for (k, answer) in answers.iter().enumerate() {
             match (answer.verdict(), answer.factor()) {
-                (_, Some(factor)) if factor < *multiple => (*multiple, *at) = (factor, k),
+                (_, Some(factor)) if factor < multiple => (multiple, weakest) = (factor, k),
                 (Verdict::Leaves | Verdict::Never, _) => {}
-                (worse, _) => *verdict = worse,
+                (worse, _) => verdict = worse,
             }
         }
-    }
-    let mut part = Part::default();
-    for (&fingers, &(multiple, weakest, verdict)) in grasps.iter().zip(&weakest) {
         match verdict {
             Verdict::Never => {
                 part.too_weak += usize::from(multiple < 1.0);

@@ -55,14 +55,14 @@ pub fn onset_of_each<const D: usize, const C: usize>(
     map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
 }
 
-/// When the first contact of each grasp of a batch leaves rolling as the load grows: [`Batch::onsets_into`] on all cores. `answers` is
+/// When the first contact of each grasp of a batch leaves rolling as each of the loads grows: [`Batch::onsets_into`] on all cores. `answers` is
 /// cleared first; its memory is used again.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
-    pull: &Pull<D>,
+    pulls: &[Pull<D>],
     answers: &mut Vec<Screened>,
 ) {
-    let parts = batch.parts(pull, BLOCKS, answers);
+    let parts = batch.parts(pulls, BLOCKS, answers);
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;

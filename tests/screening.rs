@@ -190,13 +190,19 @@ fn a_batch_gives_the_same_bits() {
         });
         let (alone, batch) = (alone.into_inner(), batch.into_inner());
         let mut together = vec![];
-        batch.onsets_into(&pull, &mut together);
+        batch.onsets_into(&[pull], &mut together);
+        let other = Pull::new(&Wrench::ZERO, &Wrench::from_vector(SVector::from_element(-1.0))).unwrap();
+        let mut of_both = vec![];
+        batch.onsets_into(&[other, pull], &mut of_both);
         let mut in_parallel = vec![];
-        onsets_of_batch(&batch, &pull, &mut in_parallel);
+        onsets_of_batch(&batch, &[pull], &mut in_parallel);
         assert_eq!(batch.len(), 331);
         let alone: Vec<_> = alone.iter().map(bits).collect();
         assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);
         assert_eq!(in_parallel.iter().map(bits).collect::<Vec<_>>(), alone);
+        let second = of_both.iter().skip(1).step_by(2);
+        assert_eq!(second.map(bits).collect::<Vec<_>>(), alone);
+        assert_eq!(of_both.len(), 2 * alone.len());
         assert!(alone.iter().filter(|(factor, ..)| factor.is_some()).count() > 10);
     }
     grasps::<3, 2, 2>(Spread::Narrow);
@@ -236,7 +242,7 @@ fn nothing_is_allocated() {
         for _ in 0..100 {
             batch.push(&fingers);
         }
-        batch.onsets_into(&pull, &mut answers);
+        batch.onsets_into(&[pull], &mut answers);
         batch.clear();
         assert_eq!(fingers.onset(&pull).factor(), answers[99].factor());
     });

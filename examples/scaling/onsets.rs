@@ -52,7 +52,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
             }
         });
     let mut answers = Vec::new();
-    let together = each * best(200, || batch.onsets_into(black_box(&pull), &mut answers));
+    let together = each * best(200, || batch.onsets_into(black_box(&[pull]), &mut answers));
     let mut all = Vec::new();
     let mut many = Batch::with_capacity(10 * GRASPS);
     for grasp in (0..10).flat_map(|_| &fingers) {
@@ -60,7 +60,13 @@ fn family<const D: usize, const C: usize, const N: usize>(
     }
     let on_all_cores = each / 10.0
         * best(20, || {
-            onsets_of_batch(&many, black_box(&pull), &mut all);
+            onsets_of_batch(&many, black_box(&[pull]), &mut all);
+        });
+
+    let loads = [pull; 16];
+    let of_many_loads = each / 160.0
+        * best(10, || {
+            onsets_of_batch(&many, black_box(&loads), &mut all);
         });
 
     let ramp = Ramp::load(Wrench::ZERO, *direction);
@@ -92,6 +98,8 @@ fn family<const D: usize, const C: usize, const N: usize>(
     let rate = |time: f64| format!("{:.1} million a second", 1e-6 / time);
     row(&format!("onset of {name}, batch on one thread"), together, whole, today, &rate(together));
     row(&format!("onset of {name}, batch on all cores"), on_all_cores, whole, today, &rate(on_all_cores));
+    let name = format!("onset of {name}, batch of 16 loads each, all cores");
+    row(&name, of_many_loads, whole, today, &rate(of_many_loads));
     Ok(())
 }
 

@@ -26,7 +26,7 @@ pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 ///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
 /// }
 /// let mut onsets = Vec::new();
-/// onsets_of_batch(&batch, &Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?, &mut onsets);
+/// onsets_of_batch(&batch, &[Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?], &mut onsets);
 /// assert!((onsets[2].factor().unwrap() - 30.0).abs() < 1e-13);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
@@ -80,11 +80,11 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.len = 0;
     }
 
-    /// When the first contact of each grasp leaves rolling as the load grows, on one thread; for all cores there is
-    /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch). `answers` is cleared first; with room for all of them nothing is
-    /// allocated.
-    pub fn onsets_into(&self, pull: &Pull<D>, answers: &mut Vec<Screened>) {
-        for part in self.parts(pull, self.blocks.len(), answers) {
+    /// When the first contact of each grasp leaves rolling as each of the loads grows, on one thread; for all cores there is
+    /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch). The answers come grasp by grasp, for each in the order of the loads: what does
+    /// not depend on the load is done once. `answers` is cleared first; with room for all of them nothing is allocated.
+    pub fn onsets_into(&self, pulls: &[Pull<D>], answers: &mut Vec<Screened>) {
+        for part in self.parts(pulls, self.blocks.len(), answers) {
             part.screen();
         }
     }
@@ -92,22 +92,23 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// The batch in parts of so many blocks of scenes, each with the places for its answers.
     pub(crate) fn parts<'a>(
         &'a self,
-        pull: &'a Pull<D>,
+        pulls: &'a [Pull<D>],
         blocks: usize,
         answers: &'a mut Vec<Screened>,
     ) -> impl Iterator<Item = Part<'a, D, C, N>> {
         answers.clear();
-        answers.resize(self.len, Screened::UNKNOWN);
+        answers.resize(self.len * pulls.len(), Screened::UNKNOWN);
         let size = blocks.max(1);
-        let parts = self.blocks.chunks(size).zip(answers.chunks_mut(size * LANES));
-        parts.map(move |(blocks, answers)| Part { blocks, pull, answers })
+        let places = answers.chunks_mut((size * LANES * pulls.len()).max(1));
+        let parts = self.blocks.chunks(size).zip(places);
+        parts.map(move |(blocks, answers)| Part { blocks, pulls, answers })
     }
 }
 
 /// A part of a batch.
 pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize> {
     blocks: &'a [Block<C, N, LANES>],
-    pull: &'a Pull<D>,
+    pulls: &'a [Pull<D>],
     answers: &'a mut [Screened],
 }
 
@@ -122,9 +123,16 @@ impl<const D: usize, const C: usize, const N: usize> Loop for Part<'_, D, C, N> 
 
     #[inline(always)]
     fn run(self) {
-        for (block, answers) in self.blocks.iter().zip(self.answers.chunks_mut(LANES)) {
-            let screened = Ready::new(block).screen(&block.friction, self.pull);
-            answers.copy_from_slice(&screened[..answers.len()]);
+        let each = self.pulls.len();
+        for (block, answers) in self.blocks.iter().zip(self.answers.chunks_mut(LANES * each)) {
+            let ready = Ready::new(block);
+            for (k, pull) in self.pulls.iter().enumerate() {
+                let screened = ready.screen(&block.friction, pull);
+                // A last block need not be full.
+                for (of_grasp, screened) in answers.chunks_mut(each).zip(screened) {
+                    of_grasp[k] = screened;
+                }
+            }
         }
     }
 }
