@@ -148,6 +148,27 @@ fn a_pinched_pair() {
     }
 }
 
+/// A finger pressed far in through a soft normal spring, with tangential springs ten decades stiffer: a press along a slanted normal must not
+/// become a tangential force by rounding, for what another finger holds may be five decades smaller.
+#[test]
+fn far_pressed_fingers_with_stiff_tangents() {
+    let tally = Tally::default();
+    for angle in [0.0_f64, 0.3, 1.0, 2.0] {
+        let contacts: [planar::Contact; 5] = std::array::from_fn(|i| {
+            let (sin, cos) = (angle + std::f64::consts::TAU * i as f64 / 5.0).sin_cos();
+            let press = if i == 2 { 5e-4 } else { 116.8 };
+            let contact = planar::Contact::new([2e-3 * cos, 2e-3 * sin], [-cos, -sin])
+                .series_stiffness(2.7e-3, 8.6e7)
+                .friction(0.64)
+                .command([press, 0.0]);
+            if i == 0 { contact.bonded() } else { contact }
+        });
+        let direction = planar::Wrench::new([0.53, -0.46], -7e-4);
+        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], &tally).unwrap();
+    }
+    assert_eq!(tally.borrow()["Leaves"], 4);
+}
+
 /// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
 #[test]
 fn a_pinch_in_space_gives_way() {

@@ -37,9 +37,8 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C
             scene.springs[axis][i] = compliance;
         }
         if count > 0 {
-            for axis in 0..C {
-                scene.command[axis][i] = Lanes::all(0.0);
-            }
+            scene.pressed[i] = Lanes::all(0.0);
+            scene.sheared[0][i] = Lanes::all(0.0);
         }
     }
     scene.sizes = Sizes::of(scene);
@@ -63,7 +62,7 @@ impl Sizes<1> {
         let (mut gives, mut commands) = (Lanes::default(), Lanes::default());
         for i in 0..2 {
             gives += pair.u[i].abs() + pair.v[i].abs();
-            commands += scene.command[0][i].abs() + scene.command[1][i].abs();
+            commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
         }
         let scale = length * pair.one_over_give;
         let gives = one + scale * gives;
@@ -110,7 +109,7 @@ impl<const L: usize> Pair<L> {
             v[i] = block.springs[1][i] * t[i];
             give[i] = u[i] * n[i] + v[i] * t[i];
             sheared[i] = u[i] * t[i] - v[i] * n[i];
-            commanded[i] = block.command[0][i] * x[i] + block.command[1][i] * y[i];
+            commanded[i] = block.pressed[i] * n[i] + block.sheared[0][i] * t[i];
         }
         let one_over_give = Lanes::all(1.0) / (give[0] + give[1]);
         let one_over_square = Lanes::all(1.0) / (x[0] * x[0] + y[0] * y[0]);

@@ -20,7 +20,7 @@ const GIVES_WAY: f64 = 1e-6;
 
 /// Commands of the fingers and a load, and what part of the forces that they bring about is called rounding.
 struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
-    commands: [[Lanes<L>; C]; N],
+    commands: [Force<C, L>; N],
     load: [Lanes<L>; D],
     rounding: Lanes<L>,
 }
@@ -33,11 +33,12 @@ pub(super) fn forces<const D: usize, const C: usize, const N: usize, const L: us
     direction: &[Lanes<L>; D],
 ) -> [Forces<C, N, L>; 2] {
     let body = Body::<D, C, N, L>::new(block);
-    let at_rest = [[Lanes::default(); C]; N];
+    let at_rest = [Force { normal: Lanes::default(), tangential: [Lanes::default(); C] }; N];
     let mut commands = at_rest;
     for i in 0..N {
+        commands[i].normal = block.pressed[i];
         for axis in 0..C {
-            commands[i][axis] = block.command[axis][i];
+            commands[i].tangential[axis] = block.sheared[axis][i];
         }
     }
     let base = Pulled { commands, load: *base, rounding: Lanes::all(ON_THE_EDGE) };
@@ -57,13 +58,15 @@ fn side_by_side<const D: usize, const C: usize, const N: usize, const L: usize>(
 ) -> Pulled<D, C, N, 2> {
     let pair = |one: Lanes<L>, two: Lanes<L>| Lanes([one.0[0], two.0[0]]);
     let mut both = Pulled {
-        commands: [[Lanes::default(); C]; N],
+        commands: [Force { normal: Lanes::default(), tangential: [Lanes::default(); C] }; N],
         load: [Lanes::default(); D],
         rounding: pair(one.rounding, two.rounding),
     };
     for i in 0..N {
+        let (into, [one, two]) = (&mut both.commands[i], [&one.commands[i], &two.commands[i]]);
+        into.normal = pair(one.normal, two.normal);
         for axis in 0..C {
-            both.commands[i][axis] = pair(one.commands[i][axis], two.commands[i][axis]);
+            into.tangential[axis] = pair(one.tangential[axis], two.tangential[axis]);
         }
     }
     for k in 0..D {
@@ -99,7 +102,11 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     let load = body.carried(&pulled.load);
     let mut contacts = [Force { normal: zero, tangential: [zero; C] }; N];
     for i in 0..N {
-        contacts[i] = stretched(&body.fingers[i], &pulled.commands[i]);
+        let [normal, tangential] = body.fingers[i].springs;
+        contacts[i].normal = normal * pulled.commands[i].normal;
+        for axis in 0..C {
+            contacts[i].tangential[axis] = tangential * pulled.commands[i].tangential[axis];
+        }
     }
     let (mut left, mut part) = body.unbalanced(&contacts, &load);
     let mut moved = [zero; D];
@@ -158,16 +165,16 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
     let mut forces = Forces::none();
     for i in 0..N {
         let [normal, tangential] = body.fingers[i].springs;
-        let mut stretch = span;
+        let commands = &pulled.commands[i];
+        stretched[i] = normal.max(tangential) * span + normal * commands.normal.abs();
         sizes[i] = contacts[i].normal.abs();
         forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
-            stretch += pulled.commands[i][axis].abs();
+            stretched[i] += tangential * commands.tangential[axis].abs();
             sizes[i] += contacts[i].tangential[axis].abs();
             forces.tangential[axis][i] = contacts[i].tangential[axis];
         }
         largest += sizes[i];
-        stretched[i] = normal.max(tangential) * stretch;
         second = second.max(stretched[i].min(most));
         most = most.max(stretched[i]);
     }
