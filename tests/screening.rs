@@ -169,6 +169,21 @@ fn far_pressed_fingers_with_stiff_tangents() {
     assert_eq!(tally.borrow()["Leaves"], 4);
 }
 
+/// Two contacts of which one has no friction and its normal along the line through both: the object turns about the other one, however the normal
+/// is rounded. The nearly singular balance must not be taken for one that holds.
+#[test]
+fn a_pair_with_a_slippery_jaw_opposite() {
+    for turn in [0.0, 1.3e-16, -1e-14, 1e-10] {
+        let jaw = |side: f64, turn: f64| {
+            planar::Contact::new([side, 0.0], [-side, turn]).series_stiffness(1.0, 1.0).command([0.4, 0.0])
+        };
+        let contacts = [jaw(1.0, 0.0).bonded(), jaw(-1.0, turn)];
+        let pull = Pull::new(&Wrench::ZERO, &planar::Wrench::new([0.2, 1.0], 0.5)).unwrap();
+        let screened = planar::Fingers::new(&contacts).unwrap().onset(&pull);
+        assert_eq!(screened.verdict(), Verdict::Unclear, "{turn:e}");
+    }
+}
+
 /// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
 #[test]
 fn a_pinch_in_space_gives_way() {

@@ -15,17 +15,23 @@
 //!
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
+use super::balance::NOTHING;
 use super::block::Block;
 use super::exit::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::load_path::ROUNDING;
 
 /// Turns stiffnesses into compliances. A contact without friction has none along its tangent to speak of, an infinite one: then the condition on λ
-/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together; their
-/// compliances are not numbers.
+/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together, nor does one whose normal points along
+/// the line: the object turns about the other contact. Their compliances are not numbers.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
     let slippery = scene.springs[1].map(|k| k.0[0] == 0.0);
-    let count = slippery.iter().filter(|slips| **slips).count();
+    let [x, y] = [0, 1].map(|axis| scene.point[axis][1].0[0] - scene.point[axis][0].0[0]);
+    let along = |i: usize| {
+        let t = scene.normal[1][i].0[0] * x - scene.normal[0][i].0[0] * y;
+        t * t <= NOTHING * (x * x + y * y)
+    };
+    let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
     for i in 0..N {
         let [normal, tangential] = [scene.springs[0][i], scene.springs[1][i]];
         let compliances = match count {
