@@ -184,6 +184,36 @@ fn a_pair_with_a_slippery_jaw_opposite() {
     }
 }
 
+/// In space the way out of the cone is found from squares of forces times rates. In units in which they underflow there is no factor rather than a
+/// wrong one; in all others it is the same.
+#[test]
+fn units_in_space() {
+    let onset = |exponent: i32| {
+        let unit = 2.0_f64.powi(exponent);
+        let fingers: [spatial::Contact; 3] = std::array::from_fn(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / 3.0 + 0.1).sin_cos();
+            spatial::Contact::new([unit * cos, unit * sin, 0.1 * unit * sin], [-cos, -sin, 0.05])
+                .series_stiffness(900.0 * unit, 600.0 * unit)
+                .friction(0.6)
+                .command([6e-3 * unit, 0.0, 0.0])
+        });
+        let force = unit * unit;
+        let direction = spatial::Wrench::new(
+            [0.3, -0.2, -1.0].map(|f| f * force),
+            [0.1, 0.0, 0.2].map(|m| m * force * unit),
+        );
+        let pull = Pull::new(&Wrench::ZERO, &direction).unwrap();
+        spatial::Fingers::new(&fingers).unwrap().onset(&pull)
+    };
+    let factor = onset(0).factor().unwrap();
+    for exponent in [-100, -30, 30, 50] {
+        assert!((onset(exponent).factor().unwrap() / factor - 1.0).abs() < 1e-12, "{exponent}");
+    }
+    for exponent in [-130, -140, -150] {
+        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+    }
+}
+
 /// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
 #[test]
 fn a_pinch_in_space_gives_way() {
