@@ -148,6 +148,72 @@ fn a_pinched_pair() {
     }
 }
 
+/// A finger pressed far in through a soft normal spring, with tangential springs ten decades stiffer: a press along a slanted normal must not
+/// become a tangential force by rounding, for what another finger holds may be five decades smaller.
+#[test]
+fn far_pressed_fingers_with_stiff_tangents() {
+    let tally = Tally::default();
+    for angle in [0.0_f64, 0.3, 1.0, 2.0] {
+        let contacts: [planar::Contact; 5] = std::array::from_fn(|i| {
+            let (sin, cos) = (angle + std::f64::consts::TAU * i as f64 / 5.0).sin_cos();
+            let press = if i == 2 { 5e-4 } else { 116.8 };
+            let contact = planar::Contact::new([2e-3 * cos, 2e-3 * sin], [-cos, -sin])
+                .series_stiffness(2.7e-3, 8.6e7)
+                .friction(0.64)
+                .command([press, 0.0]);
+            if i == 0 { contact.bonded() } else { contact }
+        });
+        let direction = planar::Wrench::new([0.53, -0.46], -7e-4);
+        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], &tally).unwrap();
+    }
+    assert_eq!(tally.borrow()["Leaves"], 4);
+}
+
+/// Two contacts of which one has no friction and its normal along the line through both: the object turns about the other one, however the normal
+/// is rounded. The nearly singular balance must not be taken for one that holds.
+#[test]
+fn a_pair_with_a_slippery_jaw_opposite() {
+    for turn in [0.0, 1.3e-16, -1e-14, 1e-10] {
+        let jaw = |side: f64, turn: f64| {
+            planar::Contact::new([side, 0.0], [-side, turn]).series_stiffness(1.0, 1.0).command([0.4, 0.0])
+        };
+        let contacts = [jaw(1.0, 0.0).bonded(), jaw(-1.0, turn)];
+        let pull = Pull::new(&Wrench::ZERO, &planar::Wrench::new([0.2, 1.0], 0.5)).unwrap();
+        let screened = planar::Fingers::new(&contacts).unwrap().onset(&pull);
+        assert_eq!(screened.verdict(), Verdict::Unclear, "{turn:e}");
+    }
+}
+
+/// In space the way out of the cone is found from squares of forces times rates. In units in which they underflow there is no factor rather than a
+/// wrong one; in all others it is the same.
+#[test]
+fn units_in_space() {
+    let onset = |exponent: i32| {
+        let unit = 2.0_f64.powi(exponent);
+        let fingers: [spatial::Contact; 3] = std::array::from_fn(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / 3.0 + 0.1).sin_cos();
+            spatial::Contact::new([unit * cos, unit * sin, 0.1 * unit * sin], [-cos, -sin, 0.05])
+                .series_stiffness(900.0 * unit, 600.0 * unit)
+                .friction(0.6)
+                .command([6e-3 * unit, 0.0, 0.0])
+        });
+        let force = unit * unit;
+        let direction = spatial::Wrench::new(
+            [0.3, -0.2, -1.0].map(|f| f * force),
+            [0.1, 0.0, 0.2].map(|m| m * force * unit),
+        );
+        let pull = Pull::new(&Wrench::ZERO, &direction).unwrap();
+        spatial::Fingers::new(&fingers).unwrap().onset(&pull)
+    };
+    let factor = onset(0).factor().unwrap();
+    for exponent in [-100, -30, 30, 50] {
+        assert!((onset(exponent).factor().unwrap() / factor - 1.0).abs() < 1e-12, "{exponent}");
+    }
+    for exponent in [-130, -140, -150] {
+        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+    }
+}
+
 /// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
 #[test]
 fn a_pinch_in_space_gives_way() {
@@ -247,4 +313,24 @@ fn nothing_is_allocated() {
         assert_eq!(fingers.onset(&pull).factor(), answers[99].factor());
     });
     assert_eq!(counted.count_total, 0);
+}
+
+/// A tangent that the user turned round, with the command turned round, is the same contact.
+#[test]
+fn tangents_turned_round() {
+    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector([0.3, -1.0, 0.1])).unwrap();
+    let jaw = |side: f64, slant: f64| {
+        planar::Contact::new([side, 0.1], [-side, slant]).series_stiffness(1e3, 8e2).friction(0.7)
+    };
+    let plain = [jaw(-1.0, 0.1).command([0.01, 0.002]), jaw(1.0, 0.2).command([0.01, -0.001])];
+    // t = (n_y, -n_x) of the second is (0.2, 1) apart from its length.
+    let turned = [plain[0].clone(), jaw(1.0, 0.2).tangent([-0.2, -1.0]).command([0.01, 0.001])];
+    let factor = |contacts: &[planar::Contact; 2]| {
+        Fingers::<3, 2, 2>::new(contacts).unwrap().onset(&pull).factor().unwrap()
+    };
+    assert_eq!(factor(&plain), factor(&turned));
+    let grasp = Grasp::new(turned.clone()).unwrap();
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::from_vector([0.3, -1.0, 0.1]));
+    let whole = grasp.onset(&ramp, &Settings::default()).unwrap().factor().unwrap();
+    assert!((factor(&plain) / whole - 1.0).abs() < 1e-13);
 }

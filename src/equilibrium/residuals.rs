@@ -32,12 +32,21 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of them.
+    /// Of an answer with a number that is not finite: nothing holds.
+    const NONE_HOLDS: Self = Self {
+        equilibrium: f64::INFINITY,
+        springs: f64::INFINITY,
+        cone: f64::INFINITY,
+        gap: f64::INFINITY,
+        complementarity: f64::INFINITY,
+    };
+
+    /// The largest of them; infinite if one is not a number.
     #[must_use]
     pub fn worst(&self) -> f64 {
         [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity]
             .into_iter()
-            .fold(0.0, f64::max)
+            .fold(0.0, |worst, r| if r.is_nan() { f64::INFINITY } else { r.max(worst) })
     }
 }
 
@@ -53,6 +62,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: Cone,
         [force_terms, travel_terms]: [f64; 2],
     ) -> Residuals {
+        // Comparisons below pass over what is not a number.
+        let finite = |c: &ContactAnswer<C>| {
+            c.gap.is_finite() && c.force.iter().chain(&c.force_world).chain(&c.slip).all(|x| x.is_finite())
+        };
+        if !answers.iter().all(finite) || !twist.as_vector().iter().all(|x| x.is_finite()) {
+            return Residuals::NONE_HOLDS;
+        }
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
         let drives = &problem.drives;
         let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
@@ -139,5 +155,57 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let moment = sum.iter().skip(C).map(|m| m * m).sum::<f64>().sqrt();
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::Residuals;
+    use crate::formulation::{Polygon, PolygonCone, Problem};
+    use crate::grasp::Twist;
+    use crate::planar::{Contact, Grasp, Wrench};
+
+    /// A comparison with a bound must fail wherever anything is not finite.
+    #[test]
+    fn what_is_not_finite_holds_nowhere() {
+        let jaw = |side: f64| {
+            Contact::new([side, 0.0], [-side, 0.0])
+                .series_stiffness(1e3, 8e2)
+                .friction(0.5)
+                .command([0.01, 0.0])
+        };
+        let grasp = Grasp::new([jaw(-1.0), jaw(1.0)]).unwrap();
+        let load = Wrench::force([0.0, -1.0]);
+        let answer = grasp.solve(&load).unwrap().equilibrium().unwrap().clone();
+        let wrench = grasp.inside(&load, "load").unwrap();
+        let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
+        let problem = Problem::at_rest(grasp.sites(), polygon, grasp.drives(), wrench);
+        let worst = |twist: &Twist<3>, contacts: &[_]| {
+            grasp.residuals(&problem, &load, twist, contacts, answer.cone, [0.0; 2]).worst()
+        };
+        assert!(worst(&answer.twist, &answer.contacts) < 1e-14);
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let lost = Twist::from_vector([0.0, bad, 0.0]);
+            assert_eq!(worst(&lost, &answer.contacts), f64::INFINITY);
+            for part in 0..4 {
+                let mut contacts = answer.contacts.clone();
+                match part {
+                    0 => contacts[1].force[1] = bad,
+                    1 => contacts[1].force_world[0] = bad,
+                    2 => contacts[0].slip[1] = bad,
+                    _ => contacts[0].gap = bad,
+                }
+                assert_eq!(worst(&answer.twist, &contacts), f64::INFINITY, "{part} {bad}");
+            }
+        }
+        for k in 0..5 {
+            let mut r = [0.0; 5];
+            r[k] = f64::NAN;
+            let [equilibrium, springs, cone, gap, complementarity] = r;
+            let residuals = Residuals { equilibrium, springs, cone, gap, complementarity };
+            assert_eq!(residuals.worst(), f64::INFINITY, "{k}");
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::finger::{Finger, Force, moment, world};
 use super::lanes::{Lanes, dot};
 
 /// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring.
-const NOTHING: f64 = 1e-13;
+pub(super) const NOTHING: f64 = 1e-13;
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]

@@ -15,8 +15,10 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) normal: [[Lanes<L>; N]; C],
     /// Normal and tangential stiffness; in a planar pair the compliances, see [`super::pair`].
     pub(super) springs: [[Lanes<L>; N]; 2],
-    /// Commanded displacements less the clearance, coordinate axes.
-    pub(super) command: [[Lanes<L>; N]; C],
+    /// Commanded displacements less the clearance: along the normal, and across it as in [`super::finger::Force`]. Kept apart, for a stiff tangential
+    /// spring would make a force of what rounding turns of a long way along the normal.
+    pub(super) pressed: [Lanes<L>; N],
+    pub(super) sheared: [[Lanes<L>; N]; C],
     /// Friction coefficients, or codes; see [`super::exit`].
     pub(super) friction: [Lanes<L>; N],
     /// Of planar pairs only.
@@ -59,7 +61,8 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
             point: [zero; C],
             normal: [zero; C],
             springs: [zero; 2],
-            command: [zero; C],
+            pressed: zero,
+            sheared: [zero; C],
             friction: zero,
             sizes,
         }
@@ -77,11 +80,12 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
                 for axis in 0..C {
                     self.point[axis][contact].0[lane] = scene.point[axis][contact].0[0];
                     self.normal[axis][contact].0[lane] = scene.normal[axis][contact].0[0];
-                    self.command[axis][contact].0[lane] = scene.command[axis][contact].0[0];
+                    self.sheared[axis][contact].0[lane] = scene.sheared[axis][contact].0[0];
                 }
                 for spring in 0..2 {
                     self.springs[spring][contact].0[lane] = scene.springs[spring][contact].0[0];
                 }
+                self.pressed[contact].0[lane] = scene.pressed[contact].0[0];
                 self.friction[contact].0[lane] = scene.friction[contact].0[0];
             }
         }

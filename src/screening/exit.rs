@@ -9,6 +9,10 @@ const TOGETHER: f64 = 1e-12;
 /// Forces that leave more than this part of the load unbalanced are not accurate enough.
 const BALANCED: f64 = 1e-12;
 
+/// A force times a rate outside of these bounds, squared, loses its digits to underflow or overflows.
+const LEAST: f64 = 1e-140;
+const MOST: f64 = 1e150;
+
 /// The forces of all contacts, or their rates; arrays run over the contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
@@ -103,6 +107,8 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     let noise = weight * rates.rounding[contact];
     let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
     let (factor, margin);
+    // Minus infinity where nothing is sure.
+    let mut known = zero;
     if C == 2 {
         let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
         let (one, two) = (n - t, n + t);
@@ -133,8 +139,12 @@ fn exit<const C: usize, const N: usize, const L: usize>(
         let root = discriminant.max(zero).sqrt();
         let root = b.above(zero, root + b, c) / b.above(zero, a, root - b);
         factor = closing.above(noise, root, infinite);
+        let product = (n.abs() + friction) * (dn.abs() + friction_rate);
+        let lost = Lanes::all(f64::NEG_INFINITY);
+        let squared = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), lost, zero), lost);
+        known = closing.above(noise, squared, zero);
     }
-    Exit { factor, margin, sure: margin - weight * base.rounding[contact] }
+    Exit { factor, margin, sure: margin - weight * base.rounding[contact] + known }
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.

@@ -58,12 +58,20 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 });
             }
             let mut a = contact.command;
-            a[0] -= contact.clearance;
-            let a = frame * a;
+            block.pressed[index] = Lanes([a[0] - contact.clearance]);
+            a[0] = 0.0;
+            if C == 3 {
+                a = frame * a;
+            } else {
+                // Along (n_y, -n_x), whichever way the user's tangent points.
+                let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];
+                a.swap_rows(0, 1);
+                a[0] *= turned.signum();
+            }
             for axis in 0..C {
                 block.point[axis][index] = Lanes([contact.point[axis]]);
                 block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
-                block.command[axis][index] = Lanes([a[axis]]);
+                block.sheared[axis][index] = Lanes([a[axis]]);
             }
             block.springs[0][index] = Lanes([k[0]]);
             block.springs[1][index] = Lanes([tangential]);

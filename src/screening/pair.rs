@@ -15,17 +15,23 @@
 //!
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
+use super::balance::NOTHING;
 use super::block::Block;
 use super::exit::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::load_path::ROUNDING;
 
 /// Turns stiffnesses into compliances. A contact without friction has none along its tangent to speak of, an infinite one: then the condition on λ
-/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together; their
-/// compliances are not numbers.
+/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together, nor does one whose normal points along
+/// the line: the object turns about the other contact. Their compliances are not numbers.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
     let slippery = scene.springs[1].map(|k| k.0[0] == 0.0);
-    let count = slippery.iter().filter(|slips| **slips).count();
+    let [x, y] = [0, 1].map(|axis| scene.point[axis][1].0[0] - scene.point[axis][0].0[0]);
+    let along = |i: usize| {
+        let t = scene.normal[1][i].0[0] * x - scene.normal[0][i].0[0] * y;
+        t * t <= NOTHING * (x * x + y * y)
+    };
+    let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
     for i in 0..N {
         let [normal, tangential] = [scene.springs[0][i], scene.springs[1][i]];
         let compliances = match count {
@@ -37,9 +43,8 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C
             scene.springs[axis][i] = compliance;
         }
         if count > 0 {
-            for axis in 0..C {
-                scene.command[axis][i] = Lanes::all(0.0);
-            }
+            scene.pressed[i] = Lanes::all(0.0);
+            scene.sheared[0][i] = Lanes::all(0.0);
         }
     }
     scene.sizes = Sizes::of(scene);
@@ -63,7 +68,7 @@ impl Sizes<1> {
         let (mut gives, mut commands) = (Lanes::default(), Lanes::default());
         for i in 0..2 {
             gives += pair.u[i].abs() + pair.v[i].abs();
-            commands += scene.command[0][i].abs() + scene.command[1][i].abs();
+            commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
         }
         let scale = length * pair.one_over_give;
         let gives = one + scale * gives;
@@ -112,7 +117,7 @@ impl<const L: usize> Pair<L> {
             v[i] = block.springs[1][i] * t[i];
             give[i] = u[i] * n[i] + v[i] * t[i];
             sheared[i] = u[i] * t[i] - v[i] * n[i];
-            commanded[i] = block.command[0][i] * x[i] + block.command[1][i] * y[i];
+            commanded[i] = block.pressed[i] * n[i] + block.sheared[0][i] * t[i];
         }
         let one_over_give = Lanes::all(1.0) / (give[0] + give[1]);
         let one_over_square = Lanes::all(1.0) / (x[0] * x[0] + y[0] * y[0]);

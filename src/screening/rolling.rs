@@ -20,7 +20,7 @@ const GIVES_WAY: f64 = 1e-6;
 
 /// Commands of the fingers or a load, and what part of the forces that they bring about is called rounding.
 struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
-    commands: Option<[[Lanes<L>; C]; N]>,
+    commands: Option<[Force<C, L>; N]>,
     load: [Lanes<L>; D],
     rounding: Lanes<L>,
 }
@@ -31,10 +31,12 @@ pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: u
     body: &Body<D, C, N, L>,
     block: &Block<C, N, L>,
 ) -> Forces<C, N, L> {
-    let mut commands = [[Lanes::default(); C]; N];
+    let zero = Lanes::default();
+    let mut commands = [Force { normal: zero, tangential: [zero; C] }; N];
     for i in 0..N {
+        commands[i].normal = block.pressed[i];
         for axis in 0..C {
-            commands[i][axis] = block.command[axis][i];
+            commands[i].tangential[axis] = block.sheared[axis][i];
         }
     }
     let rounding = Lanes::all(ON_THE_EDGE);
@@ -60,7 +62,11 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     let (mut left, mut part) = (pulled.load, zero);
     if let Some(commands) = &pulled.commands {
         for i in 0..N {
-            contacts[i] = stretched(&body.fingers[i], &commands[i]);
+            let [normal, tangential] = body.fingers[i].springs;
+            contacts[i].normal = normal * commands[i].normal;
+            for axis in 0..C {
+                contacts[i].tangential[axis] = tangential * commands[i].tangential[axis];
+            }
         }
         (left, part) = body.unbalanced(&contacts, &pulled.load);
     }
@@ -120,18 +126,20 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
     let mut forces = Forces::none();
     for i in 0..N {
         let [normal, tangential] = body.fingers[i].springs;
-        let mut stretch = span;
+        stretched[i] = normal.max(tangential) * span;
+        if let Some(commands) = &pulled.commands {
+            stretched[i] += normal * commands[i].normal.abs();
+        }
         sizes[i] = contacts[i].normal.abs();
         forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
             if let Some(commands) = &pulled.commands {
-                stretch += commands[i][axis].abs();
+                stretched[i] += tangential * commands[i].tangential[axis].abs();
             }
             sizes[i] += contacts[i].tangential[axis].abs();
             forces.tangential[axis][i] = contacts[i].tangential[axis];
         }
         largest += sizes[i];
-        stretched[i] = normal.max(tangential) * stretch;
         second = second.max(stretched[i].min(most));
         most = most.max(stretched[i]);
     }
