@@ -2,6 +2,7 @@
 
 use super::lanes::{Lanes, dot};
 use super::screened::{GIVES_WAY, NOT_ROLLING, Screened, UNCLEAR};
+
 /// A contact this close to the edge of its cone at factor zero, relative to the forces there, may be on it.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 /// Contacts that leave at factors less than this part apart leave together.
