@@ -90,6 +90,7 @@ pub mod equilibrium;
 mod error;
 pub mod formulation;
 pub mod grasp;
+mod halves;
 pub mod lcp;
 pub mod load_path;
 #[cfg(feature = "plot")]

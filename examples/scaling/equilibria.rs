@@ -36,11 +36,11 @@ pub fn few_contacts() -> Outcome {
 pub fn patches() -> Outcome {
     for n in [100, 1000, 10_000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
-        patch("plane", &grasp, &load, n <= 300)?;
+        patch("in the plane", &grasp, &load, n <= 300)?;
     }
     for n in [100, 1000, 10_000] {
         let (grasp, load) = spatial_patch(n)?;
-        patch("space", &grasp, &load, n <= 100)?;
+        patch("in space", &grasp, &load, n <= 100)?;
     }
     Ok(())
 }
@@ -59,7 +59,7 @@ fn patch<const D: usize, const C: usize>(
     let remarks = remark(workspace.solve_along_one_path(grasp, load)?);
     let (dense, today) =
         if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
-    let name = format!("equilibrium, patch in the {place}, n = {}", grasp.len());
+    let name = format!("equilibrium, patch {place}, n = {}", grasp.len());
     row(&format!("{name}, Lemke"), lemke, dense, today, &remarks);
     let newton = best(runs, || {
         black_box(workspace.solve(grasp, load).is_ok());

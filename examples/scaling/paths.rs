@@ -16,11 +16,11 @@ use crate::scenes::{planar_patch, spatial_patch};
 pub fn rows() -> Outcome {
     for n in [100, 1000, 10_000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
-        whole_path("plane", &grasp, &load, n <= 100)?;
+        whole_path("in the plane", &grasp, &load, n <= 100)?;
     }
     for n in [100, 1000] {
         let (grasp, load) = spatial_patch(n)?;
-        whole_path("space", &grasp, &load, n <= 100)?;
+        whole_path("in space", &grasp, &load, n <= 100)?;
     }
     Ok(())
 }
@@ -48,7 +48,7 @@ fn whole_path<const D: usize, const C: usize>(
         let whole = || grasp.follow_with(press, legs, &settings).map(|mut path| path.run().len());
         let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
         row(
-            &format!("load path{name}, patch in the {place}, n = {}", grasp.len()),
+            &format!("load path{name}, patch {place}, n = {}", grasp.len()),
             time,
             long,
             f64::NAN,

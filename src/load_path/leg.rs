@@ -136,6 +136,17 @@ impl<const D: usize, const C: usize> Program<D, C> {
         true
     }
 
+    /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
+    pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+        let [from, to] = &self.commands;
+        let base = from.iter().zip(grasp.contacts()).map(|(command, contact)| {
+            let mut a = *command;
+            a[0] -= contact.clearance;
+            a
+        });
+        [base.collect(), to.iter().zip(from).map(|(to, from)| to - from).collect()]
+    }
+
     /// The load at a fraction of the present leg.
     pub(super) fn load_at(&self, fraction: f64) -> Wrench<D> {
         self.load[0] + (self.load[1] - self.load[0]) * fraction

@@ -188,17 +188,14 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.end = Some(PathEnd::Completed);
             return;
         }
-        let Program { load, commands, .. } = &self.program;
-        let [from, to] = load.map(|w| self.grasp.inside_unchecked(&w));
+        let [from, to] = self.program.load.map(|w| self.grasp.inside_unchecked(&w));
+        let [base, change] = self.program.drives(self.grasp);
         self.segment.direction = to - from;
-        self.segment.change = commands[1].iter().zip(&commands[0]).map(|(to, from)| to - from).collect();
+        self.segment.change = change;
         // Counted anew from the goal of the last leg, so that rounding does not add up over many legs.
         self.segment.problem.wrench = from;
-        for (i, contact) in self.grasp.contacts().iter().enumerate() {
-            let mut a = commands[0][i];
-            a[0] -= contact.clearance;
-            self.segment.problem.drives[i] = a - self.segment.problem.slips[i];
-        }
+        self.segment.problem.drives =
+            base.iter().zip(&self.segment.problem.slips).map(|(a, slip)| a - slip).collect();
         self.factor = 0.0;
         self.pace = Pace::new();
         self.energy.push(Energy::default());

@@ -177,13 +177,8 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
             }
         }
         let start = number(self.facets.len());
-        let root = problem.sites[contact].k.map(f64::sqrt);
-        let friction = problem.mu(contact) * root[0];
         for h in normals {
-            let mut row = -root.component_mul(h);
-            let length = row.norm();
-            row /= length;
-            row[0] = friction / length;
+            let row = facet_row(&problem.sites[contact].k, problem.mu(contact), h);
             self.facets.push(Facet { row, unit: row.norm() });
         }
         (start, count)
@@ -248,6 +243,20 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         let unit = self.facet(local, pair).map_or(1.0, |facet| facet.unit);
         unit * generic(local.first as usize + pair)
     }
+}
+
+/// (κ, c) of a facet, `μ F_n - h·F_t = 0` in energy coordinates: c of length one.
+pub(crate) fn facet_row<const C: usize>(
+    k: &SVector<f64, C>,
+    mu: f64,
+    h: &SVector<f64, C>,
+) -> SVector<f64, C> {
+    let root = k.map(f64::sqrt);
+    let mut row = -root.component_mul(h);
+    let length = row.norm();
+    row /= length;
+    row[0] = mu * root[0] / length;
+    row
 }
 
 fn normal<const C: usize>() -> SVector<f64, C> {

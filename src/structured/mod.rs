@@ -15,6 +15,7 @@ mod ratio;
 mod solution;
 mod workspace;
 
-pub(crate) use newton::{Code, both};
+pub(crate) use form::facet_row;
+pub(crate) use newton::Code;
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

@@ -14,17 +14,12 @@ use nalgebra::{SMatrix, SVector};
 
 use super::bordered::Bordered;
 use crate::formulation::{Law, Problem, State, corner};
+use crate::halves::{TOGETHER, both};
 
 /// Steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 16;
 /// Forces out of balance by less than this part of their sizes balance.
 const BALANCED: f64 = 1e-13;
-
-/// Contacts that are summed one after the other,
-const TOGETHER: usize = 256;
-/// and those that are worth a second thread.
-#[cfg(feature = "parallel")]
-const APART: usize = 4096;
 
 /// Memory of the method.
 #[derive(Debug, Clone)]
@@ -277,20 +272,6 @@ fn respond<const D: usize, const C: usize>(
         *answer = force;
     }
     t
-}
-
-/// Both results, on two threads if the work is worth it.
-pub(crate) fn both<R: Send>(
-    count: usize,
-    a: impl FnOnce() -> R + Send,
-    b: impl FnOnce() -> R + Send,
-) -> (R, R) {
-    #[cfg(feature = "parallel")]
-    if count >= APART {
-        return rayon::join(a, b);
-    }
-    let _ = count;
-    (a(), b())
 }
 
 impl<const D: usize> Tangent<D> {

@@ -13,12 +13,11 @@ use nalgebra::{SMatrix, SVector};
 
 use super::local::Local;
 use crate::formulation::{FullPivot, Regular};
-use crate::structured::{Code, both};
+use crate::halves::{TOGETHER, both};
+use crate::structured::Code;
 
 /// What no motion reaches by more than this part of the sizes of the terms is out of balance.
 const OUT_OF_REACH: f64 = 1e-12;
-/// Contacts that are summed one after the other.
-pub(super) const TOGETHER: usize = 256;
 
 /// T, b and b'.
 #[derive(Debug, Clone, Copy)]

@@ -24,7 +24,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
 
     /// The present leg, as the path of few contacts has it, with the slip up to where each contact has come into its state.
     pub(super) fn segment(&self) -> Segment<'g, D, C> {
-        let [base, change] = self.grasp.leg_drives(&self.program.commands);
+        let [base, change] = self.program.drives(self.grasp);
         let [from, to] = self.program.load.map(|w| self.grasp.inside_unchecked(&w));
         let mut problem = Problem::at_rest(self.grasp.sites(), self.polygon.clone(), base, from);
         for (i, local) in self.locals.iter().enumerate() {

@@ -3,12 +3,13 @@
 use nalgebra::SVector;
 
 use super::PatchPath;
-use super::balance::{Sums, TOGETHER};
+use super::balance::Sums;
 use super::local::Local;
 use crate::formulation::{Orthogonal, Problem};
-use crate::grasp::{Grasp, Site};
+use crate::grasp::Site;
+use crate::halves::{TOGETHER, both};
 use crate::load_path::event::PathEnd;
-use crate::structured::{Code, both};
+use crate::structured::{Code, facet_row};
 
 /// A load that does this little work on a unit free motion, relative to its size, does none.
 const NO_WORK: f64 = 1e-13;
@@ -85,14 +86,7 @@ pub(super) fn lay_out<const D: usize, const C: usize>(
         } else {
             // There are fewer than 2^32 numbers in memory.
             local.facets = u32::try_from(facets.len()).unwrap_or(u32::MAX);
-            let root = site.k.map(f64::sqrt);
-            for h in normals {
-                let mut row = -root.component_mul(h);
-                let length = row.norm();
-                row /= length;
-                row[0] = site.mu * root[0] / length;
-                facets.push(row);
-            }
+            facets.extend(normals.iter().map(|h| facet_row(&site.k, site.mu, h)));
         }
         locals.push(local);
     }
@@ -207,17 +201,5 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         self.stands = stands;
         self.sets_out = true;
         self.at_node = true;
-    }
-}
-
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Drives at the beginning of a leg and what they change by.
-    pub(super) fn leg_drives(&self, commands: &[Vec<SVector<f64, C>>; 2]) -> [Vec<SVector<f64, C>>; 2] {
-        let base = commands[0].iter().zip(self.contacts()).map(|(command, contact)| {
-            let mut a = *command;
-            a[0] -= contact.clearance;
-            a
-        });
-        [base.collect(), commands[1].iter().zip(&commands[0]).map(|(to, from)| to - from).collect()]
     }
 }

@@ -12,8 +12,7 @@ use std::collections::BinaryHeap;
 
 use nalgebra::SVector;
 
-use super::balance::TOGETHER;
-use crate::structured::both;
+use crate::halves::{TOGETHER, both};
 
 /// ε: deviations from e count this much more.
 pub(super) const ACROSS: f64 = 0.25;
