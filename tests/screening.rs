@@ -39,20 +39,24 @@ fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> 
     })
 }
 
-/// What screening says, checked against the onset.
+/// What screening says, checked against the onset; factors to this part.
 fn check<const D: usize, const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<D>; 2],
+    close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
     let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
     let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
     let onset = grasp.onset(&Ramp::load(base, direction), &Settings::default()).unwrap();
     *tally.borrow_mut().entry(format!("{:?}", screened.verdict())).or_default() += 1;
+    if matches!(onset, Onset::Undecided(_)) {
+        *tally.borrow_mut().entry("whole undecided".to_owned()).or_default() += 1;
+    }
     match (screened.verdict(), &onset) {
         (Verdict::Leaves, Onset::At(event)) => {
             let factor = screened.factor().unwrap();
-            prop_assert!((factor - event.factor).abs() <= 1e-8 * event.factor, "{factor} {}", event.factor);
+            prop_assert!((factor - event.factor).abs() <= close * event.factor, "{factor} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
             // Those of the first that the walk saw leave; at a tie the rates may let some stay.
             for leaving in &event.leaving {
@@ -62,7 +66,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
         (Verdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),
         (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
         | (Verdict::NotRolling, Onset::AlreadySliding(_) | Onset::NoBase(_))
-        | (_, Onset::Undecided(_)) => {}
+        | (Verdict::NotRolling | Verdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the base may well close on the way.
         (Verdict::NotRolling, onset) => {
             let state = grasp.solve(&base).unwrap();
@@ -86,8 +90,9 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
         prop_oneof![Just(SVector::zeros()), wrench()],
         wrench(),
     );
+    let close = if spread == Spread::Narrow { 1e-10 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, base, direction)| {
-        check::<D, C, N>(&contacts(&data, &holds), [base, direction].map(Wrench::from_vector), tally)
+        check::<D, C, N>(&contacts(&data, &holds), [base, direction].map(Wrench::from_vector), close, tally)
     });
 }
 
@@ -112,6 +117,7 @@ fn agrees_in_space() {
     random::<6, 3, 5>(100, Spread::Narrow, &tally);
     let counts = tally.borrow();
     assert!(counts["Leaves"] > 100 && counts["GivesWay"] > 20, "{counts:?}");
+    assert!(counts.get("Unclear").is_none_or(|&n| n <= 5), "{counts:?}");
 }
 
 /// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
@@ -124,6 +130,7 @@ fn agrees_on_wide_ranges() {
     random::<6, 3, 5>(50, Spread::Wide, &tally);
     let counts = tally.borrow();
     assert!(counts["Leaves"] > 200, "{counts:?}");
+    assert!(counts.get("Unclear").is_none_or(|&n| 2 * n < counts["Leaves"]), "{counts:?}");
 }
 
 /// A pair pressed along its line by N each and pulled across by w: it holds w = 2 μ N, whatever the stiffnesses; a load along the line
@@ -164,7 +171,7 @@ fn far_pressed_fingers_with_stiff_tangents() {
             if i == 0 { contact.bonded() } else { contact }
         });
         let direction = planar::Wrench::new([0.53, -0.46], -7e-4);
-        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], &tally).unwrap();
+        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], 1e-8, &tally).unwrap();
     }
     assert_eq!(tally.borrow()["Leaves"], 4);
 }

@@ -35,7 +35,7 @@ pub struct Pull<const D: usize> {
 }
 
 impl<const D: usize> Pull<D> {
-    /// The load `base + factor · direction`, about the origin of the coordinates of each grasp.
+    /// The load on the object `base + factor · direction`: forces in N, moments in N m about the origin of the coordinates of each grasp. The factor has no unit.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite.

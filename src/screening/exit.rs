@@ -9,7 +9,8 @@ pub(super) const ON_THE_EDGE: f64 = 1e-12;
 const TOGETHER: f64 = 1e-12;
 /// Forces that leave more than this part of the load unbalanced are not accurate enough.
 const BALANCED: f64 = 1e-12;
-
+/// A margin that closes at less than so many times what of the rate may be rounding closes at a factor that is not known well enough.
+const SHARP: f64 = 1e6;
 /// A force times a rate outside of these bounds, squared, loses its digits to underflow or overflows.
 const LEAST: f64 = 1e-140;
 const MOST: f64 = 1e150;
@@ -77,7 +78,7 @@ impl<const L: usize> Cone<L> {
 
 /// The way of one contact out of its cone.
 struct Exit<const L: usize> {
-    /// Infinite if there is none.
+    /// Infinite if there is none, a code if it is not known.
     factor: Lanes<L>,
     /// The margin to the edge at factor zero, and what is left of it without rounding.
     margin: Lanes<L>,
@@ -103,21 +104,19 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     rates: &Forces<C, N, L>,
 ) -> Exit<L> {
     let zero = Lanes::default();
-    let infinite = Lanes::all(f64::INFINITY);
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
     let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
     let (factor, margin);
     // Minus infinity where nothing is sure.
-    let mut known = zero;
+    let mut lost = zero;
     if C == 2 {
         let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
         margin = one.min(two);
-        let one = closing_one.above(noise, one / closing_one, infinite);
-        let two = closing_two.above(noise, two / closing_two, infinite);
-        factor = one.min(two);
+        factor =
+            known(one / closing_one, closing_one, noise).min(known(two / closing_two, closing_two, noise));
     } else {
         let (mut t, mut dt) = (base.friction(contact), rates.friction(contact));
         for axis in 0..C {
@@ -139,13 +138,20 @@ fn exit<const C: usize, const N: usize, const L: usize>(
         }
         let root = discriminant.max(zero).sqrt();
         let root = b.above(zero, root + b, c) / b.above(zero, a, root - b);
-        factor = closing.above(noise, root, infinite);
+        factor = known(root, closing, noise);
         let product = (n.abs() + friction) * (dn.abs() + friction_rate);
-        let lost = Lanes::all(f64::NEG_INFINITY);
-        let squared = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), lost, zero), lost);
-        known = closing.above(noise, squared, zero);
+        let all = Lanes::all(f64::NEG_INFINITY);
+        let squared = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), all, zero), all);
+        lost = closing.above(noise, squared, zero);
     }
-    Exit { factor, margin, sure: margin - weight * base.rounding[contact] + known }
+    Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
+}
+
+/// A factor as far as it is known from the rate at which the margin closes there: infinite if that is rounding, a code if it is close to it.
+#[inline(always)]
+fn known<const L: usize>(factor: Lanes<L>, closing: Lanes<L>, noise: Lanes<L>) -> Lanes<L> {
+    let factor = closing.above(Lanes::all(SHARP) * noise, factor, Lanes::all(UNCLEAR));
+    closing.above(noise, factor, Lanes::all(f64::INFINITY))
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
