@@ -53,3 +53,34 @@ fn answers_come_in_the_order_of_the_questions() {
         assert_eq!(answer.unwrap().equilibrium().expect("holds").load, *load);
     }
 }
+
+/// Sums over a patch are made of halves, whoever makes them.
+#[test]
+fn paths_of_patches_do_not_depend_on_who_computes_them() {
+    use grasp_lcp::planar;
+    let n = 9000;
+    let spring = |i: i32| {
+        let x = f64::from(2 * i + 1) / f64::from(n) - 1.0;
+        planar::Contact::new([x, 0.01 * (90.0 * x).sin()], [0.1 * (70.0 * x).sin(), 1.0])
+            .series_stiffness(1.0 + x * x, 0.8)
+            .friction(0.3)
+            .command([1.0 - x * x, 0.0])
+    };
+    let grasp = planar::Grasp::new((0..n).map(spring)).unwrap();
+    let press = f64::from(n) * 0.8;
+    let legs = [planar::Leg::load_by(planar::Wrench::new([0.1 * press, 0.0], 0.0))];
+    let followed = || {
+        let mut path = grasp.follow_patch(planar::Wrench::new([0.0, -press], 0.0), &legs).unwrap();
+        let events: Vec<_> = path.by_ref().collect();
+        assert!(events.len() > 100, "{}", events.len());
+        format!("{events:?} {:?}", path.state())
+    };
+    let here = followed();
+    #[cfg(feature = "parallel")]
+    for threads in [1, 2, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert!(pool.install(followed) == here, "{threads} threads");
+    }
+    #[cfg(not(feature = "parallel"))]
+    assert!(followed() == here);
+}
