@@ -102,6 +102,7 @@ pub mod screening;
 pub mod spatial;
 pub mod structured;
 pub mod sweep;
+mod twice;
 mod wide;
 
 pub use equilibrium::Settings;

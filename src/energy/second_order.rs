@@ -143,7 +143,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 for k in C..D {
                     map.row_mut(k).scale_mut(in_units[k]);
                 }
-                Site { map, ..site.clone() }
+                Site { map, map_rest: SMatrix::zeros(), ..site.clone() }
             })
             .collect();
         let wrench = load.as_vector().component_mul(&in_units);

@@ -66,7 +66,7 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
         return Verdict::Violated { doubtful: false };
     }
     let piece = Piece::new(problem, &states);
-    match piece.solve(&problem.drives, &problem.wrench) {
+    match piece.solve(problem.sites, &problem.drives, problem.load()) {
         Ok(state) => admit(problem, states, &piece, state),
         Err(_) => Verdict::Unbalanced,
     }

@@ -67,7 +67,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
-        let problem = Problem { round: settings.is_round::<C>(), ..problem };
+        let round = settings.is_round::<C>();
+        let problem = Problem { round, wrench_rest: self.inside_rest(load), ..problem };
         let (settled, effort) = settle(&problem, settings);
         Ok(self.outcome(&problem, load, settled, &effort, settings.cone_of::<C>()))
     }
@@ -84,7 +85,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
-        let problem = Problem { round: settings.is_round::<C>(), ..problem };
+        let round = settings.is_round::<C>();
+        let problem = Problem { round, wrench_rest: self.inside_rest(load), ..problem };
         let combinations = combinations(&problem);
         if combinations > settings.most_states as f64 {
             return Err(Error::TooManyStates {

@@ -54,7 +54,9 @@ pub(crate) fn solution_near<const D: usize, const C: usize>(
     }
     match try_states(problem, states.to_vec()) {
         Verdict::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
-        Verdict::Violated { .. } => Piece::new(problem, states).solve(&problem.drives, &problem.wrench).ok(),
+        Verdict::Violated { .. } => {
+            Piece::new(problem, states).solve(problem.sites, &problem.drives, problem.load()).ok()
+        }
         Verdict::Unbalanced => None,
     }
 }
@@ -178,7 +180,7 @@ fn finish<const D: usize, const C: usize>(
             }
         }
         let piece = Piece::new(&linear, &states);
-        let solved = piece.solve(&drives, &problem.wrench).ok()?;
+        let solved = piece.solve(problem.sites, &drives, problem.load()).ok()?;
         twist += solved.twist;
         let change = solved.forces.iter().zip(&forces).map(|(new, old)| (new - old).norm());
         let sizes = solved.forces.iter().map(nalgebra::Matrix::norm);

@@ -9,6 +9,8 @@ use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
+/// Displacements below this part of the largest of the scene are none.
+const STILL: f64 = 1e-20;
 
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic.
 ///
@@ -78,7 +80,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         };
         // The law is about the slip since the state that the drives count from.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
-        let sizes: Vec<f64> = (0..self.len())
+        let mut sizes: Vec<f64> = (0..self.len())
             .map(|i| {
                 let contact = &self.contacts()[i];
                 let own = drives[i].norm() + contact.clearance + compression(i).norm();
@@ -86,6 +88,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })
             .collect();
+        // Where nothing is driven and the object stays, what is left is the rounding of the rounding elsewhere.
+        let still = STILL * sizes.iter().copied().fold(0.0, f64::max);
+        for size in &mut sizes {
+            *size = size.max(still);
+        }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         let spring_force = least_spring_force(self.sites(), sizes.iter().copied());

@@ -93,7 +93,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     let mut effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let unjumped: Vec<State> = (0..problem.len()).map(|i| problem.unjumped(i)).collect();
     let trial = Piece::new(problem, &unjumped);
-    let state = match trial.solve(&problem.drives, &problem.wrench) {
+    let state = match trial.solve(problem.sites, &problem.drives, problem.load()) {
         Ok(state) => state,
         Err(unbalanced) => {
             let settled =
@@ -203,7 +203,8 @@ fn touching_contacts_roll<const D: usize, const C: usize>(
     let rounds = if states.len() > ONE_BY_ONE { TOGETHER } else { 2 * states.len() + 2 };
     for round in 0..rounds {
         if round > 0 {
-            solved = Piece::new(problem, &states).solve(&problem.drives, &problem.wrench).ok()?;
+            solved =
+                Piece::new(problem, &states).solve(problem.sites, &problem.drives, problem.load()).ok()?;
         }
         // Of few contacts one at a time, since what pulls makes others pull that will not when it has let go: first the one that is
         // farthest from the object before anything moves.

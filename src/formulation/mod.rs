@@ -1,6 +1,7 @@
 //! From the question to complementarity: contact-law rows, the polygonal cone, the two forms, what is left out.
 
 mod cone;
+mod excess;
 mod force_form;
 mod full_pivot;
 mod kinematic;
@@ -45,7 +46,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
         let states: Vec<State> = (0..self.len()).map(|i| problem.unjumped(i)).collect();
         let trial = Piece::new(&problem, &states);
-        let Ok(state) = trial.solve(&problem.drives, &problem.wrench) else { return Ok(None) };
+        let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
         Ok(kinematic_form(&problem, &trial, &state))
     }
 

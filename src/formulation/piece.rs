@@ -9,15 +9,21 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::excess::{TwistInTwice, excess};
 use super::full_pivot::FullPivot;
 use super::orthogonal::{Orthogonal, orthonormalise_against};
-use super::problem::{Problem, State};
+use super::problem::{Load, Problem, State};
 use super::spring::{Spring, push_springs};
 use crate::grasp::Site;
 
 /// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
 /// to balance carry rounding noise of about 1e-16.
 const NO_WORK: f64 = 1e-13;
+
+/// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
+const NEARLY: f64 = 1e-8;
+/// Corrections at most: where a force is zero exactly each leaves 1e-16 of what was there before.
+const MOST_CORRECTIONS: usize = 4;
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
@@ -103,42 +109,64 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         self.growth
     }
 
-    /// Forces and the twist of least norm under these drives and this load.
+    /// Forces and the twist of least norm under these drives and this load. The sites are those the piece was made of.
     pub(crate) fn solve(
         &self,
+        sites: &[Site<D, C>],
         drives: &[SVector<f64, C>],
-        wrench: &SVector<f64, D>,
+        load: impl Into<Load<D>>,
     ) -> Result<PieceState<D, C>, Unbalanced<D>> {
-        if let Some(motion) = self.worked_on(wrench) {
+        let load = load.into();
+        if let Some(motion) = self.worked_on(&load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
-        let load = balance.load_coordinates(wrench);
         let mut x: Vec<f64> = self.springs.iter().map(|s| s.right.dot(&drives[s.contact])).collect();
-        let mut travelled = SVector::<f64, D>::zeros();
-        // x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + load): once to solve, twice more to remove what rounding left of it.
-        for pass in 0..3 {
-            let pushed = balance.coordinates(&x);
-            let excess = pushed + load;
-            let step = match &self.left {
-                None => excess,
-                Some((_, coupling)) => {
-                    let (step, unreached) = coupling.solve(&excess);
-                    // Near a solution the excess is a difference, known up to the rounding of its terms.
-                    if pass == 0 && unreached > NO_WORK * pushed.amax().max(load.amax()) * self.growth {
-                        return Err(Unbalanced { motion: None });
-                    }
-                    step
+        let pulled = balance.load_coordinates(&load.wrench);
+        let pushed = balance.coordinates(&x);
+        let step = match &self.left {
+            None => pushed + pulled,
+            Some((_, coupling)) => {
+                let (step, unreached) = coupling.solve(&(pushed + pulled));
+                // Near a solution the sum is a difference, known up to the rounding of its terms.
+                if unreached > NO_WORK * pushed.amax().max(pulled.amax()) * self.growth {
+                    return Err(Unbalanced { motion: None });
                 }
-            };
-            self.right.subtract(&mut x, &step);
-            travelled += step;
+                step
+            }
+        };
+        self.right.subtract(&mut x, &step);
+        let mut twist = TwistInTwice::new(self.right.preimage(&step));
+        // Again for what is left of the equations.
+        let mut change = vec![0.0; x.len()];
+        for _ in 0..MOST_CORRECTIONS {
+            let rest = excess(&self.springs, sites, (drives, &load), (&x, &twist), &mut change);
+            twist.add(&self.respond(&mut change, &rest));
+            let (mut largest, mut changed) = (0.0_f64, 0.0_f64);
+            for ((x, change), spring) in x.iter_mut().zip(&change).zip(&self.springs) {
+                *x += change;
+                let push = spring.left.amax();
+                largest = largest.max(push * x.abs());
+                changed = changed.max(push * change.abs());
+            }
+            if changed <= NEARLY * largest {
+                break;
+            }
         }
-        let mut twist = self.right.preimage(&travelled);
+        let mut twist = twist.value();
         for v in &self.free {
             twist -= v * v.dot(&twist);
         }
         Ok(PieceState { forces: self.forces(&x, drives.len()), twist })
+    }
+
+    /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
+    fn respond(&self, x: &mut [f64], wrench: &SVector<f64, D>) -> SVector<f64, D> {
+        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
+        let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
+        let step = self.left.as_ref().map_or(excess, |(_, coupling)| coupling.solve(&excess).0);
+        self.right.subtract(x, &step);
+        self.right.preimage(&step)
     }
 
     /// Change of the forces along a motion of the object with everything else at rest.

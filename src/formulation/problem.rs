@@ -65,10 +65,25 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     /// The slip so far, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, C>>,
     pub(crate) wrench: SVector<f64, D>,
+    /// What rounding took from the load when it was moved to the centroid.
+    pub(crate) wrench_rest: SVector<f64, D>,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_facets: bool,
     /// In space: rolling contacts are held by the round cone; the polygon only proposes.
     pub(crate) round: bool,
+}
+
+/// A load, and what rounding took from it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load<const D: usize> {
+    pub(crate) wrench: SVector<f64, D>,
+    pub(crate) rest: SVector<f64, D>,
+}
+
+impl<const D: usize> From<&SVector<f64, D>> for Load<D> {
+    fn from(wrench: &SVector<f64, D>) -> Self {
+        Self { wrench: *wrench, rest: SVector::zeros() }
+    }
 }
 
 impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
@@ -89,9 +104,15 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
             drives,
             slips,
             wrench,
+            wrench_rest: SVector::zeros(),
             infinite_friction_has_facets: false,
             round: false,
         }
+    }
+
+    /// The load to twice the working precision.
+    pub(crate) fn load(&self) -> Load<D> {
+        Load { wrench: self.wrench, rest: self.wrench_rest }
     }
 
     pub(crate) fn len(&self) -> usize {

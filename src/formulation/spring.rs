@@ -19,6 +19,49 @@ pub(super) struct Spring<const C: usize> {
     pub(super) contact: usize,
     pub(super) right: SVector<f64, C>,
     pub(super) left: SVector<f64, C>,
+    /// What rounding took from `right`, so that `left right` along the normal or an axis is the stiffness given.
+    pub(super) right_rest: SVector<f64, C>,
+    /// The same of `left`, so that friction is μ F_n.
+    pub(super) left_rest: SVector<f64, C>,
+}
+
+impl<const C: usize> Spring<C> {
+    /// Pushes the way it is stretched: `left = right`.
+    fn straight(contact: usize, along: SVector<f64, C>) -> Self {
+        let none = SVector::zeros();
+        Self { contact, right: along, left: along, right_rest: none, left_rest: none }
+    }
+
+    /// A spring of this stiffness along an axis.
+    fn along_axis(contact: usize, axis: usize, k: f64) -> Self {
+        let mut along = SVector::zeros();
+        along[axis] = k.sqrt();
+        let mut spring = Self::straight(contact, along);
+        spring.right_rest[axis] = rest_of_factor(k, along[axis], along[axis]);
+        spring
+    }
+
+    /// The normal spring of a sliding contact, which drags friction `μ F_n pull` along.
+    fn dragging(contact: usize, k: f64, mu: f64, pull: &SVector<f64, C>) -> Self {
+        let root = k.sqrt();
+        // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
+        let balance = (1.0 + mu * pull.norm()).sqrt();
+        let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
+        (right[0], left[0]) = (root * balance, root / balance);
+        let (mut right_rest, mut left_rest) = (SVector::zeros(), SVector::zeros());
+        right_rest[0] = rest_of_factor(k, left[0], right[0]);
+        for axis in 1..C {
+            let drag = mu * pull[axis];
+            left[axis] = drag * left[0];
+            left_rest[axis] = drag.mul_add(left[0], -left[axis]) + mu.mul_add(pull[axis], -drag) * left[0];
+        }
+        Self { contact, right, left, right_rest, left_rest }
+    }
+}
+
+/// The r with `known (factor + r) = product`.
+fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
+    (-known).mul_add(factor, product) / known
 }
 
 /// The springs of a contact in this state.
@@ -29,34 +72,18 @@ pub(super) fn push_springs<const D: usize, const C: usize>(
     springs: &mut Vec<Spring<C>>,
 ) {
     let site = &problem.sites[contact];
-    let along = |axis: usize, size: f64| {
-        let mut v = SVector::<f64, C>::zeros();
-        v[axis] = size;
-        v
-    };
     match state {
         State::Open => {}
         State::Rolling => {
-            for axis in 0..site.axes {
-                let spring = along(axis, site.k[axis].sqrt());
-                springs.push(Spring { contact, right: spring, left: spring });
-            }
+            springs.extend((0..site.axes).map(|axis| Spring::along_axis(contact, axis, site.k[axis])));
         }
         State::Sliding { first, second } => {
-            let normals = problem.normals(contact);
-            let h = normals[first];
+            let h = problem.normals(contact)[first];
             let pull = edge_direction(problem, contact, first, second);
-            let root = site.k[0].sqrt();
-            // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
-            let balance = (1.0 + problem.mu(contact) * pull.norm()).sqrt();
-            springs.push(Spring {
-                contact,
-                right: along(0, root * balance),
-                left: (along(0, 1.0) + pull * problem.mu(contact)) * (root / balance),
-            });
-            if let Some(spring) = spring_across(problem, contact, &h, second) {
-                springs.push(Spring { contact, right: spring, left: spring });
-            }
+            springs.push(Spring::dragging(contact, site.k[0], problem.mu(contact), &pull));
+            springs.extend(
+                spring_across(problem, contact, &h, second).map(|spring| Spring::straight(contact, spring)),
+            );
         }
     }
 }

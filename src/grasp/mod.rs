@@ -17,10 +17,12 @@ pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;
 pub use pressure::Pressure;
 pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
+use rotation::{grasp_map_in_twice, planes};
 pub use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
+use crate::twice::Twice;
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
@@ -42,6 +44,8 @@ pub struct Grasp<const D: usize, const C: usize> {
 pub(crate) struct Site<const D: usize, const C: usize> {
     /// Grasp map G_i.
     pub(crate) map: SMatrix<f64, D, C>,
+    /// What rounding took from G_i, given the points and the frame.
+    pub(crate) map_rest: SMatrix<f64, D, C>,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
     /// Series stiffness; zero along the tangents of a frictionless contact, which has no spring there.
@@ -79,8 +83,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
                 let axes = if frictionless { 1 } else { C };
                 let series = contact.stiffness.series();
+                let (map, map_rest) = grasp_map_in_twice(&contact.point, &origin, length, &frame);
                 Ok(Site {
-                    map: grasp_map(&((contact.point - origin) / length), &frame),
+                    map,
+                    map_rest,
                     frame,
                     k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }),
                     mu: contact.friction,
@@ -177,6 +183,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let force = SVector::<f64, C>::from_fn(|a, _| w[a]);
         let carried = wrench_of::<D, C>(&self.origin, &force);
         SVector::from_fn(|k, _| if k < C { w[k] } else { (w[k] - carried[k]) / self.length })
+    }
+
+    /// What rounding takes from a wrench moved inside.
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+        let (w, inside) = (wrench.as_vector(), self.inside_unchecked(wrench));
+        let mut rest = SVector::zeros();
+        for (k, &(i, j)) in planes::<C>().iter().enumerate() {
+            let mut moment = Twice::new(w[C + k]);
+            moment.add_product(-self.origin[i], w[j]);
+            moment.add_product(self.origin[j], w[i]);
+            moment.add_product(-inside[C + k], self.length);
+            rest[C + k] = moment.value() / self.length;
+        }
+        rest
     }
 
     /// Root mean square distance of the contact points from their centroid.

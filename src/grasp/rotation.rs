@@ -12,6 +12,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::twice::Twice;
+
 /// The planes of rotation of a space with `C` axes.
 pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
     match C {
@@ -62,4 +64,34 @@ pub(crate) fn grasp_map<const D: usize, const C: usize>(
         map.set_column(a, &wrench_of::<D, C>(arm, &frame.column(a).into_owned()));
     }
     map
+}
+
+/// The grasp map about `origin` in the unit `length`, and what rounding took from it: the second is the difference from the exact
+/// map of this point and this frame, rounded.
+pub(super) fn grasp_map_in_twice<const D: usize, const C: usize>(
+    point: &SVector<f64, C>,
+    origin: &SVector<f64, C>,
+    length: f64,
+    frame: &SMatrix<f64, C, C>,
+) -> (SMatrix<f64, D, C>, SMatrix<f64, D, C>) {
+    let arm = (point - origin) / length;
+    let map = grasp_map::<D, C>(&arm, frame);
+    let arm_rest = SVector::<f64, C>::from_fn(|a, _| {
+        let mut exact = Twice::new(point[a]);
+        exact.add(-origin[a]);
+        exact.add_product(-arm[a], length);
+        exact.value() / length
+    });
+    let mut rest = SMatrix::zeros();
+    for (k, &(i, j)) in planes::<C>().iter().enumerate() {
+        for a in 0..C {
+            let mut moment = Twice::new(-map[(C + k, a)]);
+            moment.add_product(arm[i], frame[(j, a)]);
+            moment.add_product(-arm[j], frame[(i, a)]);
+            moment.add(arm_rest[i] * frame[(j, a)]);
+            moment.add(-arm_rest[j] * frame[(i, a)]);
+            rest[(C + k, a)] = moment.value();
+        }
+    }
+    (map, rest)
 }

@@ -148,7 +148,9 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
             let solved = if let Some(solved) = balanced(sites, &springs, &wrench, &forces, twist) {
                 solved
             } else {
-                let step = Piece::new(&self.linear, self.states).solve(&stretches, &wrench).ok()?;
+                let step = Piece::new(&self.linear, self.states)
+                    .solve(self.linear.sites, &stretches, &wrench)
+                    .ok()?;
                 PieceState { forces: step.forces, twist: twist + step.twist }
             };
             twist = solved.twist;
@@ -232,7 +234,9 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     /// the slip over the largest displacement.
     pub(super) fn effect(&self, stuck: &Piece<D, C>, slipped: &[SVector<f64, C>]) -> f64 {
         let back: Vec<_> = slipped.iter().map(|s| -s).collect();
-        let Ok(change) = stuck.solve(&back, &SVector::zeros()) else { return f64::INFINITY };
+        let Ok(change) = stuck.solve(self.linear.sites, &back, &SVector::zeros()) else {
+            return f64::INFINITY;
+        };
         let largest = |list: &[SVector<f64, C>]| list.iter().map(Matrix::norm).fold(0.0, f64::max);
         let (drives, load) = (self.segment.drives(self.from), self.load(self.from).norm());
         let twist = &self.start.twist;

@@ -102,15 +102,21 @@ fn search_beyond<const D: usize, const C: usize>(
     rates: &Problem<D, C>,
 ) -> Beyond<D, C> {
     // The whole laws, driven at the rates.
-    let rates = &Problem { drives: rates.drives.clone(), wrench: rates.wrench, ..here.clone() };
+    let rates = &Problem {
+        drives: rates.drives.clone(),
+        wrench: rates.wrench,
+        wrench_rest: rates.wrench_rest,
+        ..here.clone()
+    };
     let way = whole_way(here, rates);
     let (mut others, mut tried) = (0, 0);
     for_each_combination(here, |states| {
         tried += 1;
         let piece = Piece::new(here, &states);
-        let (Ok(now), Ok(next)) =
-            (piece.solve(&here.drives, &here.wrench), piece.solve(&rates.drives, &rates.wrench))
-        else {
+        let (Ok(now), Ok(next)) = (
+            piece.solve(here.sites, &here.drives, here.load()),
+            piece.solve(rates.sites, &rates.drives, &rates.wrench),
+        ) else {
             return false;
         };
         let rounding = (ROUNDING * piece.growth()).min(1e-10);

@@ -122,7 +122,7 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
 fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
     let stuck: Vec<State> = (0..rates.len()).map(|i| rates.unjumped(i)).collect();
     let trial = Piece::new(rates, &stuck);
-    let Ok(state) = trial.solve(&rates.drives, &rates.wrench) else { return false };
+    let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| {
         matches!(form.lcp.solve_with(&settings), Outcome::Ray(ray) if matches!(ray.proof, Proof::Infeasible(_)))
@@ -138,7 +138,7 @@ pub(super) fn leaving_motion<const D: usize, const C: usize>(
     states: &[State],
 ) -> Option<SVector<f64, D>> {
     let piece = Piece::new(rates, states);
-    let solved = match piece.solve(&rates.drives, &rates.wrench) {
+    let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {
             // Where friction is exhausted no spring resists, but the friction forces feel the motion. Where only commands
             // change it is the load itself that drives the object out.

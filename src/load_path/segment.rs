@@ -53,9 +53,12 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
         let piece = Arc::new(Piece::new(&self.problem, states));
-        let base =
-            piece.solve(&self.problem.drives, &self.problem.wrench).map_err(|u| self.unbalanced(u.motion))?;
-        let rate = piece.solve(&self.change, &self.direction).map_err(|u| self.unbalanced(u.motion))?;
+        let base = piece
+            .solve(self.problem.sites, &self.problem.drives, self.problem.load())
+            .map_err(|u| self.unbalanced(u.motion))?;
+        let rate = piece
+            .solve(self.problem.sites, &self.change, &self.direction)
+            .map_err(|u| self.unbalanced(u.motion))?;
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
             twist: base.twist + rate.twist * factor,
@@ -79,7 +82,9 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             }
         }
         let piece = Arc::new(Piece::new(&linear, states));
-        let rate = piece.solve(&self.change, &self.direction).map_err(|u| self.unbalanced(u.motion))?;
+        let rate = piece
+            .solve(self.problem.sites, &self.change, &self.direction)
+            .map_err(|u| self.unbalanced(u.motion))?;
         Ok(self.here(piece, factor, at.clone(), &rate, (factor, at)))
     }
 
@@ -150,7 +155,8 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         near: Option<&SVector<f64, D>>,
     ) -> Option<PieceState<D, C>> {
         let wrench = self.problem.wrench + self.direction * factor;
-        let PieceState { mut forces, mut twist } = piece.solve(&self.drives(factor), &wrench).ok()?;
+        let PieceState { mut forces, mut twist } =
+            piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
         if let Some(near) = near {
             for v in piece.free_motions() {
                 twist += v * v.dot(&(near - twist));
@@ -197,7 +203,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     /// The local problem at a factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, D, C> {
         let wrench = self.problem.wrench + self.direction * factor;
-        Problem { drives: self.drives(factor), wrench, ..self.problem.clone() }
+        Problem { drives: self.drives(factor), wrench, wrench_rest: SVector::zeros(), ..self.problem.clone() }
     }
 
     /// The slip of a contact so far becomes memory: its springs count from there.

@@ -131,7 +131,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Vec::new();
         }
         let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
-        let Ok(rates) = local.piece.solve(&change, &self.inside_unchecked(&ramp.direction)) else {
+        let Ok(rates) = local.piece.solve(self.sites(), &change, &self.inside_unchecked(&ramp.direction))
+        else {
             return Vec::new();
         };
         let one = |contact| self.onset_gradient(&local, event.state.cone, contact, &rates.forces[contact]);
@@ -263,7 +264,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         if let Some((contact, f)) = direct {
             wrench += self.problem.sites[contact].map * f;
         }
-        let mut solved = self.piece.solve(&drives, &wrench).ok()?;
+        let mut solved = self.piece.solve(self.grasp.sites(), &drives, &wrench).ok()?;
         if let Some((contact, f)) = direct {
             solved.forces[contact] += f;
         }

@@ -139,7 +139,7 @@ fn has_one_solution<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bo
     }
     let stuck: Vec<State> = (0..rates.len()).map(|i| rates.unjumped(i)).collect();
     let trial = Piece::new(rates, &stuck);
-    let Ok(state) = trial.solve(&rates.drives, &rates.wrench) else { return false };
+    let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     kinematic_form(rates, &trial, &state)
         .and_then(|form| MatrixClass::of(form.lcp.matrix()).ok())
         .is_some_and(|class| class.p_matrix == Some(true))

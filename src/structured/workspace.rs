@@ -180,6 +180,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             drives: std::mem::take(&mut self.drives),
             slips: Vec::new(),
             wrench,
+            wrench_rest: SVector::zeros(),
             infinite_friction_has_facets: false,
             round: false,
         };
