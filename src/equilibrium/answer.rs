@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::accuracy::Accuracy;
 use super::residuals::Residuals;
 use super::settle::{Doubt, Rung};
 use crate::formulation::{LeftOut, PolygonCone, State};
@@ -54,6 +55,9 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub neutral_motions: Vec<Twist<D>>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
+    /// How far it is from the exact answer, and how strongly it depends on the last digits of the question. `None` on a load path
+    /// with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
+    pub accuracy: Option<Accuracy>,
     /// What was done to find it.
     pub work: WorkDone,
     /// The friction cone the answer is for.
@@ -112,6 +116,11 @@ pub struct ContactAnswer<const C: usize> {
     /// Friction in reserve, N: the least of `μ F_n - h·F_t` over the facets of the cone, in the plane `μ F_n - |F_t|`.
     /// Zero for a sliding, separated or frictionless contact, infinite with infinite friction.
     pub margin: f64,
+    /// Whether this state is told apart from its neighbours at working precision: gap, normal force, friction in reserve and
+    /// slip, as far as the state has conditions on them, are larger than 1e-12 of the terms they are differences of and than ten times
+    /// the estimated error. Where it is `false` the last digits of the question decide between, say, rolling and just sliding;
+    /// forces and displacements hardly depend on that.
+    pub distinct: bool,
 }
 
 impl<const C: usize> ContactAnswer<C> {

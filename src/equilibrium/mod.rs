@@ -1,10 +1,12 @@
 //! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
 
+mod accuracy;
 mod answer;
 mod bracket;
 mod candidate;
 mod climb;
 mod decomposition;
+mod distinct;
 mod enumerate;
 mod many;
 mod newton;
@@ -22,6 +24,7 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
+pub use accuracy::Accuracy;
 pub use answer::{
     Cone, ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone,
 };

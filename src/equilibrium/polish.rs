@@ -22,6 +22,12 @@ const ON_THE_CONE: f64 = 1e-14;
 const FINISHING_STEPS: usize = 12;
 /// A step that changes forces by less than this part of them is the last: what it leaves is the square of this.
 const SETTLED: f64 = 1e-8;
+/// Steps of Newton's method at most that bring every contact to the last digit.
+const SHARPENING_STEPS: usize = 8;
+/// A step by less than this part of a force, or of the twist, is the last.
+const SHARP: f64 = 1e-14;
+/// This part of the largest force is below the last digit of any.
+const NO_DIGIT: f64 = 1e-20;
 /// What may be out of balance of a polygon's answer, from which Newton's method starts.
 const NEAR: f64 = 1e-12;
 /// What is left out of balance of an answer is the rounding of its terms.
@@ -89,8 +95,51 @@ pub(crate) fn polish<const D: usize, const C: usize>(
             balanced.or_else(|| finish(problem, twist))
         })
         .or_else(|| finish(problem, near.twist))?;
+    let found = sharpened(problem, found)?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
     Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
+}
+
+/// The same to the last digit: steps of refinement leave rounding of the displacements, which stiff springs feel, and small forces beside
+/// large ones may not have arrived. Newton's method again, with conditions in twice the working precision. `None` if it leads to where
+/// the states no longer hold; as it was if it does not settle, since nothing but rounding holds a contact's direction.
+fn sharpened<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    found: Found<D, C>,
+) -> Option<Found<D, C>> {
+    if found.slides.is_empty() {
+        // From a piece, and sharp already.
+        return Some(found);
+    }
+    let mut slides = found.slides.clone();
+    let mut at = PieceState { forces: found.forces.clone(), twist: found.twist };
+    for _ in 0..SHARPENING_STEPS {
+        let linear = problem.along(&slides, &at.forces, &at.twist);
+        let sizes = at.forces.iter().map(nalgebra::Matrix::norm);
+        let largest = largest_force(problem.sites, &problem.drives, &at.twist, problem.wrench.norm(), sizes);
+        let missing = Piece::new(&linear, &found.states).correction(&linear, &found.states, &at, largest);
+        at.twist += missing.twist;
+        let mut settled = missing.twist.norm() <= SHARP * at.twist.norm();
+        for (force, missing) in at.forces.iter_mut().zip(&missing.forces) {
+            *force += missing;
+            // Each contact by itself: a small force may still turn while the large ones have settled.
+            settled &= missing.norm() <= SHARP * force.norm() + NO_DIGIT * largest;
+        }
+        for (slide, law) in slides.iter_mut().zip(&linear.laws) {
+            if let Law::Turning { slide: turned, .. } = law {
+                *slide = Some(*turned);
+            }
+        }
+        if settled {
+            let Found { states, free_motions, neutral_motions, .. } = found;
+            return admit_sliding(problem, states, slides, at, largest).map(|sharp| Found {
+                free_motions,
+                neutral_motions,
+                ..sharp
+            });
+        }
+    }
+    Some(found)
 }
 
 /// What Newton's method arrived at, balanced to rounding: where the tangent stiffness is regular and that hardly changes a force.

@@ -2,8 +2,10 @@
 
 use nalgebra::SVector;
 
+use super::accuracy::Accuracy;
 use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, WorkDone};
 use super::candidate::Found;
+use super::distinct::distinct;
 use super::settle::{Effort, Rung};
 use crate::formulation::{LeftOut, Problem, State, Why};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
@@ -19,8 +21,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<D, C> {
-        let contacts: Vec<_> =
-            (0..self.len()).map(|i| self.contact_answer(problem, found, cone, i)).collect();
+        // What slides on the round cone along a path is integrated: its law is not that of one state.
+        let slides = |s: &State| matches!(s, State::Sliding { .. });
+        let integrated = rule == Rung::LoadPath && cone == Cone::Round && found.states.iter().any(slides);
+        let accuracy = (!integrated).then(|| Accuracy::of(self, load, problem, found));
+        let distinct = distinct(
+            problem,
+            found,
+            accuracy.map_or([0.0; 2], |accuracy| [accuracy.force, accuracy.displacement]),
+        );
+        let contacts: Vec<_> = (0..self.len())
+            .map(|i| ContactAnswer { distinct: distinct[i], ..self.contact_answer(problem, found, cone, i) })
+            .collect();
         let twist = self.outside(&found.twist);
         let motions =
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
@@ -32,6 +44,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
+            accuracy,
             twist,
             contacts,
             rule,
@@ -122,6 +135,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             gap: if state == ContactState::Separated { (-stretch[0]).max(0.0) } else { 0.0 },
             slip,
             margin,
+            distinct: true,
         }
     }
 

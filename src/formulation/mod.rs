@@ -1,6 +1,7 @@
 //! From the question to complementarity: contact-law rows, the polygonal cone, the two forms, what is left out.
 
 mod cone;
+mod correction;
 mod excess;
 mod force_form;
 mod full_pivot;

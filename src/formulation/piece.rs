@@ -21,9 +21,9 @@ use crate::grasp::Site;
 const NO_WORK: f64 = 1e-13;
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
-const NEARLY: f64 = 1e-8;
+pub(super) const NEARLY: f64 = 1e-8;
 /// Corrections at most: where a force is zero exactly each leaves 1e-16 of what was there before.
-const MOST_CORRECTIONS: usize = 4;
+pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
@@ -161,12 +161,23 @@ impl<const D: usize, const C: usize> Piece<D, C> {
     }
 
     /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
-    fn respond(&self, x: &mut [f64], wrench: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(super) fn respond(&self, x: &mut [f64], wrench: &SVector<f64, D>) -> SVector<f64, D> {
         let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
         let step = self.left.as_ref().map_or(excess, |(_, coupling)| coupling.solve(&excess).0);
         self.right.subtract(x, &step);
         self.right.preimage(&step)
+    }
+
+    /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
+    pub(crate) fn forces_of(
+        &self,
+        stretches: &[SVector<f64, C>],
+        load: &SVector<f64, D>,
+    ) -> Vec<SVector<f64, C>> {
+        let mut x: Vec<f64> = self.springs.iter().map(|s| s.right.dot(&stretches[s.contact])).collect();
+        self.respond(&mut x, load);
+        self.forces(&x, stretches.len())
     }
 
     /// Change of the forces along a motion of the object with everything else at rest.

@@ -143,6 +143,36 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         Law::Turning { gap: self.may_open(contact), facet: [slide.direction], slide }
     }
 
+    /// The same problem to first order about contacts that slide on the round cone with these forces. Facets play no part in it.
+    pub(crate) fn along(
+        &self,
+        slides: &[Option<Slide<C>>],
+        forces: &[SVector<f64, C>],
+        twist: &SVector<f64, D>,
+    ) -> Self {
+        let law = |(contact, law): (usize, &Law<C>)| {
+            let Some(slide) = slides[contact] else { return law.clone() };
+            let site = &self.sites[contact];
+            let mut friction = forces[contact];
+            friction[0] = 0.0;
+            let square = friction.norm_squared();
+            if square == 0.0 {
+                return self.turning(contact, slide);
+            }
+            let slip = self.drives[contact] - site.map.tr_mul(twist) - friction.component_div(&site.k);
+            let lambda = (slip.dot(&friction) / square).max(0.0);
+            self.turning(contact, Slide::new(site, &friction, lambda))
+        };
+        Self {
+            polygon: self.polygon.clone(),
+            turned: Vec::new(),
+            laws: self.laws.iter().enumerate().map(law).collect(),
+            drives: self.drives.clone(),
+            slips: self.slips.clone(),
+            ..*self
+        }
+    }
+
     /// Whether the contact has a friction cone of its own, neither empty nor without limit.
     pub(crate) fn may_slide(&self, contact: usize) -> bool {
         let mu = self.sites[contact].mu;

@@ -89,6 +89,9 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub contacts: Vec<Touch<C>>,
     /// How well it satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
+    /// How far it is from the exact answer; none on a load path with sliding on the round cone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
     /// The friction cone it is for.
     pub cone: Cone,
     /// By which rule it was found; there may be others.
@@ -155,6 +158,27 @@ impl From<state::Residuals> for Residuals {
     }
 }
 
+/// How far an equilibrium is from the exact one; see [`state::Accuracy`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Accuracy {
+    /// Estimated error of the contact forces, N.
+    #[serde(with = "numbers")]
+    pub force: f64,
+    /// Estimated error of the displacements at the contacts, m.
+    #[serde(with = "numbers")]
+    pub displacement: f64,
+    /// Relative change of the forces by a relative change of the data.
+    #[serde(with = "numbers")]
+    pub condition: f64,
+}
+
+impl From<state::Accuracy> for Accuracy {
+    fn from(a: state::Accuracy) -> Self {
+        Self { force: a.force, displacement: a.displacement, condition: a.condition }
+    }
+}
+
 impl Places {
     pub(super) fn outcome<const D: usize, const C: usize>(
         &self,
@@ -176,6 +200,7 @@ impl Places {
             twist: state.twist,
             contacts: state.contacts.iter().enumerate().map(|(i, c)| self.touch(i, c)).collect(),
             residuals: state.residuals.into(),
+            accuracy: state.accuracy.map(Accuracy::from),
             cone: match state.cone {
                 state::Cone::Planar => Cone::Planar,
                 state::Cone::Polygon(polygon) => Cone::Polygon(polygon),

@@ -79,6 +79,8 @@ pub struct Touch<const C: usize> {
     /// Friction in reserve, N; "infinite" with infinite friction.
     #[serde(with = "numbers")]
     pub margin: f64,
+    /// Whether working precision tells the state from its neighbours.
+    pub distinct: bool,
     /// Displacement of the body's core, coordinate axes, m.
     #[serde(with = "row")]
     pub body_core: SVector<f64, C>,
@@ -100,6 +102,7 @@ impl Places {
             gap: answer.gap,
             slip: answer.slip,
             margin: answer.margin,
+            distinct: answer.distinct,
             body_core: answer.body_core,
             body_surface: answer.body_surface,
             finger_surface: answer.finger_surface,

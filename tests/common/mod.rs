@@ -3,6 +3,7 @@
 
 mod affine;
 pub(crate) mod close;
+pub(crate) mod dyadic;
 pub(crate) mod exact;
 pub(crate) mod pinch;
 pub(crate) mod ramps;
@@ -10,4 +11,5 @@ pub(crate) mod random;
 pub(crate) mod rolling;
 pub(crate) mod scene;
 pub(crate) mod transform;
+pub(crate) mod truth;
 pub(crate) mod valid;

@@ -13,6 +13,8 @@ pub(crate) enum Spread {
     Narrow,
     /// Stiffness 1 to 1e6; friction zero, tiny, ordinary, huge or infinite.
     Wide,
+    /// Stiffness 1 to 1e14, each axis for itself; friction zero, 1e-8 to 1e6, or infinite.
+    Stiff,
 }
 
 /// A vector with components in [-1, 1].
@@ -21,7 +23,11 @@ fn vector<const N: usize>() -> impl Strategy<Value = SVector<f64, N>> {
 }
 
 fn stiffness<const C: usize>(spread: Spread) -> impl Strategy<Value = SVector<f64, C>> {
-    let decades = if spread == Spread::Narrow { 1.3 } else { 6.0 };
+    let decades = match spread {
+        Spread::Narrow => 1.3,
+        Spread::Wide => 6.0,
+        Spread::Stiff => 14.0,
+    };
     prop::collection::vec((0.0..decades).prop_map(|e| 10_f64.powf(e)), C).prop_map(SVector::from_vec)
 }
 
@@ -33,6 +39,13 @@ fn friction(spread: Spread) -> BoxedStrategy<f64> {
             1 => Just(1e-7),
             5 => 0.05..2.0,
             1 => Just(1e6),
+            1 => Just(f64::INFINITY),
+        ]
+        .boxed(),
+        Spread::Stiff => prop_oneof![
+            1 => Just(0.0),
+            6 => 0.05..2.0,
+            4 => (-8.0..6.0_f64).prop_map(|e| 10_f64.powf(e)),
             1 => Just(f64::INFINITY),
         ]
         .boxed(),

@@ -1,0 +1,47 @@
+//! Which contact states working precision tells apart from their neighbours.
+//!
+//! Open and touching, rolling and sliding, sliding this way and that meet where a gap, a force, the friction in reserve or a slip
+//! vanishes. Next to such an edge the last digits of the question decide.
+
+use super::candidate::Found;
+use super::slack::{There, largest_force, span};
+use crate::formulation::{Problem, State};
+
+/// A condition met by less than this part of the size of its terms may be rounding of the data: normals, arms and products of
+/// them carry a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
+const ROUNDING_OF_DATA: f64 = 1e-12;
+/// Nor by less than so many times the estimated error.
+const ERRORS: f64 = 10.0;
+
+/// Contact by contact, whether every condition of its state holds clearly. The errors are those of forces, N, and displacements, m.
+pub(super) fn distinct<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    found: &Found<D, C>,
+    [force_error, displacement_error]: [f64; 2],
+) -> Vec<bool> {
+    let sizes = found.forces.iter().map(nalgebra::Matrix::norm);
+    let largest = largest_force(problem.sites, &problem.drives, &found.twist, problem.wrench.norm(), sizes);
+    let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
+    (0..problem.len())
+        .map(|i| {
+            let there =
+                There { drive: &problem.drives[i], force: &found.forces[i], twist: &found.twist, largest };
+            let slide = found.slides.get(i).and_then(Option::as_ref);
+            let facet = slide.map(|slide| std::slice::from_ref(&slide.direction));
+            let normals = facet.unwrap_or_else(|| problem.normals(i));
+            let of_forces = part(force_error, largest);
+            let of_displacements =
+                part(displacement_error, span(&problem.sites[i], there.drive, &found.twist));
+            let least = ROUNDING_OF_DATA.max(match found.states[i] {
+                State::Open => of_displacements,
+                State::Rolling => of_forces,
+                State::Sliding { .. } => of_forces.max(of_displacements),
+            });
+            let mut distinct = true;
+            there.for_each_slack(problem, i, found.states[i], normals, |value, size| {
+                distinct &= value > least * size;
+            });
+            distinct
+        })
+        .collect()
+}

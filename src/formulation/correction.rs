@@ -1,0 +1,190 @@
+//! How far forces and a twist are from the solution of their piece.
+//!
+//! What they leave of the contact law and of equilibrium is evaluated in twice the working precision and solved for:
+//!
+//! ```text
+//! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
+//! ```
+//!
+//! A spring that still holds has no w along it: gaps and slips are what the others leave. Solving again gives the distance to the solution,
+//! not only a bound of it; on the round cone to first order, which is all of it where Newton's method has arrived.
+
+use nalgebra::SVector;
+
+use super::excess::{Balance, TwistInTwice};
+use super::piece::{MOST_CORRECTIONS, NEARLY, Piece, PieceState};
+use super::problem::{Law, Problem, State};
+use super::spring::{Spring, corner, edge_direction};
+use crate::twice::Twice;
+
+/// What is missing of a solution.
+#[derive(Debug, Clone)]
+pub(crate) struct Correction<const D: usize, const C: usize> {
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    pub(crate) twist: SVector<f64, D>,
+    /// How well the forces are known, N: what the last solution changed, unless the next would change nothing, and rounding of the stiffest
+    /// springs in twice the working precision. Where the piece is singular at working precision this is large.
+    pub(crate) doubt: f64,
+}
+
+impl<const D: usize, const C: usize> Piece<D, C> {
+    /// What forces and a twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
+    /// force of the scene.
+    pub(crate) fn correction(
+        &self,
+        problem: &Problem<D, C>,
+        states: &[State],
+        at: &PieceState<D, C>,
+        size: f64,
+    ) -> Correction<D, C> {
+        let mut forces: Vec<[Twice; C]> =
+            at.forces.iter().map(|f| std::array::from_fn(|a| Twice::new(f[a]))).collect();
+        let mut twist = TwistInTwice::new(at.twist);
+        let mut change = vec![0.0; self.springs.len()];
+        let mut doubt = 0.0;
+        for _ in 0..MOST_CORRECTIONS {
+            let mut balance = Balance::new(&problem.load());
+            let mut first = 0;
+            for of_contact in self.springs.chunk_by(|a, b| a.contact == b.contact) {
+                let contact = of_contact[0].contact;
+                let (site, force) = (&problem.sites[contact], &mut forces[contact]);
+                put_on_cone(problem, contact, states[contact], force);
+                let e = &mut change[first..][..of_contact.len()];
+                first += e.len();
+                let mut left = [Twice::default(); C];
+                let mut across = Across::of(&problem.laws[contact], force);
+                for (a, force) in force.iter().enumerate().take(site.axes) {
+                    if a == 0 || across.is_some() || of_contact.iter().any(|s| s.right[a] != 0.0) {
+                        let mut w = twist.stretch(site, a, problem.drives[contact][a]);
+                        let give = over(*force, site.k[a]);
+                        w.add(-give.high);
+                        w.add(-give.low);
+                        for (left, spring) in left.iter_mut().zip(of_contact) {
+                            left.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
+                        }
+                        if let Some(across) = &mut across {
+                            across.add(a, w);
+                        }
+                    }
+                    balance.add(site, a, *force);
+                }
+                if let Some(across) = across {
+                    left[1] = across.times(of_contact.get(1));
+                }
+                for (e, left) in e.iter_mut().zip(left) {
+                    *e = left.value();
+                }
+            }
+            let push = |spring: &Spring<C>, x: &f64| spring.left.amax() * x.abs();
+            let out_of_law = self.springs.iter().zip(&change).map(|(s, e)| push(s, e)).fold(0.0, f64::max);
+            twist.add(&self.respond(&mut change, &balance.value()));
+            let mut changed = 0.0_f64;
+            for (spring, change) in self.springs.iter().zip(&change) {
+                for (force, push) in forces[spring.contact].iter_mut().zip(&spring.left) {
+                    force.add(push * change);
+                    changed = changed.max((push * change).abs());
+                }
+            }
+            // A stiff spring feels the rounding of the twist: what that leaves of e must not show in the change.
+            let noise = f64::EPSILON * out_of_law;
+            let settled = changed <= NEARLY * size;
+            doubt = noise + if settled { 0.0 } else { changed };
+            if settled && noise <= 0.1 * changed.max(f64::EPSILON * size) {
+                break;
+            }
+        }
+        let missing = |(forces, f): (&[Twice; C], &SVector<f64, C>)| {
+            SVector::from_fn(|a, _| {
+                let mut exact = forces[a];
+                exact.add(-f[a]);
+                exact.value()
+            })
+        };
+        Correction {
+            forces: forces.iter().zip(&at.forces).map(missing).collect(),
+            twist: twist.value() - at.twist,
+            doubt,
+        }
+    }
+}
+
+/// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`: across the force itself, since on the way
+/// w is long.
+struct Across<const C: usize> {
+    along: [Twice; C],
+    length: f64,
+    sum: Twice,
+}
+
+impl<const C: usize> Across<C> {
+    fn of(law: &Law<C>, force: &[Twice; C]) -> Option<Self> {
+        let Law::Turning { .. } = law else { return None };
+        let mut along = [Twice::default(); C];
+        let minus = |f: Twice| Twice { high: -f.high, low: -f.low };
+        (along[1], along[2]) = (minus(force[2]), force[1]);
+        Some(Self { along, length: force[1].high.hypot(force[2].high), sum: Twice::default() })
+    }
+
+    fn add(&mut self, axis: usize, w: Twice) {
+        let along = self.along[axis];
+        self.sum.add_product_of_twice((along.high, along.low), w);
+    }
+
+    /// Times the root of the stiffness of the spring across.
+    fn times(&self, spring: Option<&Spring<C>>) -> Twice {
+        let root = spring.map_or(0.0, |spring| spring.right.norm());
+        let part = if self.length > 0.0 { root / self.length } else { 0.0 };
+        Twice::new(self.sum.value() * part)
+    }
+}
+
+/// What rounding left between a sliding contact's force and the edge of its cone, removed.
+fn put_on_cone<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    contact: usize,
+    state: State,
+    force: &mut [Twice; C],
+) {
+    let State::Sliding { first, second } = state else { return };
+    let mu = problem.mu(contact);
+    let mut limit = Twice::default();
+    limit.add_product_of_twice((mu, 0.0), force[0]);
+    let normals = problem.normals(contact);
+    if let Some(second) = second {
+        let p = corner(&normals[first], &normals[second]);
+        for (a, force) in force.iter_mut().enumerate().skip(1) {
+            *force = Twice::default();
+            force.add_product_of_twice((p[a], 0.0), limit);
+        }
+        return;
+    }
+    if let Law::Turning { .. } = problem.laws[contact] {
+        // |F_t| by the difference of the squares.
+        let length = force[1].high.hypot(force[2].high);
+        let mut squares = Twice::default();
+        squares.add_product_of_twice((limit.high, limit.low), limit);
+        for f in &force[1..] {
+            squares.add_product_of_twice((-f.high, -f.low), *f);
+        }
+        let size = length * (limit.high + length);
+        let stretch = if size > 0.0 { squares.value() / size } else { 0.0 };
+        for force in &mut force[1..] {
+            force.add(force.high * stretch);
+        }
+        return;
+    }
+    let mut inside = limit;
+    for a in 1..C {
+        inside.add_product_of_twice((-normals[first][a], 0.0), force[a]);
+    }
+    let pull = edge_direction(problem, contact, first, second) * inside.value();
+    for a in 1..C {
+        force[a].add(pull[a]);
+    }
+}
+
+/// `force / k`.
+fn over(force: Twice, k: f64) -> Twice {
+    let high = force.high / k;
+    Twice { high, low: ((-high).mul_add(k, force.high) + force.low) / k }
+}
