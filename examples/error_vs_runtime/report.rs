@@ -91,7 +91,7 @@ impl Panel {
             };
             // A line needs two ends.
             let drawn = line.points.iter().filter(|point| point.error.is_finite()).count();
-            chart.series(name, points, if drawn > 1 { Stroke::Line } else { Stroke::Circles })
+            chart.series(name, points, if drawn > 1 { Stroke::Marked } else { Stroke::Circles })
         })
     }
 }

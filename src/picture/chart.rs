@@ -36,6 +36,8 @@ pub enum Stroke {
     /// A line from point to point.
     #[default]
     Line,
+    /// A line with a dot at each point.
+    Marked,
     /// A dashed line.
     Dashed,
     /// Circles.
@@ -179,6 +181,7 @@ impl Chart {
             let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
             let drawn = match series.stroke {
                 Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
+                Stroke::Marked => chart.draw_series(LineSeries::new(points, style.filled()).point_size(3))?,
                 Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
                 Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
                 Stroke::Dots => {
