@@ -2,7 +2,7 @@
 //!
 //! Four parts, two charts each: the onset of sliding, the friction cone in space, the forces while everything rolls, and a load path. Errors
 //! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
-//! matrices included. Runs longer than 60 ms are made once: on a busy machine they look longer than they are.
+//! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
 //!
 //! `cargo run --release --example error_vs_runtime`
 #![allow(unreachable_pub)]

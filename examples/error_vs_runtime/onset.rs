@@ -229,7 +229,8 @@ fn ratios(panel: &mut Panel, solvers: &[&str; 2]) -> Result<(), Failure> {
         for solver in solvers {
             let slow = panel.last(&format!("bisection, {solver}")).ok_or("measured")?;
             let ratio = slow.time / panel.last(direct).ok_or("measured")?.time;
-            panel.notes.push(format!("bisection to 1e-12, {solver}: {ratio:.1} times the time of: {direct}"));
+            let ratio = if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") };
+            panel.notes.push(format!("bisection to 1e-12, {solver}: {ratio} times the time of: {direct}"));
         }
     }
     Ok(())
