@@ -83,7 +83,10 @@ impl Panel {
         let height = |error: f64| if error == 0.0 { NOTHING } else { error };
         let zero = self.lines.iter().flat_map(|line| &line.points).any(|point| point.error == 0.0);
         let error = if zero { format!("{} (0 drawn at 10⁻¹⁷)", self.error) } else { self.error.into() };
-        self.lines.iter().fold(Chart::new(self.title, "run time (s)", error).log_log(), |chart, line| {
+        let scaled =
+            self.lines.iter().flat_map(|line| &line.points).any(|point| point.setting.ends_with('*'));
+        let time = if scaled { "run time (s), * scaled from a thousand steps" } else { "run time (s)" };
+        self.lines.iter().fold(Chart::new(self.title, time, error).log_log(), |chart, line| {
             let points: Vec<_> = line.points.iter().map(|p| (p.time, height(p.error))).collect();
             let name = match &line.points[..] {
                 [first, .., last] => format!("{}, {} … {}", line.method, first.setting, last.setting),
