@@ -3,7 +3,7 @@
 //! The sliding state is made backwards: the object is moved by a twist, every contact answers with the force that Coulomb's law gives
 //! it, and the load is what balances them. So the forces are known before anything is solved.
 
-use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Ramp, Twist, Wrench};
+use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcome, Ramp, Twist, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::{Vector3, Vector6};
 
@@ -72,6 +72,9 @@ fn sliding() -> Result<Panel, Failure> {
             let settings = on(facets, fit)?.on_the_polygon();
             let (outcome, time) = timed(|| Ok(grasp.solve_with(&load, &settings)?))?;
             let error = outcome.equilibrium().map_or(f64::NAN, off);
+            if let Outcome::Undecided(why) = &outcome {
+                panel.notes.push(format!("{name}, {facets} facets: {:?}", why.doubt));
+            }
             panel.add(name, facets.to_string(), error, time);
         }
     }
@@ -82,7 +85,7 @@ fn sliding() -> Result<Panel, Failure> {
         if facets == 8 {
             let slide = |c: &&ContactAnswer| matches!(c.state, ContactState::Sliding { .. });
             let count = answer.contacts.iter().filter(slide).count();
-            panel.notes.push(format!("{count} of 3 fingers slide; polygons without an answer end on rays"));
+            panel.notes.push(format!("{count} of 3 fingers slide"));
         }
         panel.add("round cone, proposed on facets", facets.to_string(), off(answer), time);
     }
