@@ -5,67 +5,19 @@
 
 mod support;
 
+#[path = "support/tractrix.rs"]
+mod tractrix;
+
 use std::error::Error;
 use std::time::Instant;
 
 use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+use grasp_lcp::spatial::{Grasp, Leg, Wrench};
 use grasp_lcp::{Fit, PolygonCone};
-use nalgebra::Vector3;
+use tractrix::{WAY, exact, leash, limit};
 
-/// Finger and support, N/m along and across the normal.
-const FINGER: [f64; 2] = [2e4, 1e4];
-const SUPPORT: f64 = 4e4;
-const FRICTION: f64 = 0.5;
-/// Commanded squeeze, m.
-const SQUEEZE: f64 = 1e-3;
-/// The way of the finger after the corner, in leashes.
-const WAY: f64 = 4.0;
 const SAMPLES: u32 = 200;
-
-/// Springs in series.
-fn series(finger: f64) -> f64 {
-    finger * SUPPORT / (finger + SUPPORT)
-}
-
-/// Friction force once it slides, N.
-fn limit() -> f64 {
-    FRICTION * series(FINGER[0]) * SQUEEZE
-}
-
-/// How far the finger is ahead of what it drags, m.
-fn leash() -> f64 {
-    limit() / series(FINGER[1])
-}
-
-fn scene() -> Result<(Grasp, [Leg; 2]), grasp_lcp::Error> {
-    let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0])
-        .name("finger")
-        .tangent([1.0, 0.0, 0.0])
-        .series_stiffness(FINGER[0], FINGER[1])
-        .friction(FRICTION)
-        .command([SQUEEZE, 0.0, 0.0]);
-    let support = [(0.02, 0.0), (-0.02, 0.0), (0.0, 0.02), (0.0, -0.02)].map(|(x, y)| {
-        Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
-            .series_stiffness(SUPPORT / 4.0, SUPPORT / 4.0)
-            .friction(1.0)
-            .bonded()
-    });
-    let drag = |x: f64, y: f64| {
-        let mut commands = vec![Vector3::zeros(); 5];
-        commands[0] = Vector3::new(0.0, x, y);
-        Leg::commands_by(commands)
-    };
-    // As far as the leash goes, then off at a right angle.
-    let legs = [drag(0.0, leash()), drag(WAY * leash(), 0.0)];
-    Ok((Grasp::new([finger].into_iter().chain(support))?, legs))
-}
-
-/// The angle of the friction force to the way after the corner: tan(θ/2) = exp(-x/L).
-fn exact(leashes: f64) -> f64 {
-    2.0 * (-leashes).exp().atan()
-}
 
 /// Where it goes, the worst error of the friction force over its size, and the run time, s.
 struct Followed {
@@ -90,16 +42,15 @@ fn follow(grasp: &Grasp, legs: &[Leg], settings: &Settings) -> Result<Followed, 
         let f = f64::from(k) / f64::from(SAMPLES);
         let state = path.state_at(1, f).ok_or("the path goes on")?;
         let contact = &state.contacts[0];
-        let (sin, cos) = exact(WAY * f).sin_cos();
-        let off = (contact.force[1] / limit() - cos).hypot(contact.force[2] / limit() - sin);
-        error = error.max(off);
+        error = error.max(tractrix::off(&contact.force, WAY * f));
         track.push((contact.slip[1] / leash(), contact.slip[2] / leash()));
     }
     Ok(Followed { track, error, estimate: path.step_error(), time })
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let (grasp, legs) = scene()?;
+    let (grasp, ways) = tractrix::scene()?;
+    let legs = tractrix::legs(ways);
     println!("A finger goes {:.3} mm one way and {WAY} times as far at a right angle to it;", 1e3 * leash());
     println!("what it drags is held by springs. Friction force {:.3} N against the tractrix:\n", limit());
     println!("  cone                      worst error   estimated       time (µs)   time / that of 8 facets");

@@ -35,6 +35,16 @@ pub enum Oracle {
 }
 
 pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
+    interior_point_within(qp, 1e-12)
+}
+
+/// With another tolerance of feasibility and of the gap between primal and dual value, absolute and relative.
+pub fn interior_point_within(qp: &QuadraticProgram, tolerance: f64) -> Oracle {
+    interior_point_and_multipliers(qp, tolerance).0
+}
+
+/// With the multipliers of the inequality rows as well, which mean nothing where there is no minimum.
+pub fn interior_point_and_multipliers(qp: &QuadraticProgram, tolerance: f64) -> (Oracle, Vec<f64>) {
     let (n, m, k) = (qp.g.len(), qp.c.len(), qp.d.len());
     let mut upper = qp.h.clone();
     upper.fill_lower_triangle(0.0, 1);
@@ -50,9 +60,9 @@ pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
         .collect();
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
-        .tol_gap_abs(1e-12)
-        .tol_gap_rel(1e-12)
-        .tol_feas(1e-12)
+        .tol_gap_abs(tolerance)
+        .tol_gap_rel(tolerance)
+        .tol_feas(tolerance)
         .build()
         .expect("valid settings");
     let mut solver =
@@ -60,11 +70,12 @@ pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
             .expect("a valid program");
     solver.solve();
     let x = DVector::from_column_slice(&solver.solution.x);
-    match solver.solution.status {
+    let oracle = match solver.solution.status {
         SolverStatus::Solved => Oracle::Minimum(x, 1e-10),
         // The method's own reduced tolerances.
         SolverStatus::AlmostSolved => Oracle::Minimum(x, 1e-4),
         SolverStatus::PrimalInfeasible | SolverStatus::DualInfeasible => Oracle::None,
         _ => Oracle::Silent,
-    }
+    };
+    (oracle, solver.solution.z.split_off(m))
 }

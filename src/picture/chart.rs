@@ -36,6 +36,8 @@ pub enum Stroke {
     /// A line from point to point.
     #[default]
     Line,
+    /// A line with a dot at each point.
+    Marked,
     /// A dashed line.
     Dashed,
     /// Circles.
@@ -179,6 +181,7 @@ impl Chart {
             let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
             let drawn = match series.stroke {
                 Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
+                Stroke::Marked => chart.draw_series(LineSeries::new(points, style.filled()).point_size(3))?,
                 Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
                 Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
                 Stroke::Dots => {
@@ -243,25 +246,28 @@ fn power_of_ten(exponent: f64) -> String {
     format!("10{}", format!("{exponent:.0}").chars().map(raised).collect::<String>())
 }
 
-/// Places for the legend, with the lower left corner of each in units of the plot.
+/// Places for the legend: how much of the room beside and below it is on its left and below.
 const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
-    (SeriesLabelPosition::UpperRight, 0.68, 1.0),
-    (SeriesLabelPosition::LowerRight, 0.68, 0.0),
+    (SeriesLabelPosition::UpperRight, 1.0, 1.0),
+    (SeriesLabelPosition::LowerRight, 1.0, 0.0),
     (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
     (SeriesLabelPosition::MiddleLeft, 0.0, 0.5),
-    (SeriesLabelPosition::MiddleRight, 0.68, 0.5),
+    (SeriesLabelPosition::MiddleRight, 1.0, 0.5),
     (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
 ];
 
 impl Chart {
     /// Where the legend hides least of the curves.
     fn emptiest_corner(&self, [x0, x1, y0, y1]: [f64; 4]) -> SeriesLabelPosition {
+        // Part of the plot that a legend of so many lines and letters covers.
         let height = 0.08 + 0.06 * self.series.len() as f64;
-        let hidden = |&(_, left, anchor): &(SeriesLabelPosition, f64, f64)| {
-            let bottom = anchor * (1.0 - height);
+        let letters = self.series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
+        let width = (0.08 + 0.009 * letters as f64).max(0.32);
+        let hidden = |&(_, side, anchor): &(SeriesLabelPosition, f64, f64)| {
+            let (left, bottom) = (side * (1.0 - width), anchor * (1.0 - height));
             let inside = |x: f64, y: f64| {
                 let (x, y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0));
-                (left..left + 0.32).contains(&x) && (bottom..bottom + height).contains(&y)
+                (left..left + width).contains(&x) && (bottom..bottom + height).contains(&y)
             };
             let mut count = 0;
             for Series { points, stroke, .. } in &self.series {
@@ -279,7 +285,7 @@ impl Chart {
             }
             // Labels of marks stand at the top, that of a shaded area at the bottom right.
             let marked = !self.marks.is_empty() && anchor == 1.0;
-            let shaded = self.shaded.is_some() && left > 0.0 && anchor == 0.0;
+            let shaded = self.shaded.is_some() && side > 0.0 && anchor == 0.0;
             count + 10 * (usize::from(marked) + usize::from(shaded))
         };
         PLACES.iter().min_by_key(|place| hidden(place)).map_or(PLACES[0].0.clone(), |place| place.0.clone())

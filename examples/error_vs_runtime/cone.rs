@@ -1,0 +1,117 @@
+//! The friction cone in space: polygons with ever more facets, and the round cone itself.
+//!
+//! The sliding state is made backwards: the object is moved by a twist, every contact answers with the force that Coulomb's law gives
+//! it, and the load is what balances them. So the forces are known before anything is solved.
+
+use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcome, Ramp, Twist, Wrench};
+use grasp_lcp::{Fit, PolygonCone, Settings};
+use nalgebra::{Vector3, Vector6};
+
+use crate::best_time::timed;
+use crate::onset::pinch;
+use crate::report::{Panel, Report};
+use crate::scene::{Failure, three_fingers};
+
+const FACETS: [usize; 7] = [4, 8, 16, 32, 64, 128, 256];
+const FITS: [(&str, Fit); 3] = [
+    ("inscribed polygon", Fit::Inscribed),
+    ("circumscribed polygon", Fit::Circumscribed),
+    ("balanced polygon", Fit::Balanced),
+];
+/// How the object has moved, m and rad: two of the three fingers slide.
+const TWIST: [f64; 6] = [0.0024, 0.0004, -0.0088, 0.27, -0.0035, 0.07];
+
+/// Nothing beyond the question is searched for.
+fn on(facets: usize, fit: Fit) -> Result<Settings, Failure> {
+    Ok(Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit)?))
+}
+
+pub fn measure(report: &mut Report) -> Result<(), Failure> {
+    report.push(onset()?);
+    report.push(sliding()?);
+    Ok(())
+}
+
+fn onset() -> Result<Panel, Failure> {
+    let (contacts, direction, exact) = pinch();
+    let (grasp, ramp) = (Grasp::new(contacts)?, Ramp::load(Wrench::ZERO, direction));
+    let mut panel = Panel::new(
+        "cone",
+        "Onset of three fingers: facets and the round cone",
+        "relative error of the onset",
+    );
+    for (name, fit) in FITS {
+        for facets in FACETS {
+            let settings = on(facets, fit)?;
+            let (factor, time) =
+                timed(|| Ok(grasp.onset_on_polygon(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+            panel.add(name, facets.to_string(), (factor / exact - 1.0).abs(), time);
+        }
+    }
+    let settings = on(8, Fit::Inscribed)?;
+    let (factor, time) = timed(|| Ok(grasp.onset(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+    panel.add("round cone, and 8 facets beside it", "", (factor / exact - 1.0).abs(), time);
+    Ok(panel)
+}
+
+fn sliding() -> Result<Panel, Failure> {
+    let grasp = Grasp::new(three_fingers().contacts)?;
+    let (load, forces) = balanced(&grasp, &Twist::from_vector(TWIST));
+    let mut panel = Panel::new(
+        "cone",
+        "Three fingers far beyond it: facets and the round cone",
+        "error of a contact force / largest force",
+    );
+    let off = |answer: &Equilibrium| {
+        let size = forces.iter().map(Vector3::norm).fold(0.0, f64::max);
+        let differences = answer.contacts.iter().zip(&forces).map(|(c, f)| (c.force_world - f).norm());
+        differences.fold(0.0, f64::max) / size
+    };
+    for (name, fit) in FITS {
+        for facets in FACETS {
+            let settings = on(facets, fit)?.on_the_polygon();
+            let (outcome, time) = timed(|| Ok(grasp.solve_with(&load, &settings)?))?;
+            let error = outcome.equilibrium().map_or(f64::NAN, off);
+            if let Outcome::Undecided(why) = &outcome {
+                panel.notes.push(format!("{name}, {facets} facets: {:?}", why.doubt));
+            }
+            panel.add(name, facets.to_string(), error, time);
+        }
+    }
+    for facets in [8, 16, 32] {
+        let settings = on(facets, Fit::Inscribed)?;
+        let (outcome, time) = timed(|| Ok(grasp.solve_with(&load, &settings)?))?;
+        let answer = outcome.equilibrium().ok_or("the scene was made to have one")?;
+        if facets == 8 {
+            let slide = |c: &&ContactAnswer| matches!(c.state, ContactState::Sliding { .. });
+            let count = answer.contacts.iter().filter(slide).count();
+            panel.notes.push(format!("{count} of 3 fingers slide"));
+        }
+        panel.add("round cone, proposed on facets", facets.to_string(), off(answer), time);
+    }
+    Ok(panel)
+}
+
+/// The load that balances what the contacts carry when the object has moved by a twist, and these forces along the coordinate axes.
+fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
+    let mut load = Vector6::zeros();
+    let mut forces = Vec::new();
+    for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {
+        let k = contact.series_stiffness_of_axes();
+        let moved = Vector3::from(twist.displacement_at(contact.point().into()));
+        let mut force = k.component_mul(&(contact.commanded() - frame.tr_mul(&moved)));
+        if force[0] <= 0.0 {
+            force = Vector3::zeros();
+        }
+        // The tangential stiffnesses are equal: what is too much is cut off along the traction.
+        let (limit, friction) = (contact.friction_coefficient() * force[0], force.yz().norm());
+        if friction > limit {
+            (force[1], force[2]) = (force[1] * (limit / friction), force[2] * (limit / friction));
+        }
+        let force = frame * force;
+        let moment = contact.point().cross(&force);
+        load -= Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+        forces.push(force);
+    }
+    (Wrench::from_vector(load), forces)
+}

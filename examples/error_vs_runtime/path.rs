@@ -1,0 +1,208 @@
+//! A load path: exact events, and implicit steps.
+//!
+//! An implicit step solves for the equilibrium at its end, with the slip so far taken off the finger commands; the slip of the answer is added to it.
+
+use grasp_lcp::Settings;
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::{Change, Leg};
+use grasp_lcp::{planar, spatial};
+use nalgebra::SVector;
+
+use crate::best_time::timed;
+use crate::report::{Panel, Report};
+use crate::scene::Failure;
+use crate::tractrix;
+
+const STEPS: [u32; 4] = [10, 100, 1000, 10_000];
+
+pub fn measure(report: &mut Report) -> Result<(), Failure> {
+    report.push(pad()?);
+    report.push(dragged()?);
+    Ok(())
+}
+
+/// A grasp in small steps, with the slip of each contact so far.
+struct Stepper<const D: usize, const C: usize> {
+    grasp: Grasp<D, C>,
+    slips: Vec<SVector<f64, C>>,
+}
+
+/// What the contacts carry after a step, and which have slipped in it.
+struct Step<const C: usize> {
+    forces: Vec<SVector<f64, C>>,
+    slipped: Vec<bool>,
+}
+
+impl<const D: usize, const C: usize> Stepper<D, C> {
+    fn new(grasp: &Grasp<D, C>) -> Self {
+        Self { grasp: grasp.clone(), slips: vec![SVector::zeros(); grasp.len()] }
+    }
+
+    /// On to another load and other commands.
+    fn step(&mut self, load: &Wrench<D>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
+        let left: Vec<_> = commands.iter().zip(&self.slips).map(|(a, s)| a - s).collect();
+        self.grasp = self.grasp.clone().with_commands(&left)?;
+        let outcome = self.grasp.solve(load)?;
+        let state = outcome.equilibrium().ok_or("the path goes on")?;
+        for (slip, contact) in self.slips.iter_mut().zip(&state.contacts) {
+            *slip += contact.slip;
+        }
+        Ok(Step {
+            forces: state.contacts.iter().map(|c| c.force).collect(),
+            slipped: state.contacts.iter().map(|c| c.slip.norm() > 0.0).collect(),
+        })
+    }
+}
+
+/// Springs in the pad.
+const SPRINGS: u32 = 16;
+const FRICTION: f64 = 0.4;
+/// Tangential stiffness of each, N/m.
+const SHEAR: f64 = 6.25;
+
+/// What each spring of the pad presses with, N: a parabola.
+fn pressed() -> Vec<f64> {
+    let at = |i: u32| f64::from(2 * i + 1) / f64::from(SPRINGS) - 1.0;
+    (0..SPRINGS).map(|i| 0.375 * (1.0 - at(i).powi(2))).collect()
+}
+
+/// The shear load under which the pad has moved by x on the first loading.
+fn virgin(x: f64) -> f64 {
+    pressed().iter().map(|n| (SHEAR * x).min(FRICTION * n)).sum()
+}
+
+/// A pad sheared to nine tenths of what it carries, and as far the other way. All friction acts along its face, so that the pressures stay:
+/// spring i slides from x = μN_i/c on and, on the way back, after twice that (Masing's rule).
+fn pad() -> Result<Panel, Failure> {
+    let pressures = pressed();
+    let (total, c) = (pressures.iter().sum::<f64>(), SHEAR);
+    let limits: Vec<f64> = pressures.iter().map(|n| FRICTION * n).collect();
+    let most = 0.9 * FRICTION * total;
+    let exact: [Vec<Option<f64>>; 2] = [1.0, 2.0].map(|times| {
+        let at = |limit: &f64| times * virgin(limit / c);
+        limits.iter().map(|limit| Some(at(limit)).filter(|q| *q < times * most)).collect()
+    });
+    let grasp = Grasp::new((0..SPRINGS).zip(&pressures).map(|(i, n)| {
+        let x = f64::from(2 * i + 1) / f64::from(SPRINGS) - 1.0;
+        Contact::new([x, 0.0], [0.0, 1.0])
+            .series_stiffness(70.0, c)
+            .friction(FRICTION)
+            .command([n / 70.0, 0.0])
+    }))?;
+    let load = |q: f64| planar::Wrench::force([q, -total]);
+    let legs = [Leg::load_to(load(most)), Leg::load_to(load(-most))];
+    // Loads are counted from the beginning of their leg. A contact whose event was not found counts as a whole leg.
+    let off = |found: &[Vec<Option<f64>>; 2]| {
+        let pairs = found.iter().flatten().zip(exact.iter().flatten());
+        let error = pairs.map(|pair| match pair {
+            (Some(a), Some(b)) => (a - b).abs() / (FRICTION * total),
+            (None, None) => 0.0,
+            _ => 1.0,
+        });
+        error.fold(0.0, f64::max)
+    };
+    let mut panel = Panel::new(
+        "path",
+        "A pad of 16 springs sheared and back: when they slide",
+        "error of the load at which a spring slides / limit load",
+    );
+    // Leg, load, contact of each.
+    let when = |slides: &[(usize, f64, usize)]| {
+        let mut found = [(); 2].map(|()| vec![None; limits.len()]);
+        for &(leg, q, contact) in slides {
+            found[leg][contact] = Some(if leg == 0 { q } else { most - q });
+        }
+        found
+    };
+    let (slides, time) = timed(|| {
+        let events = grasp.follow(load(0.0), &legs)?.run();
+        let slides = events.iter().flat_map(|e| {
+            let contacts =
+                e.changes.iter().filter(|(_, change)| self::slides(change)).map(|(contact, _)| *contact);
+            contacts.map(|contact| (e.leg, e.load.as_vector()[0], contact))
+        });
+        Ok(slides.collect::<Vec<_>>())
+    })?;
+    panel.add("exact events, Grasp::follow", "", off(&when(&slides)), time);
+    let (slides, time) = timed(|| {
+        let events = grasp.follow_patch(load(0.0), &legs)?;
+        let slides = events.filter(|e| self::slides(&e.change));
+        Ok(slides.map(|e| (e.leg, e.load.as_vector()[0], e.contact)).collect::<Vec<_>>())
+    })?;
+    panel.add("exact events, Grasp::follow_patch", "", off(&when(&slides)), time);
+    let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();
+    for steps in STEPS {
+        let (found, time) = timed(|| {
+            let mut stepper = Stepper::new(&grasp);
+            let mut found = [(); 2].map(|()| vec![None; limits.len()]);
+            for (leg, way) in [most, -2.0 * most].into_iter().enumerate() {
+                for k in 1..=steps {
+                    let part = |k: u32| f64::from(k) / f64::from(steps);
+                    let from = if leg == 0 { 0.0 } else { most };
+                    let step = stepper.step(&load(from + way * part(k)), &commands)?;
+                    for (event, _) in
+                        found[leg].iter_mut().zip(&step.slipped).filter(|(_, slipped)| **slipped)
+                    {
+                        event.get_or_insert(way.abs() * 0.5 * (part(k - 1) + part(k)));
+                    }
+                }
+            }
+            Ok(found)
+        })?;
+        panel.add("implicit steps a leg", format!("{:.0e}", f64::from(steps)), off(&found), time);
+    }
+    Ok(panel)
+}
+
+fn slides<const C: usize>(change: &Change<C>) -> bool {
+    matches!(change, Change::Slides { .. } | Change::Reverses { .. })
+}
+
+/// The friction force along a tractrix.
+fn dragged() -> Result<Panel, Failure> {
+    const SAMPLES: u32 = 200;
+    let (grasp, ways) = tractrix::scene()?;
+    let legs = tractrix::legs(ways);
+    let mut panel = Panel::new(
+        "path",
+        "A finger drags a body round a corner: its friction force",
+        "worst error of the friction force / its size",
+    );
+    for tolerance in [1e-4, 1e-7, 1e-10, 1e-13] {
+        let settings = Settings::default().with_step_error(tolerance);
+        let (path, time) = timed(|| {
+            let mut path = grasp.follow_with(spatial::Wrench::ZERO, &legs, &settings)?;
+            path.run();
+            Ok(path)
+        })?;
+        let mut error = 0.0_f64;
+        for k in 0..=SAMPLES {
+            let fraction = f64::from(k) / f64::from(SAMPLES);
+            let state = path.state_at(1, fraction).ok_or("the path goes on")?;
+            error = error.max(tractrix::off(&state.contacts[0].force, tractrix::WAY * fraction));
+        }
+        panel.add("Grasp::follow, error of a step", format!("{tolerance:.0e}"), error, time);
+    }
+    let commands: Vec<_> = grasp.contacts().iter().map(spatial::Contact::commanded).collect();
+    for steps in STEPS {
+        let (forces, time) = timed(|| {
+            let mut stepper = Stepper::new(&grasp);
+            let at = |corner: f64, part: f64| {
+                let [first, second] = ways;
+                let more = tractrix::drag([0, 1].map(|a| corner * first[a] + part * second[a]));
+                commands.iter().zip(more).map(|(a, b)| a + b).collect::<Vec<_>>()
+            };
+            stepper.step(&spatial::Wrench::ZERO, &at(1.0, 0.0))?;
+            let mut forces = Vec::new();
+            for k in 1..=steps {
+                let part = f64::from(k) / f64::from(steps);
+                let step = stepper.step(&spatial::Wrench::ZERO, &at(1.0, part))?;
+                forces.push((part, step.forces[0]));
+            }
+            Ok(forces)
+        })?;
+        let errors = forces.iter().map(|(part, force)| tractrix::off(force, tractrix::WAY * part));
+        panel.add("implicit steps", format!("{:.0e}", f64::from(steps)), errors.fold(0.0, f64::max), time);
+    }
+    Ok(panel)
+}

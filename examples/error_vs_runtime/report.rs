@@ -1,0 +1,132 @@
+//! The figures: a table on the terminal, the same as comma-separated values, and charts of error against run time.
+
+use std::fmt::Write;
+
+use grasp_lcp::picture::{Chart, Stroke};
+
+use crate::scene::Failure;
+use crate::support;
+
+/// An error of exactly nothing has no logarithm: it is drawn here.
+const NOTHING: f64 = 1e-17;
+
+/// Everything that was measured, part by part.
+#[derive(Default)]
+pub struct Report {
+    panels: Vec<Panel>,
+}
+
+/// One question asked in several ways: one chart.
+pub struct Panel {
+    /// Which part of the report it belongs to.
+    pub part: &'static str,
+    pub title: &'static str,
+    /// What the error is of, and what it is divided by.
+    pub error: &'static str,
+    pub lines: Vec<Line>,
+    /// Printed below the table.
+    pub notes: Vec<String>,
+}
+
+/// One way of asking.
+pub struct Line {
+    pub method: String,
+    pub points: Vec<Point>,
+}
+
+/// One setting of it.
+pub struct Point {
+    /// Steps, facets, tolerance: empty where there is nothing to set.
+    pub setting: String,
+    pub error: f64,
+    /// Seconds.
+    pub time: f64,
+}
+
+impl Panel {
+    pub fn new(part: &'static str, title: &'static str, error: &'static str) -> Self {
+        Self { part, title, error, lines: Vec::new(), notes: Vec::new() }
+    }
+
+    pub fn add(&mut self, method: &str, setting: impl Into<String>, error: f64, time: f64) {
+        let point = Point { setting: setting.into(), error, time };
+        match self.lines.iter_mut().find(|line| line.method == method) {
+            Some(line) => line.points.push(point),
+            None => self.lines.push(Line { method: method.into(), points: vec![point] }),
+        }
+    }
+
+    /// The only or the last point of a method.
+    pub fn last(&self, method: &str) -> Option<&Point> {
+        self.lines.iter().find(|line| line.method == method)?.points.last()
+    }
+
+    fn print(&self) {
+        println!("\n{}", self.title);
+        println!("  {:44} {:>9} {:>10} {:>12}", "method", "setting", "error", "time (µs)");
+        for line in &self.lines {
+            for (k, point) in line.points.iter().enumerate() {
+                let method = if k == 0 { &line.method } else { "" };
+                let error =
+                    if point.error.is_nan() { "no answer".into() } else { format!("{:.1e}", point.error) };
+                println!("  {method:44} {:>9} {error:>10} {:>12.2}", point.setting, 1e6 * point.time);
+            }
+        }
+        println!("  error: {}", self.error);
+        for note in &self.notes {
+            println!("  {note}");
+        }
+    }
+
+    fn chart(&self) -> Chart {
+        // No answer is no point: f64::max would make one of it.
+        let height = |error: f64| if error == 0.0 { NOTHING } else { error };
+        let zero = self.lines.iter().flat_map(|line| &line.points).any(|point| point.error == 0.0);
+        let error = if zero { format!("{} (0 drawn at 10⁻¹⁷)", self.error) } else { self.error.into() };
+        let scaled =
+            self.lines.iter().flat_map(|line| &line.points).any(|point| point.setting.ends_with('*'));
+        let time = if scaled { "run time (s), * scaled from a thousand steps" } else { "run time (s)" };
+        self.lines.iter().fold(Chart::new(self.title, time, error).log_log(), |chart, line| {
+            let points: Vec<_> = line.points.iter().map(|p| (p.time, height(p.error))).collect();
+            let name = match &line.points[..] {
+                [first, .., last] => format!("{}, {} … {}", line.method, first.setting, last.setting),
+                _ => line.method.clone(),
+            };
+            // A line needs two ends.
+            let drawn = line.points.iter().filter(|point| point.error.is_finite()).count();
+            chart.series(name, points, if drawn > 1 { Stroke::Marked } else { Stroke::Circles })
+        })
+    }
+}
+
+impl Report {
+    /// Prints a panel and keeps it.
+    pub fn push(&mut self, panel: Panel) {
+        panel.print();
+        self.panels.push(panel);
+    }
+
+    /// Writes the table, and a sheet of charts for each part.
+    pub fn save(&self, name: &str) -> Result<(), Failure> {
+        let mut table = String::from("part,question,method,setting,error,time_s\n");
+        for panel in &self.panels {
+            for line in &panel.lines {
+                for p in &line.points {
+                    let words = [panel.part, panel.title, &line.method, &p.setting].map(quoted).join(",");
+                    writeln!(table, "{words},{:e},{:e}", p.error, p.time)?;
+                }
+            }
+        }
+        println!();
+        support::save(&format!("{name}.csv"), &table)?;
+        for part in self.panels.chunk_by(|a, b| a.part == b.part) {
+            let charts: Vec<_> = part.iter().map(Panel::chart).collect();
+            support::save(&format!("{name}_{}.svg", part[0].part), &Chart::sheet(&charts, charts.len())?)?;
+        }
+        Ok(())
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{text}\"")
+}

@@ -1,0 +1,142 @@
+//! What the contacts carry while everything rolls: the crate, the textbook's formula, and quadratic programs.
+//!
+//! Five fingers in space, all springs alike, and the same with one finger 10⁶ times as stiff; forces against rational arithmetic.
+
+use grasp_lcp::energy::{QpOutcome, QuadraticProgram, Unknowns};
+use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
+use grasp_lcp::structured::{Search, Workspace};
+use grasp_lcp::{PolygonCone, Settings};
+use nalgebra::{DVector, Matrix6, Vector3, Vector6};
+
+use crate::best_time::timed;
+use crate::exact_rolling;
+use crate::interior_point::{Oracle, interior_point_within};
+use crate::report::{Panel, Report};
+use crate::scene::Failure;
+
+const LOAD: [f64; 6] = [0.5, -0.25, -2.0, 0.03125, 0.0625, -0.015_625];
+const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+pub fn measure(report: &mut Report) -> Result<(), Failure> {
+    report.push(forces("Five fingers that roll, springs alike", 1.0)?);
+    report.push(forces("Five fingers that roll, one 10⁶ times as stiff", 1e6)?);
+    Ok(())
+}
+
+/// Normals of integer length towards the middle, series stiffness, command along the normal.
+fn fingers(stiffer: f64) -> [exact_rolling::Contact; 5] {
+    let finger = |point, normal, length, stiffness: f64, press: f64| exact_rolling::Contact {
+        point,
+        normal,
+        length,
+        stiffness: [1024.0 * stiffness, 768.0 * stiffness],
+        command: press / (1024.0 * stiffness),
+    };
+    [
+        finger([0.03, 0.0, 0.004], [-1, 0, 0], 1, 1.0, 8.0),
+        finger([-0.02, 0.02, 0.0], [2, -2, -1], 3, 1.25, 7.0),
+        finger([-0.015, -0.025, 0.01], [3, 6, -2], 7, 0.75, 6.0),
+        finger([0.01, 0.028, -0.006], [-2, -6, 3], 7, 1.5, 5.0),
+        finger([0.0, -0.005, -0.03], [0, 0, 1], 1, stiffer, 4.0),
+    ]
+}
+
+fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
+    let exact = fingers(stiffer);
+    let truth = exact_rolling::forces(&exact, &LOAD).ok_or("no free motion")?;
+    let truth: Vec<_> = truth.into_iter().map(Vector3::from).collect();
+    // Body and finger share the softness evenly: the series stiffness is exactly half of either.
+    let grasp = Grasp::new(exact.iter().map(|c| {
+        let [kn, kt] = c.stiffness.map(|k| 2.0 * k);
+        Contact::new(c.point, c.normal.map(f64::from))
+            .body_stiffness(kn, kt)
+            .finger_stiffness(kn, kt)
+            .friction(1.0)
+            .command([c.command, 0.0, 0.0])
+    }))?;
+    let load = Wrench::from_vector(LOAD);
+    let size = truth.iter().map(Vector3::norm).fold(0.0, f64::max);
+    let off = |forces: &[Vector3<f64>]| {
+        forces.iter().zip(&truth).map(|(f, t)| (f - t).norm()).fold(0.0, f64::max) / size
+    };
+    let mut panel = Panel::new("rolling", title, "error of a contact force / largest force");
+
+    let (outcome, time) = timed(|| Ok(grasp.solve(&load)?))?;
+    let answer = outcome.equilibrium().ok_or("it holds")?;
+    let world: Vec<_> = answer.contacts.iter().map(|c| c.force_world).collect();
+    panel.add("Grasp::solve, with its answer as physics", "", off(&world), time);
+
+    let mut workspace = Workspace::new(PolygonCone::default());
+    let (world, time) = timed(|| match workspace.solve(&grasp, &load)? {
+        Search::Found(view) => Ok(grasp.frames().zip(view.forces()).map(|(r, f)| r * f).collect::<Vec<_>>()),
+        other => Err(format!("{other:?}").into()),
+    })?;
+    panel.add("structured::Workspace, forces alone", "", off(&world), time);
+
+    let (twist, time) = timed(|| textbook(&grasp, &load))?;
+    panel.add("textbook, (G K Gᵀ)⁻¹ by Cholesky", "", off(&at(&grasp, &twist, &[])), time);
+
+    let cone = PolygonCone::default();
+    let printed = || grasp.printed_qp(&load, &cone);
+    let reduced = || grasp.reduced_qp(&load, &cone, Unknowns::TwistAndGaps);
+    let meaning = (printed()?, reduced()?);
+    let by_printed = |x: &DVector<f64>| {
+        let forces = grasp.frames().enumerate().map(|(i, frame)| frame * meaning.0.force(x, i));
+        forces.collect::<Vec<_>>()
+    };
+    let by_reduced = |x: &DVector<f64>| {
+        let twist = Twist::from_vector(x.fixed_rows::<6>(0).into_owned());
+        let gaps: Vec<_> = meaning.1.gaps.iter().zip(x.iter().skip(6)).map(|(&i, &gap)| (i, gap)).collect();
+        at(&grasp, &twist, &gaps)
+    };
+    let (x, time) = timed(|| lemke(&printed()?.program))?;
+    panel.add("printed QP by Lemke", "", off(&by_printed(&x)), time);
+    let (x, time) = timed(|| lemke(&reduced()?.program))?;
+    panel.add("reduced QP by Lemke", "", off(&by_reduced(&x)), time);
+    for tolerance in TOLERANCES {
+        let (oracle, time) = timed(|| Ok(interior_point_within(&reduced()?.program, tolerance)))?;
+        let error = if let Oracle::Minimum(x, _) = oracle { off(&by_reduced(&x)) } else { f64::NAN };
+        panel.add("reduced QP by Clarabel", format!("{tolerance:.0e}"), error, time);
+    }
+    let held = grasp.minimum_energy(&load, &Settings::default())?;
+    let binding = held.minimum().map_or(usize::MAX, |minimum| minimum.binding.len());
+    if binding > 0 {
+        return Err("a friction row binds: the programs would answer another question".into());
+    }
+    Ok(panel)
+}
+
+fn lemke(program: &QuadraticProgram) -> Result<DVector<f64>, Failure> {
+    match program.solve()? {
+        QpOutcome::Minimum(minimum) => Ok(minimum.x),
+        other => Err(format!("{other:?}").into()),
+    }
+}
+
+/// Forces along the coordinate axes where the object has moved by a twist and some contacts have opened.
+fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> {
+    let force = |(i, (contact, frame)): (usize, (&Contact, &nalgebra::Matrix3<f64>))| {
+        let moved = Vector3::from(twist.displacement_at(contact.point().into()));
+        let mut stretch = contact.commanded() - frame.tr_mul(&moved);
+        stretch[0] += gaps.iter().filter(|gap| gap.0 == i).map(|gap| gap.1).sum::<f64>();
+        frame * contact.series_stiffness_of_axes().component_mul(&stretch)
+    };
+    grasp.contacts().iter().zip(grasp.frames()).enumerate().map(force).collect()
+}
+
+/// q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a).
+fn textbook(grasp: &Grasp, load: &Wrench) -> Result<Twist, Failure> {
+    let (mut stiffness, mut pull) = (Matrix6::zeros(), *load.as_vector());
+    for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {
+        let (p, k) = (contact.point(), contact.series_stiffness_of_axes());
+        for axis in 0..3 {
+            let n = frame.column(axis).into_owned();
+            let m = p.cross(&n);
+            let g = Vector6::new(n.x, n.y, n.z, m.x, m.y, m.z);
+            stiffness += g * (g.transpose() * k[axis]);
+            pull += g * (k[axis] * contact.commanded()[axis]);
+        }
+    }
+    let factor = stiffness.cholesky().ok_or("not definite to working precision")?;
+    Ok(Twist::from_vector(factor.solve(&pull)))
+}
