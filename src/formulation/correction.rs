@@ -43,50 +43,18 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
-            let mut balance = Balance::new(&problem.load());
-            let mut first = 0;
-            for of_contact in self.springs.chunk_by(|a, b| a.contact == b.contact) {
-                let contact = of_contact[0].contact;
-                let (site, force) = (&problem.sites[contact], &mut forces[contact]);
-                put_on_cone(problem, contact, states[contact], force);
-                let e = &mut change[first..][..of_contact.len()];
-                first += e.len();
-                let mut left = [Twice::default(); C];
-                let mut across = Across::of(&problem.laws[contact], force);
-                for (a, force) in force.iter().enumerate().take(site.axes) {
-                    if a == 0 || across.is_some() || of_contact.iter().any(|s| s.right[a] != 0.0) {
-                        let mut w = twist.stretch(site, a, problem.drives[contact][a]);
-                        let give = over(*force, site.k[a]);
-                        w.add(-give.high);
-                        w.add(-give.low);
-                        for (left, spring) in left.iter_mut().zip(of_contact) {
-                            left.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
-                        }
-                        if let Some(across) = &mut across {
-                            across.add(a, w);
-                        }
-                    }
-                    balance.add(site, a, *force);
-                }
-                if let Some(across) = across {
-                    left[1] = across.times(of_contact.get(1));
-                }
-                for (e, left) in e.iter_mut().zip(left) {
-                    *e = left.value();
-                }
-            }
-            let push = |spring: &Spring<C>, x: &f64| spring.left.amax() * x.abs();
-            let out_of_law = self.springs.iter().zip(&change).map(|(s, e)| push(s, e)).fold(0.0, f64::max);
-            twist.add(&self.respond(&mut change, &balance.value()));
-            let mut changed = 0.0_f64;
+            let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
+            let push = |(spring, x): (&Spring<C>, &f64)| spring.left.amax() * x.abs();
+            let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
+            // A stiff spring feels the rounding of the twist: what that leaves of e must not show in the change.
+            let noise = f64::EPSILON * largest(&change);
+            twist.add(&self.respond(&mut change, &left));
             for (spring, change) in self.springs.iter().zip(&change) {
                 for (force, push) in forces[spring.contact].iter_mut().zip(&spring.left) {
                     force.add(push * change);
-                    changed = changed.max((push * change).abs());
                 }
             }
-            // A stiff spring feels the rounding of the twist: what that leaves of e must not show in the change.
-            let noise = f64::EPSILON * out_of_law;
+            let changed = largest(&change);
             let settled = changed <= NEARLY * size;
             doubt = noise + if settled { 0.0 } else { changed };
             if settled && noise <= 0.1 * changed.max(f64::EPSILON * size) {
@@ -105,6 +73,49 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             twist: twist.value() - at.twist,
             doubt,
         }
+    }
+
+    /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
+    fn left_over(
+        &self,
+        problem: &Problem<D, C>,
+        states: &[State],
+        forces: &mut [[Twice; C]],
+        twist: &TwistInTwice<D>,
+        mut e: &mut [f64],
+    ) -> SVector<f64, D> {
+        let mut balance = Balance::new(&problem.load());
+        for springs in self.springs.chunk_by(|a, b| a.contact == b.contact) {
+            let contact = springs[0].contact;
+            let (site, force) = (&problem.sites[contact], &mut forces[contact]);
+            put_on_cone(problem, contact, states[contact], force);
+            let mut across = Across::of(&problem.laws[contact], force);
+            let mut along = [Twice::default(); C];
+            for (a, force) in force.iter().enumerate().take(site.axes) {
+                if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
+                    let mut w = twist.stretch(site, a, problem.drives[contact][a]);
+                    let give = over(*force, site.k[a]);
+                    w.add(-give.high);
+                    w.add(-give.low);
+                    for (along, spring) in along.iter_mut().zip(springs) {
+                        along.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
+                    }
+                    if let Some(across) = &mut across {
+                        across.add(a, w);
+                    }
+                }
+                balance.add(site, a, *force);
+            }
+            if let Some(across) = across {
+                along[1] = across.times(springs.get(1));
+            }
+            let (of_contact, others) = e.split_at_mut(springs.len());
+            for (e, along) in of_contact.iter_mut().zip(along) {
+                *e = along.value();
+            }
+            e = others;
+        }
+        balance.value()
     }
 }
 
