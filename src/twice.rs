@@ -15,6 +15,7 @@ impl Twice {
         Self { high, low: 0.0 }
     }
 
+    #[inline(always)]
     pub(crate) fn add(&mut self, x: f64) {
         let sum = self.high + x;
         let from_x = sum - self.high;
@@ -22,14 +23,15 @@ impl Twice {
         self.high = sum;
     }
 
+    #[inline(always)]
     pub(crate) fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
-        // Fused, by the processor or by the system's library: the same bits.
-        self.low += a.mul_add(b, -product);
+        self.low += rounding_of(product, a, b);
         self.add(product);
     }
 
     /// Adds `(a + rest) b`, the rest being the rounding of a.
+    #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;
         self.add_product(a, b.high);
@@ -39,6 +41,22 @@ impl Twice {
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
     }
+}
+
+/// `a b - product`, exactly, by halves of 26 bits (T. J. Dekker, 1971). A fused multiplication would do it in one instruction, but is a
+/// call into a library where the processor compiled for need not have one.
+#[inline(always)]
+fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
+    let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
+    ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+}
+
+/// Numbers of the library stay far below the 1e300 from which on this overflows.
+#[inline(always)]
+fn halves(x: f64) -> (f64, f64) {
+    let shifted = 134_217_729.0 * x; // 2^27 + 1
+    let high = shifted - (shifted - x);
+    (high, x - high)
 }
 
 #[cfg(test)]
