@@ -39,7 +39,14 @@ impl Accuracy {
         let turning =
             (!found.slides.is_empty()).then(|| problem.along(&found.slides, &found.forces, &found.twist));
         let problem = turning.as_ref().unwrap_or(problem);
-        let piece = Piece::new(problem, &found.states);
+        let made;
+        let piece = match &found.piece {
+            Some(piece) if turning.is_none() => piece.as_ref(),
+            _ => {
+                made = Piece::new(problem, &found.states);
+                &made
+            }
+        };
         let at = PieceState { forces: found.forces.clone(), twist: found.twist };
         let sizes = found.forces.iter().map(nalgebra::Matrix::norm);
         let largest =

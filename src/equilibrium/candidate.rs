@@ -1,5 +1,7 @@
 //! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
@@ -38,6 +40,8 @@ pub(crate) struct Found<const D: usize, const C: usize> {
     pub(crate) slides: Vec<Option<Slide<C>>>,
     /// On the round cone, the largest change of a contact force from the polygon's answer.
     pub(crate) from_polygon: Option<f64>,
+    /// The piece that it solves, where that is at hand.
+    pub(crate) piece: Option<Arc<Piece<D, C>>>,
 }
 
 /// What became of a proposal.
@@ -67,7 +71,10 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
     }
     let piece = Piece::new(problem, &states);
     match piece.solve(problem.sites, &problem.drives, problem.load()) {
-        Ok(state) => admit(problem, states, &piece, state),
+        Ok(state) => match admit(problem, states, &piece, state) {
+            Verdict::Holds(found) => Verdict::Holds(Found { piece: Some(Arc::new(piece)), ..found }),
+            other => other,
+        },
         Err(_) => Verdict::Unbalanced,
     }
 }
@@ -117,6 +124,7 @@ pub(super) fn admit<const D: usize, const C: usize>(
         sizes,
         slides: Vec::new(),
         from_polygon: None,
+        piece: None,
     })
 }
 
@@ -153,6 +161,7 @@ pub(super) fn admit_sliding<const D: usize, const C: usize>(
         sizes: [0.0; 2],
         slides,
         from_polygon: None,
+        piece: None,
     })
 }
 

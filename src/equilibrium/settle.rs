@@ -1,5 +1,7 @@
 //! The ladder: elastic trial state, kinematic form, force form, proofs, every combination.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::candidate::{Found, Verdict, admit, try_states};
@@ -102,6 +104,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
         }
     };
     if let Verdict::Holds(found) = admit(problem, unjumped.clone(), &trial, state.clone()) {
+        let found = Found { piece: Some(Arc::new(trial)), ..found };
         return (Settled::Found(found, Rung::EverythingRolls), effort);
     }
     if let Some(found) = touching_contacts_roll(problem, unjumped, state.clone()) {

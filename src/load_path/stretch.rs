@@ -67,6 +67,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
             slides: Vec::new(),
             from_polygon: None,
+            piece: None,
         };
         Some(self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found))
     }
@@ -110,6 +111,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: self.here.sizes,
             from_polygon: None,
+            piece: None,
         };
         let mut problem = segment.problem_at(fraction);
         for (i, s) in poised.slipped.iter().enumerate() {

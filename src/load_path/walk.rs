@@ -136,6 +136,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             sizes: here.sizes,
             slides: Vec::new(),
             from_polygon: None,
+            piece: None,
         };
         let state = self.segment.grasp.equilibrium(
             &problem,

@@ -46,6 +46,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             sizes: [largest, travel],
             slides: Vec::new(),
             from_polygon: None,
+            piece: None,
         };
         let load = self.program.load_at(self.tau);
         let cone = self.cone_answered();
