@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::measure::{Question, Table};
-use crate::ring::{LEVEL, NORMAL, PULL, TANGENTIAL, TILTED, held, power, uneven};
+use crate::ring::{NORMAL, PULL, TANGENTIAL, TILTED, enough, held, power, uneven};
 
 pub(crate) const ALL: &str = "friction of all contacts";
 pub(crate) const ONE: &str = "friction of a contact that is pulled along";
@@ -11,8 +11,8 @@ const STIFFER: [(f64, &str); 2] =
     [(1.0, "fingers equally stiff"), (1e12, "the first finger 1e12 times as stiff")];
 
 pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
-    all::<3, 2>(table, 4)?;
-    all::<6, 3>(table, 8)?;
+    all::<3, 2>(table)?;
+    all::<6, 3>(table)?;
     for stiffer in STIFFER {
         one::<3, 2>(table, stiffer)?;
         one::<6, 3>(table, stiffer)?;
@@ -27,9 +27,9 @@ fn frictions() -> impl Iterator<Item = (String, f64)> {
     none.chain((-12..=12).step_by(2).map(power)).chain([("infinite".to_owned(), f64::INFINITY)])
 }
 
-fn all<const D: usize, const C: usize>(table: &mut Table, count: usize) -> Result<(), Failure> {
+fn all<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Failure> {
     for value in frictions() {
-        let mut scene = held::<D, C>(count, TILTED);
+        let mut scene = held::<D, C>(enough::<C>(), TILTED);
         for datum in &mut scene.contacts {
             datum.friction = value.1;
         }
@@ -44,7 +44,7 @@ fn one<const D: usize, const C: usize>(
     (stiffer, case): (f64, &'static str),
 ) -> Result<(), Failure> {
     for value in frictions().filter(|value| value.1.is_finite()) {
-        let mut scene = held::<D, C>(4, TILTED);
+        let mut scene = held::<D, C>(enough::<C>(), TILTED);
         scene.contacts[0].stiffness *= stiffer;
         let datum = &mut scene.contacts[1];
         datum.friction = value.1;
@@ -58,7 +58,7 @@ fn one<const D: usize, const C: usize>(
 fn squeeze<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Failure> {
     for exponent in (-12..=12).step_by(2) {
         let value = power(exponent);
-        let mut scene = held::<D, C>(4, LEVEL);
+        let mut scene = held::<D, C>(enough::<C>(), TILTED);
         for (i, datum) in scene.contacts.iter_mut().enumerate() {
             // Not all alike.
             datum.command[0] = value.1 * (1.0 + 0.05 * uneven(i)) / NORMAL;

@@ -8,6 +8,7 @@ use grasp_lcp::grasp::Grasp;
 use crate::Failure;
 use crate::exact::scene::Scene;
 use crate::exact::truth::Truth;
+use crate::ring::SQUEEZE;
 use crate::textbook;
 
 /// As many directions of sliding in space can be afforded as unknowns of exact equations.
@@ -29,6 +30,7 @@ pub(crate) struct Question {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Expected {
     AllRoll,
+    /// Of the squeeze nothing is left but rounding.
     NoForce,
     NoEquilibrium,
 }
@@ -107,7 +109,11 @@ impl Table {
             row.slides = count(answer, slides) > 0;
             let truth = (turning <= MOST_TURNING).then(|| Truth::of(scene, grasp, answer)).flatten();
             if truth.is_none() {
-                let free = if answer.free_motions.is_empty() { "" } else { ": a motion is free" };
+                let free = match (turning > MOST_TURNING, answer.free_motions.is_empty()) {
+                    (true, _) => ": too many slide",
+                    (_, false) => ": a motion is free",
+                    _ => "",
+                };
                 row.remark = format!("no exact answer{free}");
             }
             let accuracy = answer.accuracy.ok_or("an equilibrium states its accuracy")?;
@@ -240,7 +246,7 @@ impl Expected {
         };
         match self {
             Self::AllRoll => every(|c| matches!(c.state, ContactState::Rolling)),
-            Self::NoForce => every(|c| c.force.amax() == 0.0),
+            Self::NoForce => every(|c| c.force.amax() <= f64::EPSILON * SQUEEZE),
             Self::NoEquilibrium => matches!(outcome, Outcome::NoEquilibrium(_)),
         }
     }
@@ -261,7 +267,8 @@ fn describe<const D: usize, const C: usize>(outcome: &Outcome<D, C>) -> String {
     let answer = match outcome {
         Outcome::Equilibrium(answer) => answer,
         Outcome::NoEquilibrium(_) => return "no equilibrium".to_owned(),
-        _ => return "undecided".to_owned(),
+        Outcome::Undecided(undecided) => return format!("undecided: {:?}", undecided.doubt),
+        _ => return "of an unknown kind".to_owned(),
     };
     let counts = [
         ("roll", count(answer, |s| matches!(s, ContactState::Rolling))),

@@ -48,6 +48,11 @@ pub(crate) fn ring<const C: usize>(count: usize, tilt: f64) -> Vec<Datum<C>> {
         .collect()
 }
 
+/// So many tilted fingers resist every motion by their normals alone.
+pub(crate) const fn enough<const C: usize>() -> usize {
+    if C == 2 { 4 } else { 8 }
+}
+
 /// The ring under a load of about 1 N.
 pub(crate) fn held<const D: usize, const C: usize>(count: usize, tilt: f64) -> Scene<D, C> {
     let load = if C == 2 { vec![0.3, -0.9, 0.05] } else { vec![0.2, 0.3, -0.9, 0.02, -0.04, 0.05] };

@@ -35,6 +35,8 @@ pub(crate) fn print(table: &Table) {
     let edge = rows.iter().filter(|row| matches!(row.states, Some(States::Edge(_)))).count();
     let checked = rows.iter().filter(|row| row.states.is_some()).count();
     println!("rows with wrong states or outcome not marked:  {wrong} of {checked} (bar 0); marked: {edge}");
+    let undecided = rows.iter().filter(|row| row.outcome.starts_with("undecided")).count();
+    println!("rows that stay undecided:                      {undecided} of {}", rows.len());
     let ratio = |a: &Answer| a.error.map(|error| if error <= NONE { 0.0 } else { error / a.estimate });
     let (largest, _) = worst(&|_| true, ratio);
     println!("largest true error over estimate:              {largest:.1} (bar 10)");
