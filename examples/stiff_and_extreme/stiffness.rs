@@ -1,0 +1,114 @@
+//! Springs of very different stiffness: between contacts, between the axes of one, between body and finger, beside a rigid side.
+
+use grasp_lcp::grasp::Grasp;
+use nalgebra::SVector;
+
+use crate::Failure;
+use crate::exact::scene::Scene;
+use crate::measure::{Question, Table};
+use crate::ring::{NORMAL, PULL, SQUEEZE, TANGENTIAL, TILTED, enough, held, power};
+
+pub(crate) const ROLLING: &str = "stiffness ratio, rolling";
+pub(crate) const SLIDING: &str = "stiffness ratio, sliding";
+pub(crate) const FEW: &str = "one contact against three others";
+/// Friction of the contact that is to slide.
+const SLIPPERY: f64 = 0.02;
+/// Friction of contacts that are to roll.
+const ROUGH: f64 = 2.0;
+
+/// Where the ratio stands.
+#[derive(Debug, Clone, Copy)]
+enum Between {
+    /// One finger is stiffer than the others; all are commanded alike, so that its trial force is as many times larger.
+    Contacts,
+    /// The same with four fingers in space, where friction must help to hold the body.
+    ContactsOfFew,
+    NormalOverTangential,
+    TangentialOverNormal,
+    /// On alternate contacts the body is stiffer than the finger and the other way round; tangentially reversed.
+    BodyAndFinger,
+    /// The body is rigid, the fingers are stiffer one after the other.
+    RigidBody,
+}
+
+const KINDS: [(Between, &str); 6] = [
+    (Between::Contacts, "one contact against the others"),
+    (Between::ContactsOfFew, FEW),
+    (Between::NormalOverTangential, "normal over tangential"),
+    (Between::TangentialOverNormal, "tangential over normal"),
+    (Between::BodyAndFinger, "body against finger"),
+    (Between::RigidBody, "rigid body, fingers graded"),
+];
+
+pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
+    for (family, slippery) in [(ROLLING, false), (SLIDING, true)] {
+        for (kind, case) in KINDS {
+            if case != FEW {
+                of::<3, 2>(table, family, (kind, case), slippery)?;
+            }
+            of::<6, 3>(table, family, (kind, case), slippery)?;
+        }
+    }
+    Ok(())
+}
+
+fn of<const D: usize, const C: usize>(
+    table: &mut Table,
+    family: &'static str,
+    (kind, case): (Between, &'static str),
+    slippery: bool,
+) -> Result<(), Failure> {
+    for exponent in (0..=16).step_by(2) {
+        let value = power(exponent);
+        let (scene, grasp) = stiff::<D, C>(kind, value.1, slippery)?;
+        table.ask_of(Question { family, case, value, expected: None }, &scene, &grasp)?;
+    }
+    Ok(())
+}
+
+/// Fingers with this ratio of stiffness. The scene has the series stiffnesses as the grasp rounded them.
+fn stiff<const D: usize, const C: usize>(
+    kind: Between,
+    ratio: f64,
+    slippery: bool,
+) -> Result<(Scene<D, C>, Grasp<D, C>), Failure> {
+    let mut scene =
+        held::<D, C>(if matches!(kind, Between::ContactsOfFew) { 4 } else { enough::<C>() }, TILTED);
+    let axes = |normal: f64, tangential: f64| {
+        let mut k = SVector::<f64, C>::repeat(tangential);
+        k[0] = normal;
+        k
+    };
+    let last = scene.contacts.len() - 1;
+    let mut contacts = Vec::new();
+    for (i, datum) in scene.contacts.iter_mut().enumerate() {
+        match (slippery, i) {
+            (false, _) => datum.friction = ROUGH,
+            (true, 1) => datum.friction = SLIPPERY,
+            _ => {}
+        }
+        let rigid = axes(f64::INFINITY, f64::INFINITY);
+        let soft = axes(NORMAL, TANGENTIAL);
+        let (body, finger) = match kind {
+            Between::Contacts | Between::ContactsOfFew => (rigid, if i == 0 { soft * ratio } else { soft }),
+            Between::NormalOverTangential => (rigid, axes(NORMAL * ratio, TANGENTIAL)),
+            Between::TangentialOverNormal => (rigid, axes(NORMAL, TANGENTIAL * ratio)),
+            Between::BodyAndFinger => {
+                let stiff_normal = axes(NORMAL * ratio, TANGENTIAL);
+                let stiff_tangential = axes(NORMAL, TANGENTIAL * ratio);
+                if i % 2 == 0 { (stiff_normal, stiff_tangential) } else { (stiff_tangential, stiff_normal) }
+            }
+            Between::RigidBody => (rigid, soft * ratio.powf(i as f64 / last as f64)),
+        };
+        let contact = datum.contact().body_stiffness_axes(body).finger_stiffness_axes(finger);
+        datum.stiffness = contact.series_stiffness_of_axes();
+        if !matches!(kind, Between::Contacts | Between::ContactsOfFew) {
+            datum.command[0] = SQUEEZE / datum.stiffness[0];
+        }
+        if slippery && i == 1 {
+            datum.command[1] = PULL / datum.stiffness[1];
+        }
+        contacts.push(contact.command(datum.command));
+    }
+    Ok((scene, Grasp::new(contacts)?))
+}
