@@ -85,6 +85,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod draw;
 pub mod energy;
 pub mod equilibrium;
 mod error;

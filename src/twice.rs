@@ -37,6 +37,13 @@ impl Twice {
         self.add_product(a, b.high);
     }
 
+    /// The sum over a number that is known exactly.
+    pub(crate) fn over(self, k: f64) -> Self {
+        let high = self.high / k;
+        let product = high * k;
+        Self { high, low: ((self.high - product) - rounding_of(product, high, k) + self.low) / k }
+    }
+
     /// The sum, rounded.
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
@@ -46,7 +53,7 @@ impl Twice {
 /// `a b - product`, exactly, by halves of 26 bits (T. J. Dekker, 1971). A fused multiplication would do it in one instruction, but is a
 /// call into a library where the processor compiled for need not have one.
 #[inline(always)]
-fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
+pub(crate) fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
     ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 }

@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 
 use super::candidate::Found;
-use super::slack::{largest_force, span};
+use super::slack::{scene_force, span};
+use crate::draw::Draw;
 use crate::formulation::{Piece, PieceState, Problem, State};
 use crate::grasp::{Grasp, Wrench, wrench_of};
 
@@ -48,9 +49,7 @@ impl Accuracy {
             }
         };
         let at = PieceState { forces: found.forces.clone(), twist: found.twist };
-        let sizes = found.forces.iter().map(nalgebra::Matrix::norm);
-        let largest =
-            largest_force(problem.sites, &problem.drives, &found.twist, problem.wrench.norm(), sizes);
+        let largest = scene_force(problem, &found.forces, &found.twist);
         let missing = piece.correction(problem, &found.states, &at, largest);
         let size = |forces: &[SVector<f64, C>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
         let mut accuracy =
@@ -93,8 +92,8 @@ impl<const D: usize, const C: usize> Variation<D, C> {
         at: &PieceState<D, C>,
         pattern: u64,
     ) -> Self {
-        let mut signs = Signs(pattern);
-        let load = load.as_vector().map(|w| w * signs.next());
+        let mut signs = Draw::new([pattern, 0, 0]);
+        let load = load.as_vector().map(|w| w * signs.sign());
         let n = problem.len();
         let mut variation = Self {
             stretches: vec![SVector::zeros(); n],
@@ -104,21 +103,21 @@ impl<const D: usize, const C: usize> Variation<D, C> {
         for (i, (site, contact)) in problem.sites.iter().zip(grasp.contacts()).enumerate() {
             let (force, drive) = (&at.forces[i], &problem.drives[i]);
             if let State::Sliding { .. } = states[i] {
-                let sign = signs.next();
+                let sign = signs.sign();
                 for a in 1..C {
                     variation.dragged[i][a] = force[a] * sign;
                 }
             }
             variation.load += site.map * variation.dragged[i];
             // The digits of a point count from the origin it is given in, not from its neighbours.
-            let point = contact.point.map(|x| x * signs.next()) / grasp.length();
+            let point = contact.point.map(|x| x * signs.sign()) / grasp.length();
             for a in 0..site.axes {
                 let axis = site.frame.column(a).into_owned();
                 let moved = wrench_of::<D, C>(&point, &axis);
                 let stretch = &mut variation.stretches[i][a];
-                *stretch = drive[a] * signs.next() + force[a] / site.k[a] * signs.next();
+                *stretch = drive[a] * signs.sign() + force[a] / site.k[a] * signs.sign();
                 for k in 0..D {
-                    let turned = site.map[(k, a)] * signs.next();
+                    let turned = site.map[(k, a)] * signs.sign();
                     let entry = if k < C { turned } else { turned + moved[k] };
                     *stretch += entry * at.twist[k];
                     variation.load[k] += entry * force[a];
@@ -126,17 +125,5 @@ impl<const D: usize, const C: usize> Variation<D, C> {
             }
         }
         variation
-    }
-}
-
-/// A fixed sequence of signs for each pattern (splitmix64).
-struct Signs(u64);
-
-impl Signs {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        if z >> 63 == 0 { 1.0 } else { -1.0 }
     }
 }

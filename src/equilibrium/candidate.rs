@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::only_lemke;
-use super::slack::{There, for_each_slack, largest_force};
+use super::slack::{There, for_each_slack, scene_force};
 use crate::formulation::{Law, Piece, PieceState, Problem, Slide, State};
 use crate::lcp::{Lcp, Outcome};
 
@@ -173,8 +173,7 @@ fn out_of_balance<const D: usize, const C: usize>(
     twist: &SVector<f64, D>,
 ) -> f64 {
     let mut sum = problem.wrench;
-    let sizes = forces.iter().map(nalgebra::Matrix::norm);
-    let mut size = largest_force(problem.sites, &problem.drives, twist, sum.norm(), sizes);
+    let mut size = scene_force(problem, forces, twist);
     for (site, force) in problem.sites.iter().zip(forces) {
         sum += site.map * force;
         size += force.norm();

@@ -4,7 +4,7 @@
 //! vanishes. Next to such an edge the last digits of the question decide.
 
 use super::candidate::Found;
-use super::slack::{There, largest_force, span};
+use super::slack::{There, scene_force, span};
 use crate::formulation::{Problem, State};
 
 /// A condition met by less than this part of the size of its terms may be rounding of the data: normals, arms and products of
@@ -19,8 +19,7 @@ pub(super) fn distinct<const D: usize, const C: usize>(
     found: &Found<D, C>,
     [force_error, displacement_error]: [f64; 2],
 ) -> Vec<bool> {
-    let sizes = found.forces.iter().map(nalgebra::Matrix::norm);
-    let largest = largest_force(problem.sites, &problem.drives, &found.twist, problem.wrench.norm(), sizes);
+    let largest = scene_force(problem, &found.forces, &found.twist);
     let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
     (0..problem.len())
         .map(|i| {

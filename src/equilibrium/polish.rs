@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 use super::candidate::{Found, Verdict, admit, admit_sliding, try_states};
 use super::newton::{Arrived, newton};
-use super::slack::largest_force;
+use super::slack::scene_force;
 use crate::formulation::{
     Law, Piece, PieceState, Problem, Regular, Returned, Slide, Springs, State, balance, contact_stiffness,
     respond, tangent_stiffness,
@@ -115,8 +115,7 @@ fn sharpened<const D: usize, const C: usize>(
     let mut at = PieceState { forces: found.forces.clone(), twist: found.twist };
     for _ in 0..SHARPENING_STEPS {
         let linear = problem.along(&slides, &at.forces, &at.twist);
-        let sizes = at.forces.iter().map(nalgebra::Matrix::norm);
-        let largest = largest_force(problem.sites, &problem.drives, &at.twist, problem.wrench.norm(), sizes);
+        let largest = scene_force(problem, &at.forces, &at.twist);
         let missing = Piece::new(&linear, &found.states).correction(&linear, &found.states, &at, largest);
         at.twist += missing.twist;
         let mut settled = missing.twist.norm() <= SHARP * at.twist.norm();
@@ -152,8 +151,7 @@ fn balanced<const D: usize, const C: usize>(
     springs.extend(contacts.iter().zip(problem.sites).map(|(returned, site)| returned.stiffness(site)));
     let mut state = PieceState { forces: contacts.iter().map(Returned::force).collect(), twist };
     let moved = balance(problem.sites, &springs, &tangent, &problem.wrench, &mut state, BALANCED)?;
-    let sizes = state.forces.iter().map(nalgebra::Matrix::norm);
-    let largest = largest_force(problem.sites, &problem.drives, &state.twist, problem.wrench.norm(), sizes);
+    let largest = scene_force(problem, &state.forces, &state.twist);
     let slides: Vec<Option<Slide<C>>> = contacts
         .iter()
         .map(|returned| if let Returned::Sliding(_, slide) = returned { Some(*slide) } else { None })
@@ -192,15 +190,7 @@ fn finish<const D: usize, const C: usize>(
     mut twist: SVector<f64, D>,
 ) -> Option<Found<D, C>> {
     let n = problem.len();
-    // Facets play no part in it.
-    let mut linear = Problem {
-        polygon: problem.polygon.clone(),
-        turned: Vec::new(),
-        laws: problem.laws.clone(),
-        drives: problem.drives.clone(),
-        slips: problem.slips.clone(),
-        ..*problem
-    };
+    let mut linear = problem.with_laws(problem.laws.clone());
     let mut forces = vec![SVector::<f64, C>::zeros(); n];
     let mut states = vec![State::Open; n];
     let mut slides: Vec<Option<Slide<C>>> = vec![None; n];
@@ -232,8 +222,7 @@ fn finish<const D: usize, const C: usize>(
         let solved = piece.solve(problem.sites, &drives, problem.load()).ok()?;
         twist += solved.twist;
         let change = solved.forces.iter().zip(&forces).map(|(new, old)| (new - old).norm());
-        let sizes = solved.forces.iter().map(nalgebra::Matrix::norm);
-        let largest = largest_force(problem.sites, &problem.drives, &twist, problem.wrench.norm(), sizes);
+        let largest = scene_force(problem, &solved.forces, &twist);
         let on_cone = |i: usize| slides[i].is_none() || on_cone(problem, i, &solved.forces[i], largest);
         if change.fold(0.0, f64::max) <= SETTLED * largest && (0..n).all(on_cone) {
             let forces = solved.forces;

@@ -56,6 +56,16 @@ pub(crate) fn largest_force<const D: usize, const C: usize>(
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
 }
 
+/// Size of the largest force of a scene with these forces and this twist.
+pub(crate) fn scene_force<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+) -> f64 {
+    let sizes = forces.iter().map(nalgebra::Matrix::norm);
+    largest_force(problem.sites, &problem.drives, twist, problem.wrench.norm(), sizes)
+}
+
 /// What the rounding of a contact force is measured against. `spans` is the size of the displacements at the contact,
 /// `largest` that of the largest force of the scene: a stiff contact's force is not known from its (cancelling)
 /// displacements but from equilibrium with the others, a soft one's the other way round.

@@ -21,6 +21,7 @@ use crate::twice::Twice;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction<const D: usize, const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
+    /// Without free motions.
     pub(crate) twist: SVector<f64, D>,
     /// How well the forces are known, N: what the last solution changed, unless the next would change nothing, and rounding of the stiffest
     /// springs in twice the working precision. Where the piece is singular at working precision this is large.
@@ -68,11 +69,11 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 exact.value()
             })
         };
-        Correction {
-            forces: forces.iter().zip(&at.forces).map(missing).collect(),
-            twist: twist.value() - at.twist,
-            doubt,
+        let mut way = twist.value() - at.twist;
+        for v in self.free_motions() {
+            way -= v * v.dot(&way);
         }
+        Correction { forces: forces.iter().zip(&at.forces).map(missing).collect(), twist: way, doubt }
     }
 
     /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
@@ -94,7 +95,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             for (a, force) in force.iter().enumerate().take(site.axes) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
                     let mut w = twist.stretch(site, a, problem.drives[contact][a]);
-                    let give = over(*force, site.k[a]);
+                    let give = force.over(site.k[a]);
                     w.add(-give.high);
                     w.add(-give.low);
                     for (along, spring) in along.iter_mut().zip(springs) {
@@ -192,10 +193,4 @@ fn put_on_cone<const D: usize, const C: usize>(
     for a in 1..C {
         force[a].add(pull[a]);
     }
-}
-
-/// `force / k`.
-fn over(force: Twice, k: f64) -> Twice {
-    let high = force.high / k;
-    Twice { high, low: ((-high).mul_add(k, force.high) + force.low) / k }
 }

@@ -163,10 +163,15 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
             let lambda = (slip.dot(&friction) / square).max(0.0);
             self.turning(contact, Slide::new(site, &friction, lambda))
         };
+        self.with_laws(self.laws.iter().enumerate().map(law).collect())
+    }
+
+    /// The same problem with laws in which the polygons play no part.
+    pub(crate) fn with_laws(&self, laws: Vec<Law<C>>) -> Self {
         Self {
             polygon: self.polygon.clone(),
             turned: Vec::new(),
-            laws: self.laws.iter().enumerate().map(law).collect(),
+            laws,
             drives: self.drives.clone(),
             slips: self.slips.clone(),
             ..*self

@@ -12,6 +12,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::problem::{Law, Problem, State};
+use crate::twice::rounding_of;
 
 /// `F = left (right · v)`, v the stretch of a contact.
 #[derive(Debug, Clone)]
@@ -53,7 +54,8 @@ impl<const C: usize> Spring<C> {
         for axis in 1..C {
             let drag = mu * pull[axis];
             left[axis] = drag * left[0];
-            left_rest[axis] = drag.mul_add(left[0], -left[axis]) + mu.mul_add(pull[axis], -drag) * left[0];
+            left_rest[axis] =
+                rounding_of(left[axis], drag, left[0]) + rounding_of(drag, mu, pull[axis]) * left[0];
         }
         Self { contact, right, left, right_rest, left_rest }
     }
@@ -61,7 +63,8 @@ impl<const C: usize> Spring<C> {
 
 /// The r with `known (factor + r) = product`.
 fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
-    (-known).mul_add(factor, product) / known
+    let rounded = known * factor;
+    ((product - rounded) - rounding_of(rounded, known, factor)) / known
 }
 
 /// The springs of a contact in this state.

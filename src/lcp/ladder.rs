@@ -6,10 +6,11 @@ use super::basis::Basis;
 use super::certificate;
 use super::dictionary::Unknown;
 use super::enumerate;
-use super::lemke::{End, generic};
+use super::lemke::End;
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray};
 use super::settings::Settings;
 use super::workspace::Workspace;
+use crate::draw::generic;
 
 impl Workspace {
     pub(super) fn solve_cold(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {

@@ -9,6 +9,7 @@ use super::outcome::BreakdownCause;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::scaling::Scaling;
 use super::settings::Settings;
+use crate::draw::generic;
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -171,13 +172,4 @@ impl Path {
             return Ok(row);
         }
     }
-}
-
-/// Entry i of a fixed vector without structure, between 1/2 and 3/2 (the mixing function of splitmix64).
-pub(crate) fn generic(i: usize) -> f64 {
-    let mut x = (i as u64).wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^= x >> 31;
-    0.5 + (x >> 11) as f64 / (1_u64 << 53) as f64
 }

@@ -82,8 +82,6 @@ pub use series::Series;
 pub use settings::Settings;
 pub use workspace::{Answer, SolutionView, Workspace};
 
-pub(crate) use lemke::generic;
-
 use nalgebra::{DMatrix, DVector};
 
 /// A linear complementarity problem (M, q) with finite entries.

@@ -1,8 +1,9 @@
 //! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
-use super::lemke::{Path, generic};
+use super::lemke::Path;
 use super::outcome::BreakdownCause;
+use crate::draw::generic;
 
 /// An elimination pivot below this fraction of its column before elimination makes the basis singular.
 const SINGULAR: f64 = 1e-14;

@@ -1,8 +1,7 @@
 //! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same seed.
 
-use std::f64::consts::TAU;
-
 use super::map_in_order;
+use crate::draw::Draw;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Grasp};
@@ -80,58 +79,5 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Vec<Result<Onset<D, C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
         map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset(ramp, settings))
-    }
-}
-
-/// Numbers that depend on nothing but where they are drawn: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
-/// generators, 2014).
-struct Draw(u64);
-
-impl Draw {
-    /// Each word of the place stirs all bits of the state.
-    fn new(place: [u64; 3]) -> Self {
-        let mut draw = Self(0);
-        for word in place {
-            draw.0 ^= word;
-            draw.0 = draw.next();
-        }
-        draw
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// In (0, 1), never at its ends.
-    fn uniform(&mut self) -> f64 {
-        ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
-    }
-
-    /// By the method of Box and Muller.
-    fn normal(&mut self) -> f64 {
-        let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
-        radius * angle.cos()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn normal_numbers_have_the_moments_of_a_normal_distribution() {
-        let count = 40_000_u64;
-        let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
-        let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
-        // Within five standard deviations of what so many draws give.
-        let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
-        assert!(moment(1).abs() < error(1.0), "{}", moment(1));
-        assert!((moment(2) - 1.0).abs() < error(2.0), "{}", moment(2));
-        assert!(moment(3).abs() < error(15.0), "{}", moment(3));
-        assert!((moment(4) - 3.0).abs() < error(96.0), "{}", moment(4));
     }
 }

@@ -1,0 +1,73 @@
+//! Numbers without structure, the same on every machine and in every run.
+
+use std::f64::consts::TAU;
+
+const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
+
+/// Entry i of a fixed vector, between 1/2 and 3/2.
+pub(crate) fn generic(i: usize) -> f64 {
+    let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(STEP));
+    0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// The mixing function of SplitMix64.
+fn mixed(mut z: u64) -> u64 {
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}
+
+/// Numbers that depend on nothing but where they are drawn: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
+/// generators, 2014).
+pub(crate) struct Draw(u64);
+
+impl Draw {
+    /// Each word of the place stirs all bits of the state.
+    pub(crate) fn new(place: [u64; 3]) -> Self {
+        let mut draw = Self(0);
+        for word in place {
+            draw.0 ^= word;
+            draw.0 = draw.next();
+        }
+        draw
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(STEP);
+        mixed(self.0)
+    }
+
+    /// 1 or -1.
+    pub(crate) fn sign(&mut self) -> f64 {
+        if self.next() >> 63 == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// In (0, 1), never at its ends.
+    fn uniform(&mut self) -> f64 {
+        ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+    }
+
+    /// By the method of Box and Muller.
+    pub(crate) fn normal(&mut self) -> f64 {
+        let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
+        radius * angle.cos()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normal_numbers_have_the_moments_of_a_normal_distribution() {
+        let count = 40_000_u64;
+        let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
+        let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
+        // Within five standard deviations of what so many draws give.
+        let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
+        assert!(moment(1).abs() < error(1.0), "{}", moment(1));
+        assert!((moment(2) - 1.0).abs() < error(2.0), "{}", moment(2));
+        assert!(moment(3).abs() < error(15.0), "{}", moment(3));
+        assert!((moment(4) - 3.0).abs() < error(96.0), "{}", moment(4));
+    }
+}
