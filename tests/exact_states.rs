@@ -119,10 +119,10 @@ fn tally<const D: usize, const C: usize>(count: std::ops::Range<usize>, spread: 
 }
 
 fn assert_accurate(tally: &Tally) {
-    assert!(tally.worst_rolling[0] <= 1e-14 && tally.worst_sliding[0] <= 1e-14, "{tally:?}");
+    assert!(tally.worst_rolling[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
     // Of each component by itself, too.
-    assert!(tally.worst_rolling[1] <= 1e-13, "{tally:?}");
-    assert!(tally.worst_rolling[2] <= 1e-15, "{tally:?}");
+    assert!(tally.worst_rolling[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
+    assert!(tally.worst_rolling[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
     assert!(tally.overestimated <= 3.0, "{tally:?}");
 }
 
@@ -137,7 +137,7 @@ fn stiff_scenes_in_the_plane() {
 fn stiff_scenes_in_space() {
     let tally = tally::<6, 3>(3..7, Spread::Stiff, 1500);
     assert_accurate(&tally);
-    assert!(tally.rolling > 150 && tally.sliding > 500, "{tally:?}");
+    assert!(tally.rolling > 150 && tally.sliding > 900, "{tally:?}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::candidate::Found;
 use super::slack::{scene_force, span};
 use crate::draw::Draw;
-use crate::formulation::{Piece, PieceState, Problem, State};
+use crate::formulation::{Piece, PieceState, Problem, State, TwistInTwice};
 use crate::grasp::{Grasp, Wrench, wrench_of};
 
 /// Patterns of signs with which the data are varied.
@@ -37,8 +37,8 @@ impl Accuracy {
         problem: &Problem<D, C>,
         found: &Found<D, C>,
     ) -> Self {
-        let turning =
-            (!found.slides.is_empty()).then(|| problem.along(&found.slides, &found.forces, &found.twist));
+        let twist = TwistInTwice::new(found.twist);
+        let turning = (!found.slides.is_empty()).then(|| problem.along(&found.slides, &found.forces, &twist));
         let problem = turning.as_ref().unwrap_or(problem);
         let made;
         let piece = match &found.piece {
@@ -50,7 +50,7 @@ impl Accuracy {
         };
         let at = PieceState { forces: found.forces.clone(), twist: found.twist };
         let largest = scene_force(problem, &found.forces, &found.twist);
-        let missing = piece.correction(problem, &found.states, &at, largest);
+        let missing = piece.correction(problem, &found.states, (&found.forces, &twist), largest);
         let size = |forces: &[SVector<f64, C>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
         let mut accuracy =
             Self { force: size(&missing.forces) + missing.doubt, displacement: 0.0, condition: 0.0 };

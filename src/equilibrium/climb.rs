@@ -86,7 +86,7 @@ pub(super) fn climb<const D: usize, const C: usize>(
     }
     let mut near = solution_near(problem, &proposed)?;
     let mut states_near = proposed;
-    if let Some(found) = polish(problem, &near) {
+    if let Some(found) = polish(problem, &states_near, &near) {
         return Some(found);
     }
     let mut finer = problem.clone();
@@ -99,7 +99,7 @@ pub(super) fn climb<const D: usize, const C: usize>(
         }
         states_near = propose(&finer, effort, doubt)?;
         near = solution_near(&finer, &states_near)?;
-        if let Some(found) = polish(problem, &near) {
+        if let Some(found) = polish(problem, &states_near, &near) {
             return Some(found);
         }
         angle *= 0.25;

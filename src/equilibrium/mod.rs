@@ -10,6 +10,7 @@ mod distinct;
 mod enumerate;
 mod many;
 mod newton;
+mod pieces;
 mod polish;
 mod residuals;
 mod sector_conditions;

@@ -30,10 +30,6 @@ pub(super) struct Arrived<const D: usize, const C: usize> {
     pub(super) twist: SVector<f64, D>,
     /// What each contact answers there.
     pub(super) contacts: Vec<Returned<C>>,
-    /// Of the last steps; `None` where that was nearly singular.
-    pub(super) tangent: Option<Regular<D>>,
-    /// Room for the springs there.
-    pub(super) springs: Vec<Springs<C>>,
 }
 
 /// Factors of the tangent stiffness.
@@ -69,19 +65,17 @@ pub(super) fn newton<const D: usize, const C: usize>(
     let mut tangent: Option<Tangent<D>> = None;
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
-        let settled = here.norm <= SETTLED * here.size;
+        if here.norm <= SETTLED * here.size {
+            return Some(Arrived { twist, contacts });
+        }
         let serves_again = here.norm <= NEAR * here.size && here.norm <= FASTER * before;
-        let again = tangent.filter(|_| settled || serves_again);
+        let again = tangent.filter(|_| serves_again);
         let current = again.unwrap_or_else(|| {
             springs.clear();
             springs
                 .extend(contacts.iter().zip(problem.sites).map(|(returned, site)| returned.stiffness(site)));
             Tangent::new(&tangent_stiffness(problem.sites, &springs))
         });
-        if settled {
-            let tangent = if let Tangent::Regular(tangent) = current { Some(tangent) } else { None };
-            return Some(Arrived { twist, contacts, tangent, springs });
-        }
         let step = current.solve(&here.left);
         tangent = Some(current);
         before = here.norm;

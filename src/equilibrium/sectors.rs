@@ -86,7 +86,12 @@ pub(super) fn search_sectors<const D: usize, const C: usize>(
             }
             continue;
         };
-        if let Some(found) = polish(problem, &near) {
+        let states = labels.iter().map(|label| match label {
+            Label::Open => State::Open,
+            Label::Sector(..) => State::Sliding { first: 0, second: None },
+            _ => State::Rolling,
+        });
+        if let Some(found) = polish(problem, &states.collect::<Vec<_>>(), &near) {
             return Sectors::Found(found);
         }
         let Label::Sector(from, to) = labels[contact] else { continue };

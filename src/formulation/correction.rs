@@ -12,7 +12,7 @@
 use nalgebra::SVector;
 
 use super::excess::{Balance, TwistInTwice};
-use super::piece::{MOST_CORRECTIONS, NEARLY, Piece, PieceState};
+use super::piece::{MOST_CORRECTIONS, NEARLY, Piece};
 use super::problem::{Law, Problem, State};
 use super::spring::{Spring, corner, edge_direction};
 use crate::twice::Twice;
@@ -29,18 +29,18 @@ pub(crate) struct Correction<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Piece<D, C> {
-    /// What forces and a twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
+    /// What these forces and this twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
     /// force of the scene.
     pub(crate) fn correction(
         &self,
         problem: &Problem<D, C>,
         states: &[State],
-        at: &PieceState<D, C>,
+        (at, from): (&[SVector<f64, C>], &TwistInTwice<D>),
         size: f64,
     ) -> Correction<D, C> {
         let mut forces: Vec<[Twice; C]> =
-            at.forces.iter().map(|f| std::array::from_fn(|a| Twice::new(f[a]))).collect();
-        let mut twist = TwistInTwice::new(at.twist);
+            at.iter().map(|f| std::array::from_fn(|a| Twice::new(f[a]))).collect();
+        let mut twist = *from;
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
@@ -69,11 +69,11 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 exact.value()
             })
         };
-        let mut way = twist.value() - at.twist;
+        let mut way = twist.less(from);
         for v in self.free_motions() {
             way -= v * v.dot(&way);
         }
-        Correction { forces: forces.iter().zip(&at.forces).map(missing).collect(), twist: way, doubt }
+        Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
     }
 
     /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.

@@ -16,25 +16,35 @@ use crate::grasp::Site;
 use crate::twice::Twice;
 
 /// A twist in twice the working precision: along a stiff spring its rounding would be a large force.
-pub(super) struct TwistInTwice<const D: usize>([Twice; D]);
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TwistInTwice<const D: usize>([Twice; D]);
 
 impl<const D: usize> TwistInTwice<D> {
-    pub(super) fn new(twist: SVector<f64, D>) -> Self {
+    pub(crate) fn new(twist: SVector<f64, D>) -> Self {
         Self(std::array::from_fn(|k| Twice::new(twist[k])))
     }
 
-    pub(super) fn add(&mut self, step: &SVector<f64, D>) {
+    pub(crate) fn add(&mut self, step: &SVector<f64, D>) {
         for (q, step) in self.0.iter_mut().zip(step.iter()) {
             q.add(*step);
         }
     }
 
-    pub(super) fn value(&self) -> SVector<f64, D> {
+    pub(crate) fn value(&self) -> SVector<f64, D> {
         SVector::from(self.0.map(Twice::value))
     }
 
+    /// What is left when another twist is taken away.
+    pub(super) fn less(mut self, other: &Self) -> SVector<f64, D> {
+        for (q, other) in self.0.iter_mut().zip(other.0) {
+            q.add(-other.high);
+            q.add(-other.low);
+        }
+        self.value()
+    }
+
     /// `a - g·q` for column `axis` of the grasp map of a contact.
-    pub(super) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> Twice {
+    pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> Twice {
         let mut v = Twice::new(drive);
         for (k, q) in self.0.iter().enumerate() {
             v.add_product_of_twice((-site.map[(k, axis)], -site.map_rest[(k, axis)]), *q);

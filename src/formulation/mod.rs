@@ -19,6 +19,7 @@ pub use cone::{Fit, PolygonCone};
 pub use rows::{Form, LeftOut, Row, Why};
 
 pub(crate) use cone::Polygon;
+pub(crate) use excess::TwistInTwice;
 pub(crate) use force_form::{force_form, force_states};
 pub(crate) use full_pivot::FullPivot;
 pub(crate) use kinematic::{kinematic_form, kinematic_states};

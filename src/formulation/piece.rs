@@ -194,6 +194,11 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         self.forces(&x, problem.len())
     }
 
+    /// Whether the load works on no motion that nothing here balances.
+    pub(crate) fn resists(&self, wrench: &SVector<f64, D>) -> bool {
+        self.worked_on(wrench).is_none()
+    }
+
     /// The unit motion on which the load works though nothing here balances it.
     fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
         let along = self.unbalanced.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));

@@ -9,8 +9,10 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::cone::Polygon;
+use super::excess::TwistInTwice;
 use super::return_map::Slide;
 use crate::grasp::{Hold, Site};
+use crate::twice::Twice;
 
 /// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
 const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;
@@ -148,7 +150,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         &self,
         slides: &[Option<Slide<C>>],
         forces: &[SVector<f64, C>],
-        twist: &SVector<f64, D>,
+        twist: &TwistInTwice<D>,
     ) -> Self {
         let law = |(contact, law): (usize, &Law<C>)| {
             let Some(slide) = slides[contact] else { return law.clone() };
@@ -159,11 +161,31 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
             if square == 0.0 {
                 return self.turning(contact, slide);
             }
-            let slip = self.drives[contact] - site.map.tr_mul(twist) - friction.component_div(&site.k);
+            let slip = self.slip(contact, &friction, twist);
             let lambda = (slip.dot(&friction) / square).max(0.0);
             self.turning(contact, Slide::new(site, &friction, lambda))
         };
         self.with_laws(self.laws.iter().enumerate().map(law).collect())
+    }
+
+    /// The slip of a contact with this friction force: of a stiff one a small difference.
+    pub(crate) fn slip(
+        &self,
+        contact: usize,
+        friction: &SVector<f64, C>,
+        twist: &TwistInTwice<D>,
+    ) -> SVector<f64, C> {
+        let site = &self.sites[contact];
+        SVector::from_fn(|a, _| {
+            if a == 0 {
+                return 0.0;
+            }
+            let mut slip = twist.stretch(site, a, self.drives[contact][a]);
+            let give = Twice::new(friction[a]).over(site.k[a]);
+            slip.add(-give.high);
+            slip.add(-give.low);
+            slip.value()
+        })
     }
 
     /// The same problem with laws in which the polygons play no part.

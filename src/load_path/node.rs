@@ -127,8 +127,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { State::Rolling } else { sliding[i] });
             let found = [closed.collect(), sliding.to_vec()]
                 .iter()
-                .filter_map(|states| solution_near(rates, states))
-                .find_map(|near| polish(rates, &near));
+                .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
             return found.map_or(Verdict::Unbalanced, Verdict::Holds);
         }
         try_states(rates, sliding.to_vec())
