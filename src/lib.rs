@@ -57,6 +57,7 @@
 //! | module | room |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
+//! | [`guide`] | which answer to trust, several equilibria, rays, facets, joint stiffness |
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist |
 //! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
@@ -91,6 +92,7 @@ pub mod equilibrium;
 mod error;
 pub mod formulation;
 pub mod grasp;
+pub mod guide;
 mod halves;
 pub mod lcp;
 pub mod load_path;

@@ -1,0 +1,62 @@
+//! Reading a ray: what it means when Lemke's method does not end in a solution.
+//!
+//! Lemke's method follows a path of almost complementary solutions of `w = q + M z + d z₀` while the covering variable z₀ shrinks. The path ends where
+//! z₀ = 0, at a solution, or goes off to infinity on a *secondary ray*. For matrices of contact problems without friction (positive semidefinite) a ray
+//! proves that there is no solution. With friction M is not even symmetric, and **a ray alone proves nothing**: a solution may lie on another path.
+//! So the ray is looked at again.
+//!
+//! # On a linear complementarity problem
+//!
+//! [`lcp::Ray`](crate::lcp::Ray) carries what is known: [`Proof::Infeasible`](crate::lcp::Proof::Infeasible) a vector y with `y ≥ 0`,
+//! `Mᵀy ≤ 0`, `qᵀy < 0`, which nobody has to believe:
+//!
+//! ```
+//! use grasp_lcp::lcp::{Lcp, Outcome, Proof};
+//! use nalgebra::{DMatrix, DVector};
+//!
+//! // w = z₁ - z₂ - 1 and z₂ - z₁: both cannot be positive.
+//! let m = DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]);
+//! let q = DVector::from_vec(vec![-1.0, 0.0]);
+//! let problem = Lcp::new(m.clone(), q.clone())?;
+//! let Outcome::Ray(ray) = problem.solve() else { panic!("no solution exists") };
+//! let Proof::Infeasible(y) = ray.proof else { panic!("M is positive semidefinite") };
+//! assert!(y.iter().all(|y| *y >= 0.0) && m.tr_mul(&y).amax() < 1e-15 && q.dot(&y) < 0.0);
+//! assert!(problem.proves_infeasible(&y));
+//! # Ok::<(), grasp_lcp::lcp::LcpError>(())
+//! ```
+//!
+//! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried. [`Proof::None`](crate::lcp::Proof::None): nothing
+//! is known; raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to) or pose the problem otherwise.
+//!
+//! # On a grasp
+//!
+//! After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries another formulation, then a proof on the scene itself, in this order:
+//!
+//! | [`Proof`](crate::equilibrium::Proof) | the motion in it | means | what helps |
+//! |---|---|---|---|
+//! | `FreeMotion` | nothing resists it in any state | a degree of freedom without springs | another contact, [`SoftFingertip`](crate::grasp::SoftFingertip)s |
+//! | `SeparatingMotion` | the load drives it, no admissible force works against it | too large a load, or in the wrong direction, for the friction cones; for any stiffness and squeeze | more friction, other contact points |
+//! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not bring them about | more squeeze |
+//! | `Undecided`: `RayWithoutProof` | – | none of these, and too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
+//!
+//! ```
+//! use grasp_lcp::equilibrium::{Outcome, Proof};
+//! use grasp_lcp::planar::{Contact, Grasp, Wrench};
+//!
+//! let finger = |side: f64| {
+//!     Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0])
+//! };
+//! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+//!
+//! // 10 N of squeeze hold 10 N; more squeeze would hold more, so no motion separates this load from the cones.
+//! let Outcome::NoEquilibrium(slips) = grasp.solve(&Wrench::force([0.0, -11.0]))? else { panic!("too much") };
+//! assert!(matches!(slips.proof, Proof::EveryStateTried { .. }));
+//!
+//! // One finger alone cannot be pulled at: whatever its friction and its squeeze.
+//! let one = Grasp::new([finger(-1.0)])?;
+//! let load = Wrench::force([1.0, 0.0]);
+//! let Outcome::NoEquilibrium(parts) = one.solve(&load)? else { panic!("nothing pulls back") };
+//! let Proof::SeparatingMotion { motion, work } = parts.proof else { panic!("{:?}", parts.proof) };
+//! assert!(motion.translation()[0] > 0.0 && work > 0.0);
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```

@@ -1,0 +1,63 @@
+//! Several equilibria under one load, and which of them is real.
+//!
+//! Coulomb's law is not the condition of a minimum. Where friction is large enough to hold a body against its springs, the same load may be held by
+//! a contact that sticks, by one that slides and by none at all (A. Klarbring, "Examples of non-uniqueness and non-existence of solutions to
+//! quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). His example, with numbers: springs hold a body
+//! above a floor; pulled along the floor they lift it, since their stiffness
+//!
+//! ```text
+//! K = ⎡ 2 -1⎤      couples the two directions,      K⁻¹ = ⅓ ⎡2 1⎤      and  μ = 3 > K_tt / |K_tn| = 2.
+//!     ⎣-1  2⎦                                               ⎣1 2⎦
+//! ```
+//!
+//! Under the load (2.5, -1) the body may hang free, lifted by (K⁻¹W)_n = 1/6, or rest on the floor, whose friction keeps it from being lifted:
+//!
+//! ```
+//! use grasp_lcp::Settings;
+//! use grasp_lcp::equilibrium::{ContactState, Rung};
+//! use grasp_lcp::load_path::Leg;
+//! use grasp_lcp::planar::{Contact, Grasp, Wrench};
+//!
+//! let spring = |x: f64| Contact::new([x, 0.0], [1.0, -1.0]).series_stiffness(1.5, 0.5).friction(1.0).bonded();
+//! let floor = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0).friction(3.0);
+//! let grasp = Grasp::new([spring(-1.0), spring(1.0), floor])?;
+//! let load = Wrench::force([2.5, -1.0]);
+//!
+//! let all = grasp.equilibria(&load, &Settings::default())?;
+//! let has = |what: fn(&ContactState<2>) -> bool| all.iter().filter(|e| what(&e.contacts[2].state)).count();
+//! assert_eq!(has(|s| matches!(s, ContactState::Rolling)), 1);
+//! assert_eq!(has(|s| matches!(s, ContactState::Sliding { .. })), 1);
+//! assert_eq!(has(|s| matches!(s, ContactState::Separated)), 1);
+//! let hangs = all.iter().find(|e| e.contacts[2].state == ContactState::Separated).ok_or("one hangs free")?;
+//! assert!((hangs.contacts[2].gap - 1.0 / 6.0).abs() < 1e-15);
+//!
+//! // The one in which everything rolls comes first.
+//! let outcome = grasp.solve(&load)?;
+//! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(Rung::EverythingRolls));
+//!
+//! // Which one comes about depends on what was before: first pressed down and then pulled, the body stays on the floor;
+//! // first pulled and then pressed down, it hangs free.
+//! let (down, along) = (Wrench::force([0.0, -1.0]), Wrench::force([2.5, 0.0]));
+//! for (first, state) in [(down, ContactState::Rolling), (along, ContactState::Separated)] {
+//!     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
+//!     path.run();
+//!     let end = path.state_at(1, 1.0).ok_or("the path is completed")?;
+//!     assert_eq!(end.contacts[2].state, state);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Which one is returned
+//!
+//! [`Grasp::solve`](crate::grasp::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds: everything rolls; everything
+//! that touches rolls; the end of a path of Lemke's method; the first of all combinations. [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule)
+//! says which. The order is the same on every machine and for every number of threads, but it is a rule, not physics.
+//!
+//! # Which one is real
+//!
+//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is one, it is real.
+//! * [`Grasp::follow`](crate::grasp::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
+//!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even that leaves a choice.
+//! * [`Grasp::stability`](crate::grasp::Grasp::stability) tells which of them a small push leaves alone. Of three, the one that slides is usually
+//!   the unstable one in between.
+//! * A grasp that is to hold whatever happened before must hold in each of them.
