@@ -3,10 +3,25 @@
 //! Written once for the plane and for space: `D` is the number of degrees of freedom of the object and `C` the number
 //! of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names in [`crate::planar`] and
 //! [`crate::spatial`].
+//!
+//! # Vectors of other libraries
+//!
+//! Points and vectors are taken as whatever turns into an array of f64: arrays and tuples; vectors, points and translations of
+//! nalgebra; the `DVec2` and `DVec3` of any version of glam, and so of parry, rapier and bevy; mint's. Answers are nalgebra's
+//! vectors ([`crate::nalgebra`]) or arrays, and both turn back: `DVec3::from_array(contact.force_world.into())`. Single precision is
+//! widened by its owner (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
+//!
+//! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] bring the coordinates of a link
+//! or of the object to those of the grasp, `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the
+//! rigid motion of an object's twist. With glam's quaternions:
+//! `Isometry3::from_parts(p.to_array().into(), UnitQuaternion::from_quaternion(q.to_array().into()))`, and back
+//! `DQuat::from_array(motion.rotation.coords.into())`. The package `collision-contacts` in the repository shows all of it.
 
 mod contact;
 mod fingertip;
+mod frames;
 mod pressure;
+mod rigid_motion;
 mod rotation;
 mod stiffness;
 mod wrench;
@@ -111,7 +126,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self.contacts
     }
 
-    /// The contact frames, orthonormal columns n, t (and t₂).
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a
+    /// rotation, [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it; in the plane it is a
+    /// reflection, since `t = (n_y, -n_x)` lies clockwise of n.
     #[must_use]
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
         self.sites.iter().map(|site| &site.frame)
