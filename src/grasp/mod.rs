@@ -13,9 +13,9 @@
 //!
 //! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] bring the coordinates of a link
 //! or of the object to those of the grasp, `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the
-//! rigid motion of an object's twist. With glam's quaternions:
-//! `Isometry3::from_parts(p.to_array().into(), UnitQuaternion::from_quaternion(q.to_array().into()))`, and back
-//! `DQuat::from_array(motion.rotation.coords.into())`. The package `collision-contacts` in the repository shows all of it.
+//! rigid motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its feature `nalgebra`:
+//! `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package `collision-contacts` in the repository
+//! takes contacts from parry and shows all of it.
 
 mod contact;
 mod fingertip;
