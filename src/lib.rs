@@ -110,3 +110,8 @@ pub use error::{ContactLabel, Error, Field};
 pub use formulation::{Fit, PolygonCone};
 /// The library of the vectors and matrices in questions and answers, of the version that fits.
 pub use nalgebra;
+
+/// The programs in the README are doctests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

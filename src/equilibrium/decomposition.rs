@@ -8,6 +8,7 @@ use crate::grasp::Grasp;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Decomposition<const C: usize> {
     /// The smallest forces that balance the load: `F_E = -G⁺W` over the contacts that carry force.
     pub equilibrating: Vec<SVector<f64, C>>,

@@ -86,6 +86,7 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
 
 /// A contact that leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Leaving<const C: usize> {
     /// The contact.
     pub contact: usize,

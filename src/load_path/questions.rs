@@ -25,6 +25,7 @@ pub struct Reserve<const D: usize, const C: usize> {
 
 /// The range of load factors in which nothing leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RollingRange {
     /// The least factor, minus infinity if there is none.
     pub from: f64,

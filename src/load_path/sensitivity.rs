@@ -23,6 +23,7 @@ use crate::grasp::{Grasp, Twist, Wrench};
 
 /// One datum of a grasp or its load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Parameter {
     /// Coefficient of friction of a contact.
     Friction {
