@@ -138,6 +138,23 @@ impl<const C: usize> Contact<C> {
 
     /// Clearance between finger and object before anything moves, m, >= 0: the finger must come this far along the
     /// normal before it touches.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A finger that comes 10 mm and meets a post 2 mm away presses with 8 mm · 500 N/m (two springs of 1000 N/m in series) …
+    /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0])
+    ///     .body_stiffness(1000.0, 1000.0)
+    ///     .finger_stiffness(1000.0, 1000.0)
+    ///     .command([0.010, 0.0])
+    ///     .clearance(0.002);
+    /// // … and the post is bonded to a rigid wall.
+    /// let wall = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
+    /// let outcome = Grasp::new([finger, wall])?.solve(&Wrench::ZERO)?;
+    /// let force = outcome.equilibrium().expect("holds").contacts[0].normal_force();
+    /// assert!((force - 4.0).abs() < 1e-8);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn clearance(mut self, gap0: f64) -> Self {
         self.clearance = gap0;
