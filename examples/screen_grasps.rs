@@ -116,7 +116,7 @@ fn directions() -> Vec<Vector3<f64>> {
 
 /// The weight along a direction, at the centre of mass.
 fn weight(direction: Vector3<f64>) -> Wrench {
-    Wrench::force((direction * WEIGHT).into())
+    Wrench::force(direction * WEIGHT)
 }
 
 /// A soft rubber fingertip pressed in along the normal.

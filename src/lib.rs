@@ -58,7 +58,7 @@
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
 //! | [`guide`] | which answer to trust, several equilibria, rays, facets, joint stiffness |
-//! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist |
+//! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
 //! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
@@ -111,3 +111,10 @@ mod wide;
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};
 pub use formulation::{Fit, PolygonCone};
+/// The library of the vectors and matrices in questions and answers, of the version that fits.
+pub use nalgebra;
+
+/// The programs in the README are doctests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

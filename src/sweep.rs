@@ -19,6 +19,11 @@ use crate::screening::{Batch, Part, Pull, Screened};
 const BLOCKS: usize = 256;
 
 /// `f` of every item, in order: in parallel with the feature `parallel`, one after the other without it.
+///
+/// ```
+/// let squares = grasp_lcp::sweep::map_in_order(&[1, 2, 3], |x| x * x);
+/// assert_eq!(squares, [1, 4, 9]);
+/// ```
 pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
     #[cfg(feature = "parallel")]
     {
@@ -33,12 +38,42 @@ pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + 
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibria under many loads; an error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let loads = [3.0, 30.0].map(|weight| Wrench::force([0.0, -weight]));
+    /// let outcomes = grasp.solve_each(&loads, &Settings::default()).into_iter().collect::<Result<Vec<_>, _>>()?;
+    /// assert_eq!([true, false], [0, 1].map(|i| outcomes[i].equilibrium().is_some()));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn solve_each(&self, loads: &[Wrench<D>], settings: &Settings) -> Vec<Result<Outcome<D, C>, Error>> {
         map_in_order(loads, |load| self.solve_with(load, settings))
     }
 
     /// The onsets of sliding along many ramps; an error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let tilted = |angle: f64| Ramp::load(Wrench::ZERO, Wrench::force([angle.sin(), -angle.cos()]));
+    /// let onsets = grasp.onset_each(&[tilted(0.0), tilted(0.5)], &Settings::default());
+    /// let factors = onsets.into_iter().map(|onset| onset.map(|o| o.factor().expect("slides"))).collect::<Result<Vec<_>, _>>()?;
+    /// // The contact that the pull relieves slides first: W cos φ / 2 = μ (10 - W sin φ / 2).
+    /// assert!((factors[1] - 10.0 / (0.5_f64.cos() + 0.5 * 0.5_f64.sin())).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn onset_each(&self, ramps: &[Ramp<D, C>], settings: &Settings) -> Vec<Result<Onset<D, C>, Error>> {
         map_in_order(ramps, |ramp| self.onset(ramp, settings))

@@ -78,6 +78,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             Parameter::Stiffness { contact, axis } => scene.stiffness[contact][axis] += step,
             Parameter::Command { contact, axis } => scene.command[contact][axis] += step,
             Parameter::Load { component } => scene.load[component] += step,
+            other => unreachable!("{other:?} is not among the parameters"),
         }
         scene
     }
@@ -187,6 +188,7 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
                 Parameter::Stiffness { contact, axis } => gradient.stiffness[contact][axis],
                 Parameter::Command { contact, axis } => gradient.command[contact][axis],
                 Parameter::Load { component } => gradient.base_load[component],
+                other => unreachable!("{other:?} is not among the parameters"),
             };
             let difference = (up.0 - down.0) / (2.0 * step);
             assert!(

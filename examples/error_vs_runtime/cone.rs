@@ -98,7 +98,7 @@ fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
     let mut forces = Vec::new();
     for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {
         let k = contact.series_stiffness_of_axes();
-        let moved = Vector3::from(twist.displacement_at(contact.point().into()));
+        let moved = Vector3::from(twist.displacement_at(contact.point()));
         let mut force = k.component_mul(&(contact.commanded() - frame.tr_mul(&moved)));
         if force[0] <= 0.0 {
             force = Vector3::zeros();

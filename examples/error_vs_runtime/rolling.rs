@@ -116,7 +116,7 @@ fn lemke(program: &QuadraticProgram) -> Result<DVector<f64>, Failure> {
 /// Forces along the coordinate axes where the object has moved by a twist and some contacts have opened.
 fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> {
     let force = |(i, (contact, frame)): (usize, (&Contact, &nalgebra::Matrix3<f64>))| {
-        let moved = Vector3::from(twist.displacement_at(contact.point().into()));
+        let moved = Vector3::from(twist.displacement_at(contact.point()));
         let mut stretch = contact.commanded() - frame.tr_mul(&moved);
         stretch[0] += gaps.iter().filter(|gap| gap.0 == i).map(|gap| gap.1).sum::<f64>();
         frame * contact.series_stiffness_of_axes().component_mul(&stretch)

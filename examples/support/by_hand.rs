@@ -36,7 +36,7 @@ pub(crate) fn residual(grasp: &Grasp, load: &Wrench, answer: &Equilibrium) -> f6
     for ((contact, frame), c) in grasp.contacts().iter().zip(grasp.frames()).zip(&answer.contacts) {
         let (p, k, mu) =
             (contact.point(), contact.series_stiffness_of_axes(), contact.friction_coefficient());
-        let u = frame.tr_mul(&Vector3::from(answer.twist.displacement_at(p.into())));
+        let u = frame.tr_mul(&Vector3::from(answer.twist.displacement_at(p)));
         let held = k.component_mul(&(contact.commanded() - u));
         // What the springs would carry more if nothing had slipped: k s.
         let slipped = (held - c.force).yz();

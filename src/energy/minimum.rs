@@ -87,6 +87,7 @@ pub struct MinimumContact<const C: usize> {
 
 /// A friction constraint that stands on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Binding {
     /// The contact.
     pub contact: usize,

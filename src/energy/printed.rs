@@ -114,6 +114,7 @@ pub struct PrintedQp<const D: usize, const C: usize> {
 
 /// The three displacements of one contact in its frame, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Displacements<const C: usize> {
     /// u_c, core of the body.
     pub body_core: SVector<f64, C>,

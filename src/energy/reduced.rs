@@ -21,6 +21,7 @@ use crate::grasp::{Grasp, Hold, Wrench, displacement_of};
 
 /// Which unknowns a reduced program keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Unknowns {
     /// The twist and the gaps: the same minimum as the printed program.
     #[default]

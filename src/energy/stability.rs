@@ -74,6 +74,23 @@ impl<const D: usize> Stability<D> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The stability of an equilibrium of this grasp, its contacts where they are at first (displacements are small).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::energy::StabilityVerdict;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let stability = grasp.stability(outcome.equilibrium().expect("holds"));
+    /// assert_eq!(stability.verdict, StabilityVerdict::Stable);
+    /// // Along y two tangential springs. A turn stretches them at arms of 1 m, and the pinch of 10 N pushes it on at each: 2 (800 - 10).
+    /// assert!((stability.elastic[(1, 1)] - 1600.0).abs() < 1e-9);
+    /// assert!((stability.hessian()[(2, 2)] - 1580.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn stability(&self, equilibrium: &Equilibrium<D, C>) -> Stability<D> {
         let arms = self.contacts().iter().map(|contact| contact.point);

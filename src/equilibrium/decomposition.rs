@@ -8,6 +8,7 @@ use crate::grasp::Grasp;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Decomposition<const C: usize> {
     /// The smallest forces that balance the load: `F_E = -G⁺W` over the contacts that carry force.
     pub equilibrating: Vec<SVector<f64, C>>,
@@ -19,6 +20,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
     /// 5.2 of the paper): the equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`, in which the
     /// difference of the forces of any two frictional contacts has no component along the line that joins them.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::Vector2;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let split = grasp.decompose(outcome.equilibrium().expect("holds"));
+    /// assert!((split.equilibrating[0] - Vector2::new(0.0, 2.0)).norm() < 1e-14);
+    /// assert!((split.interaction[0] - Vector2::new(10.0, 0.0)).norm() < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn decompose(&self, equilibrium: &Equilibrium<D, C>) -> Decomposition<C> {
         let carries: Vec<bool> =

@@ -58,6 +58,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// Where several equilibria exist, the one in which everything rolls comes first; else see [`Rung`].
     ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // 4 N downwards stretch two tangential springs of 800 N/m; each contact carries half.
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let held = outcome.equilibrium().expect("friction carries up to 10 N");
+    /// assert!((held.twist.translation()[1] - -4.0 / 1600.0).abs() < 1e-15);
+    /// assert!((held.contacts[0].friction_used() - 2.0 / 10.0).abs() < 1e-15);
+    ///
+    /// assert!(matches!(grasp.solve(&Wrench::force([0.0, -11.0]))?, Outcome::NoEquilibrium(_)));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn solve(&self, load: &Wrench<D>) -> Result<Outcome<D, C>, Error> {
@@ -65,6 +82,24 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The equilibrium under a load.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::{Fit, PolygonCone, Settings};
+    ///
+    /// // Four fingers on a ring, 10 N each, μ = 0.5: the round cone carries 20 N upwards whatever the frames.
+    /// let finger = |x: f64, y: f64| {
+    ///     Contact::new([x, y, 0.0], [-x, -y, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(1.0, 0.0), finger(0.0, 1.0), finger(-1.0, 0.0), finger(0.0, -1.0)])?;
+    /// let up = Wrench::force([0.0, 0.0, 19.9]);
+    /// assert!(grasp.solve_with(&up, &Settings::default())?.equilibrium().is_some());
+    ///
+    /// // A triangle in the cone, its corner pointing sideways, does not.
+    /// let triangle = Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed)?);
+    /// assert!(grasp.solve_with(&up, &triangle)?.equilibrium().is_none());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
@@ -82,6 +117,19 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// the polygon. Combinations that share one equilibrium (a contact exactly on an
     /// edge) are listed once; a line of equilibria by one of its points, with its
     /// [`neutral_motions`](Equilibrium::neutral_motions).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let all = grasp.equilibria(&Wrench::force([0.0, -4.0]), &Settings::default())?;
+    /// assert_eq!(all.len(), 1); // a pinch with horizontal normals has no other
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not

@@ -41,11 +41,11 @@ pub struct Contact<const C: usize> {
 impl<const C: usize> Contact<C> {
     /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger pushes. The normal need
     /// not have length one. Friction 0, command 0 and clearance 0 until said otherwise; a stiffness must be given.
-    pub fn new(point: impl Into<SVector<f64, C>>, normal: impl Into<SVector<f64, C>>) -> Self {
+    pub fn new(point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> Self {
         Self {
             name: None,
-            point: point.into(),
-            normal: normal.into(),
+            point: SVector::from(point.into()),
+            normal: SVector::from(normal.into()),
             tangent: None,
             stiffness: Stiffness::default(),
             friction: 0.0,
@@ -66,8 +66,8 @@ impl<const C: usize> Contact<C> {
     /// two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the projection of the coordinate axis that
     /// is farthest from the normal.
     #[must_use]
-    pub fn tangent(mut self, tangent: impl Into<SVector<f64, C>>) -> Self {
-        self.tangent = Some(tangent.into());
+    pub fn tangent(mut self, tangent: impl Into<[f64; C]>) -> Self {
+        self.tangent = Some(SVector::from(tangent.into()));
         self
     }
 
@@ -80,12 +80,12 @@ impl<const C: usize> Contact<C> {
 
     /// Springs of the object, one for each axis of the contact frame.
     #[must_use]
-    pub fn body_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
+    pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let finger = match self.stiffness {
             Stiffness::BodyAndFinger { finger, .. } => finger,
             Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
         };
-        self.stiffness = Stiffness::BodyAndFinger { body: axes.into(), finger };
+        self.stiffness = Stiffness::BodyAndFinger { body: SVector::from(axes.into()), finger };
         self
     }
 
@@ -98,12 +98,12 @@ impl<const C: usize> Contact<C> {
 
     /// Springs of the finger, one for each axis of the contact frame.
     #[must_use]
-    pub fn finger_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
+    pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let body = match self.stiffness {
             Stiffness::BodyAndFinger { body, .. } => body,
             Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
         };
-        self.stiffness = Stiffness::BodyAndFinger { body, finger: axes.into() };
+        self.stiffness = Stiffness::BodyAndFinger { body, finger: SVector::from(axes.into()) };
         self
     }
 
@@ -115,8 +115,8 @@ impl<const C: usize> Contact<C> {
 
     /// Series stiffness, one for each axis of the contact frame.
     #[must_use]
-    pub fn series_stiffness_axes(mut self, axes: impl Into<SVector<f64, C>>) -> Self {
-        self.stiffness = Stiffness::Series(axes.into());
+    pub fn series_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
+        self.stiffness = Stiffness::Series(SVector::from(axes.into()));
         self
     }
 
@@ -131,13 +131,30 @@ impl<const C: usize> Contact<C> {
     /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive
     /// normal part pushes into the object.
     #[must_use]
-    pub fn command(mut self, u_f: impl Into<SVector<f64, C>>) -> Self {
-        self.command = u_f.into();
+    pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
+        self.command = SVector::from(u_f.into());
         self
     }
 
     /// Clearance between finger and object before anything moves, m, >= 0: the finger must come this far along the
     /// normal before it touches.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A finger that comes 10 mm and meets a post 2 mm away presses with 8 mm · 500 N/m (two springs of 1000 N/m in series) …
+    /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0])
+    ///     .body_stiffness(1000.0, 1000.0)
+    ///     .finger_stiffness(1000.0, 1000.0)
+    ///     .command([0.010, 0.0])
+    ///     .clearance(0.002);
+    /// // … and the post is bonded to a rigid wall.
+    /// let wall = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
+    /// let outcome = Grasp::new([finger, wall])?.solve(&Wrench::ZERO)?;
+    /// let force = outcome.equilibrium().expect("holds").contacts[0].normal_force();
+    /// assert!((force - 4.0).abs() < 1e-8);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn clearance(mut self, gap0: f64) -> Self {
         self.clearance = gap0;

@@ -3,10 +3,25 @@
 //! Written once for the plane and for space: `D` is the number of degrees of freedom of the object and `C` the number
 //! of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names in [`crate::planar`] and
 //! [`crate::spatial`].
+//!
+//! # Vectors of other libraries
+//!
+//! Points and vectors are taken as whatever turns into an array of f64: arrays and tuples; vectors, points and translations of
+//! nalgebra; the `DVec2` and `DVec3` of any version of glam, and so of parry, rapier and bevy; mint's. Answers are nalgebra's
+//! vectors ([`crate::nalgebra`]) or arrays, and both turn back: `DVec3::from_array(contact.force_world.into())`. Single precision is
+//! widened by its owner (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
+//!
+//! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] bring the coordinates of a link
+//! or of the object to those of the grasp, `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the
+//! rigid motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its feature `nalgebra`:
+//! `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package `collision-contacts` in the repository
+//! takes contacts from parry and shows all of it.
 
 mod contact;
 mod fingertip;
+mod frames;
 mod pressure;
+mod rigid_motion;
 mod rotation;
 mod stiffness;
 mod wrench;
@@ -58,6 +73,19 @@ pub(crate) struct Site<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Checks the contacts and lays out their frames.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    /// use grasp_lcp::{Error, Field};
+    ///
+    /// let contact = |mu| Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(1.0, 1.0).friction(mu);
+    /// assert_eq!(Grasp::new([contact(0.3), contact(0.5)])?.len(), 2);
+    ///
+    /// let refused = Grasp::new([contact(0.3), contact(-0.5).name("thumb")]).unwrap_err();
+    /// assert!(matches!(refused, Error::Contact { field: Field::Friction, value: -0.5, .. }));
+    /// assert_eq!(refused.to_string(), "contact 1 (thumb): friction coefficient is -0.5, must be from 0 to 1e50, or infinite");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that is out of range.
@@ -111,13 +139,40 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self.contacts
     }
 
-    /// The contact frames, orthonormal columns n, t (and t₂).
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a
+    /// rotation, [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it; in the plane it is a
+    /// reflection, since `t = (n_y, -n_x)` lies clockwise of n.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::{Rotation3, Vector3};
+    /// use grasp_lcp::spatial::{Contact, Grasp};
+    ///
+    /// let grasp = Grasp::new([Contact::new([0.0; 3], [0.0, 0.0, -2.0]).series_stiffness(1.0, 1.0)])?;
+    /// for frame in grasp.frames() {
+    ///     assert_eq!(frame.column(0), -Vector3::z());
+    ///     assert_eq!(Rotation3::from_matrix_unchecked(*frame).matrix().determinant(), 1.0);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
         self.sites.iter().map(|site| &site.frame)
     }
 
     /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let squeezed = grasp.with_commands(&[[0.03, 0.0].into(), [0.03, 0.0].into()])?;
+    /// let outcome = squeezed.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 30.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not finite.

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 /// Stiffness of a contact along the axes of its frame (normal first), N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Stiffness<const C: usize> {
     /// Body and finger each with their own springs; `f64::INFINITY` means rigid.
     BodyAndFinger {

@@ -28,8 +28,8 @@ macro_rules! vector_like {
 
             /// From its `d` components: linear ones first, then angular ones.
             #[must_use]
-            pub fn from_vector(components: impl Into<SVector<f64, D>>) -> Self {
-                Self(components.into())
+            pub fn from_vector(components: impl Into<[f64; D]>) -> Self {
+                Self(SVector::from(components.into()))
             }
 
             /// Its `d` components: linear ones first, then angular ones.
@@ -82,44 +82,91 @@ vector_like!(Twist);
 impl Wrench<3> {
     /// A force (x, y) through the origin and a moment about it.
     #[must_use]
-    pub fn new(force: [f64; 2], moment: f64) -> Self {
-        Self(SVector::from([force[0], force[1], moment]))
+    pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
+        let [x, y] = force.into();
+        Self(SVector::from([x, y, moment]))
     }
 
     /// A force through the origin, no moment.
     #[must_use]
-    pub fn force(force: [f64; 2]) -> Self {
+    pub fn force(force: impl Into<[f64; 2]>) -> Self {
         Self::new(force, 0.0)
     }
 
     /// A force through `point`: its moment about the origin is `x f_y - y f_x`.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::Wrench;
+    ///
+    /// let weight = Wrench::force_at([0.0, -2.0], [3.0, 1.0]);
+    /// assert_eq!((weight.resultant(), weight.moment()), ([0.0, -2.0], -6.0));
+    /// ```
     #[must_use]
-    pub fn force_at(force: [f64; 2], point: [f64; 2]) -> Self {
-        Self(wrench_of(&point.into(), &force.into()))
+    pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
+        Self(wrench_of::<3, 2>(&point.into().into(), &force.into().into()))
+    }
+
+    /// The sum of its forces, N.
+    #[must_use]
+    pub fn resultant(&self) -> [f64; 2] {
+        [self.0[0], self.0[1]]
+    }
+
+    /// Its moment about the origin, from x to y, N m.
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.0[2]
     }
 }
 
 impl Wrench<6> {
     /// A force through the origin and a moment about it.
     #[must_use]
-    pub fn new(force: [f64; 3], moment: [f64; 3]) -> Self {
-        Self(SVector::from([force[0], force[1], force[2], moment[0], moment[1], moment[2]]))
+    pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
+        let (f, m) = (force.into(), moment.into());
+        Self(SVector::from([f[0], f[1], f[2], m[0], m[1], m[2]]))
     }
 
     /// A force through the origin, no moment.
     #[must_use]
-    pub fn force(force: [f64; 3]) -> Self {
+    pub fn force(force: impl Into<[f64; 3]>) -> Self {
         Self::new(force, [0.0; 3])
     }
 
     /// A force through `point`: its moment about the origin is `point × force`.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::Wrench;
+    ///
+    /// let weight = Wrench::force_at([0.0, 0.0, -2.0], [3.0, 1.0, 0.0]);
+    /// assert_eq!((weight.resultant(), weight.moment()), ([0.0, 0.0, -2.0], [-2.0, 6.0, 0.0]));
+    /// ```
     #[must_use]
-    pub fn force_at(force: [f64; 3], point: [f64; 3]) -> Self {
-        Self(wrench_of(&point.into(), &force.into()))
+    pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
+        Self(wrench_of::<6, 3>(&point.into().into(), &force.into().into()))
+    }
+
+    /// The sum of its forces, N.
+    #[must_use]
+    pub fn resultant(&self) -> [f64; 3] {
+        [self.0[0], self.0[1], self.0[2]]
+    }
+
+    /// Its moment about the origin, N m.
+    #[must_use]
+    pub fn moment(&self) -> [f64; 3] {
+        [self.0[3], self.0[4], self.0[5]]
     }
 }
 
 impl Twist<3> {
+    /// A translation (x, y) of the object's point at the origin, m, and a rotation from x towards y, rad.
+    #[must_use]
+    pub fn new(translation: impl Into<[f64; 2]>, rotation: f64) -> Self {
+        let [x, y] = translation.into();
+        Self(SVector::from([x, y, rotation]))
+    }
+
     /// Translation of the object's point at the origin, m.
     #[must_use]
     pub fn translation(&self) -> [f64; 2] {
@@ -133,13 +180,27 @@ impl Twist<3> {
     }
 
     /// Displacement of the object's point `point`, to first order: `(dx - θ y, dy + θ x)`.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::Twist;
+    ///
+    /// let turn = Twist::new([0.0, 0.0], 0.01);
+    /// assert_eq!(turn.displacement_at([3.0, 1.0]), [-0.01, 0.03]);
+    /// ```
     #[must_use]
-    pub fn displacement_at(&self, point: [f64; 2]) -> [f64; 2] {
-        displacement_of(&point.into(), &self.0).into()
+    pub fn displacement_at(&self, point: impl Into<[f64; 2]>) -> [f64; 2] {
+        displacement_of::<3, 2>(&point.into().into(), &self.0).into()
     }
 }
 
 impl Twist<6> {
+    /// A translation of the object's point at the origin, m, and a rotation vector, rad.
+    #[must_use]
+    pub fn new(translation: impl Into<[f64; 3]>, rotation: impl Into<[f64; 3]>) -> Self {
+        let (u, w) = (translation.into(), rotation.into());
+        Self(SVector::from([u[0], u[1], u[2], w[0], w[1], w[2]]))
+    }
+
     /// Translation of the object's point at the origin, m.
     #[must_use]
     pub fn translation(&self) -> [f64; 3] {
@@ -153,8 +214,15 @@ impl Twist<6> {
     }
 
     /// Displacement of the object's point `point`, to first order: `translation + rotation × point`.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::Twist;
+    ///
+    /// let turn_about_z = Twist::new([0.0; 3], [0.0, 0.0, 0.01]);
+    /// assert_eq!(turn_about_z.displacement_at([3.0, 1.0, 5.0]), [-0.01, 0.03, 0.0]);
+    /// ```
     #[must_use]
-    pub fn displacement_at(&self, point: [f64; 3]) -> [f64; 3] {
-        displacement_of(&point.into(), &self.0).into()
+    pub fn displacement_at(&self, point: impl Into<[f64; 3]>) -> [f64; 3] {
+        displacement_of::<6, 3>(&point.into().into(), &self.0).into()
     }
 }

@@ -14,6 +14,7 @@ pub(crate) const LARGEST: usize = 20;
 
 /// The solutions found by trying all complementary bases.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct AllSolutions {
     /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit),
     /// regular bases first.

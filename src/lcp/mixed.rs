@@ -50,6 +50,7 @@ pub enum MixedOutcome {
 
 /// A solution of a [`MixedLcp`].
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MixedSolution {
     /// u (m entries).
     pub u: DVector<f64>,
@@ -71,6 +72,7 @@ pub struct MixedSolution {
 
 /// The violations at a point of a [`MixedLcp`], measured as in [`Residuals`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct MixedResiduals {
     /// max_i |A u + C z + b|_i / a_i, with a_i the sum of the sizes of the terms of the row.
     pub equality: f64,

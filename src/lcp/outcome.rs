@@ -39,6 +39,7 @@ impl Outcome {
 
 /// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// z (n entries, none negative).
     pub z: DVector<f64>,
@@ -60,6 +61,7 @@ pub struct Solution {
 /// the augmented problem has solutions for arbitrarily large steps along it. None of these is a solution of the problem.
 /// The direction is zero if infeasibility was proved after a path that ended otherwise.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Ray {
     /// ẑ (n entries).
     pub direction: DVector<f64>,

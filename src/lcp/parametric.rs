@@ -28,6 +28,7 @@ pub enum Trend {
 
 /// The end of one piece of the path and the beginning of the next.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Breakpoint {
     /// τ at the breakpoint.
     pub tau: f64,

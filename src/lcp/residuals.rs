@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 ///
 /// A z_j ≠ 0 whose column of M is zero counts as s_j = 1: no change of the rows can make up for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Residuals {
     /// max_j s_j over the j with z_j < 0.
     pub negative_z: f64,

@@ -52,6 +52,7 @@ pub enum Answer<'a> {
 
 /// A [`Solution`] that still lies in the memory of its [`Workspace`]; the fields mean the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SolutionView<'a> {
     /// z (n entries, none negative).
     pub z: &'a [f64],

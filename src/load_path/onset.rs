@@ -86,6 +86,7 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
 
 /// A contact that leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Leaving<const C: usize> {
     /// The contact.
     pub contact: usize,
@@ -109,6 +110,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The onset of sliding from a base load along a load direction, with default [`Settings`]: exact in the plane, on
     /// the round cone in space. See [`Self::onset`].
     ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Both contacts slide when half the load is μ N = 5 N.
+    /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+    /// let event = onset.event().expect("friction is finite");
+    /// assert!((event.factor - 10.0).abs() < 1e-14);
+    /// assert_eq!(event.leaving.len(), 2);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite.
     pub fn onset_of_sliding(&self, base: Wrench<D>, direction: Wrench<D>) -> Result<Onset<D, C>, Error> {
@@ -118,6 +134,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The factor at which the first contact leaves rolling along a [`Ramp`], which contacts leave and how, the state
     /// there and what comes next. No stepping and no bisection: a linear equation for each facet in the plane, a
     /// quadratic one for each contact on the round cone in space.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // The fingers let go under 4 N: F_t = 2 N needs F_n = 4 N, which is left after 6 mm.
+    /// let release = Ramp::commands(Wrench::force([0.0, -4.0]), vec![[-1.0, 0.0].into(); 2]);
+    /// let factor = grasp.onset(&release, &Settings::default())?.factor().expect("rolls at first");
+    /// assert!((factor - 0.006).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the ramp is not finite or has the wrong number of

@@ -25,6 +25,7 @@ pub struct Reserve<const D: usize, const C: usize> {
 
 /// The range of load factors in which nothing leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RollingRange {
     /// The least factor, minus infinity if there is none.
     pub from: f64,
@@ -43,6 +44,21 @@ impl RollingRange {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Onset and limit load along a ramp that is followed up to a load factor `most`, with slip memory. The reserve factor
     /// against losing the object is `limit`, that against sliding is the onset's factor.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let reserve = grasp.reserve(&weight, 100.0, &Settings::default())?;
+    /// assert!((reserve.onset.factor().expect("slides") - 10.0).abs() < 1e-13);
+    /// assert!((reserve.limit.expect("falls") - 10.0).abs() < 1e-12); // both slide at once, and nothing is left
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].
@@ -64,6 +80,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// The range of factors of a ramp, around 0, in which everything that touches rolls: for an affine choice of load or
     /// commands all the values that a planner may take without sliding. `None` where something slides, or nothing holds, at 0.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let range = grasp.rolling_range(&ramp, &Settings::default())?.expect("rolls without load");
+    /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].

@@ -34,6 +34,13 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
     }
 
     /// The load at a factor.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Ramp, Wrench};
+    ///
+    /// let ramp = Ramp::load(Wrench::force([1.0, 0.0]), Wrench::force([0.0, -2.0]));
+    /// assert_eq!(ramp.load_at(3.0), Wrench::force([1.0, -6.0]));
+    /// ```
     #[must_use]
     pub fn load_at(&self, factor: f64) -> Wrench<D> {
         self.base + self.direction * factor

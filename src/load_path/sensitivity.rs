@@ -23,6 +23,7 @@ use crate::grasp::{Grasp, Twist, Wrench};
 
 /// One datum of a grasp or its load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Parameter {
     /// Coefficient of friction of a contact.
     Friction {
@@ -91,6 +92,21 @@ pub struct OnsetGradient<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state. `None` if an index is
     /// out of range, or if the change has no equilibrium in these states (a load on a free motion).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::load_path::Parameter;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let held = outcome.equilibrium().expect("holds");
+    /// let by_weight = grasp.sensitivity(held, Parameter::Load { component: 1 }).expect("a component");
+    /// assert!((by_weight.twist.translation()[1] - 1.0 / 1600.0).abs() < 1e-15); // two springs of 800 N/m
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn sensitivity(&self, equilibrium: &Equilibrium<D, C>, by: Parameter) -> Option<Derivative<D, C>> {
         let local = Local::new(self, equilibrium)?;
@@ -99,6 +115,25 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Twist, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let response = grasp.response(outcome.equilibrium().expect("holds")).expect("regular");
+    /// // The left finger moves on by 1 m: the object goes half the way, its force grows by half its stiffness.
+    /// assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-14);
+    /// assert!((response.forces[(0, 0)] - 500.0).abs() < 1e-11);
+    ///
+    /// // 1 mm to the right: the left finger follows, the right one, whose normal points left, gives way.
+    /// let command = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
+    /// assert!((command[0] - 1e-3).abs() < 1e-16 && (command[2] - -1e-3).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn response(&self, equilibrium: &Equilibrium<D, C>) -> Option<Response> {
         let local = Local::new(self, equilibrium)?;
@@ -121,6 +156,22 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Derivatives of the onset by every parameter, one gradient for each leaving contact. Empty if the onset was reached
     /// after a contact had closed on the way (the history then enters, too).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::Settings;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let onset = grasp.onset(&ramp, &Settings::default())?;
+    /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
+    /// let gradient = &grasp.onset_gradients(&ramp, onset.event().expect("slides"))[0];
+    /// assert!((gradient.friction[gradient.contact] - 20.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn onset_gradients(&self, ramp: &Ramp<D, C>, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
         let Some(local) = Local::new(self, &event.state) else { return Vec::new() };

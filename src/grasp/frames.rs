@@ -1,0 +1,108 @@
+//! The same contacts, loads and motions in other coordinates.
+//!
+//! A pose says where the frame in which something was given lies in the frame in which it is wanted: r' = R r + p for points.
+//! With f the force, m the moment about the origin, u the translation of the origin and θ the rotation,
+//!
+//! ```text
+//! f' = R f,   m' = R m + p × f',      θ' = R θ,   u' = R u + p × θ'
+//! ```
+//!
+//! so that the work `f·u + m·θ` does not depend on the frame. In the plane R leaves m and θ as they are.
+
+use nalgebra::{AbstractRotation, Isometry, SVector};
+
+use super::contact::Contact;
+use super::rotation::{displacement_of, wrench_of};
+use super::wrench::{Twist, Wrench};
+
+impl<const C: usize> Contact<C> {
+    /// The same contact in other coordinates: `pose` is the frame in which it was given – of a finger's last link, say, or of the
+    /// object – as seen from the frame in which it is wanted. Contacts of one grasp must all be in one frame.
+    ///
+    /// Without a tangent of its own the contact keeps the one that it had, turned with it: commands, stiffnesses and forces
+    /// in its contact frame stay as they were.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
+    /// use grasp_lcp::planar::Contact;
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// let in_the_link = Contact::new([0.02, 0.0], [1.0, 0.0]);
+    /// let link = Isometry2::new(Vector2::new(0.1, 0.3), FRAC_PI_2);
+    /// let point = in_the_link.transformed(&link).point();
+    /// assert!((point - Vector2::new(0.1, 0.32)).norm() < 1e-16);
+    /// ```
+    #[must_use]
+    pub fn transformed<R: AbstractRotation<f64, C>>(mut self, pose: &Isometry<f64, R, C>) -> Self {
+        // A contact without a frame is refused when its grasp is made.
+        let tangent = self.frame(0).map_or(self.tangent, |frame| Some(frame.column(1).into_owned()));
+        self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
+        self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
+        self.normal = pose.rotation.transform_vector(&self.normal);
+        self
+    }
+}
+
+/// Linear and angular part of `v`, each turned.
+fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
+    rotation: &R,
+    v: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
+    let linear = part(0);
+    // A rotation about the one axis of the plane is the same in all frames.
+    let angular = if D == 2 * C { part(C) } else { SVector::repeat(v[D - 1]) };
+    SVector::from_fn(|k, _| if k < C { linear[k] } else { angular[k - C] })
+}
+
+macro_rules! in_other_frames {
+    ($d:literal, $c:literal) => {
+        impl Wrench<$d> {
+            /// The same load with moments about `point` instead of the origin: `m - point × f`. In its result `point` is the origin.
+            #[must_use]
+            pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
+                Self::from_vector(moved_wrench::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
+            }
+
+            /// The same load in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
+            /// wanted: `f' = R f`, `m' = R m + p × f'`.
+            #[must_use]
+            pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
+                let turned = turned(&pose.rotation, self.as_vector());
+                Self::from_vector(moved_wrench::<$d, $c>(&pose.translation.vector, &turned))
+            }
+        }
+
+        impl Twist<$d> {
+            /// The same motion told of the object's point at `point` instead of the one at the origin: its translation is
+            /// [`Self::displacement_at`] that point. In its result `point` is the origin.
+            #[must_use]
+            pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
+                Self::from_vector(moved_twist::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
+            }
+
+            /// The same motion in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
+            /// wanted: `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin.
+            #[must_use]
+            pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
+                let turned = turned(&pose.rotation, self.as_vector());
+                Self::from_vector(moved_twist::<$d, $c>(&pose.translation.vector, &turned))
+            }
+        }
+    };
+}
+
+in_other_frames!(3, 2);
+in_other_frames!(6, 3);
+
+/// A wrench whose origin lies at `p`, about the origin.
+fn moved_wrench<const D: usize, const C: usize>(p: &SVector<f64, C>, w: &SVector<f64, D>) -> SVector<f64, D> {
+    let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
+    SVector::from_fn(|k, _| if k < C { w[k] } else { w[k] + moments[k] })
+}
+
+/// A twist whose origin lies at `p`, about the origin.
+fn moved_twist<const D: usize, const C: usize>(p: &SVector<f64, C>, q: &SVector<f64, D>) -> SVector<f64, D> {
+    let translation = displacement_of::<D, C>(&-p, q);
+    SVector::from_fn(|k, _| if k < C { translation[k] } else { q[k] })
+}

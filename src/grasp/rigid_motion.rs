@@ -1,0 +1,84 @@
+//! From a twist, which is small to first order, to a rigid motion and back.
+//!
+//! The exponential map: the object moves on a screw of constant pitch whose velocity is the twist, for one unit of time. With the
+//! rotation vector θ, the translation u of the origin, its part u∥ along θ and its part u⊥ across,
+//!
+//! ```text
+//! rotation     exp(θ)
+//! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
+//! ```
+//!
+//! It differs from any other rigid motion that fits the twist to second order only, about which the first-order answers of this
+//! crate say nothing. The exponential is the one that does not depend on the frame: a pure rotation about a pivot stays one,
+//! however far away the origin lies.
+
+use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
+
+use super::wrench::Twist;
+
+impl Twist<3> {
+    /// The rigid motion of this twist, by the exponential map: rotation by θ, translation of the origin `s R(θ/2) u`.
+    ///
+    /// ```
+    /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
+    ///
+    /// // A quarter turn about the pivot (1, 2).
+    /// let angle = std::f64::consts::FRAC_PI_2;
+    /// let motion = Twist::new([2.0 * angle, -angle], angle).exp();
+    /// assert!((motion * Point2::new(1.0, 2.0) - Point2::new(1.0, 2.0)).norm() < 1e-15);
+    /// assert!((motion * Point2::new(2.0, 2.0) - Point2::new(1.0, 3.0)).norm() < 1e-15);
+    /// ```
+    #[doc(alias = "isometry")]
+    #[must_use]
+    pub fn exp(&self) -> Isometry2<f64> {
+        let half = 0.5 * self.rotation();
+        let translation = UnitComplex::new(half) * SVector::from(self.translation()) * half.sinc();
+        Isometry2::new(translation, self.rotation())
+    }
+
+    /// The twist whose rigid motion this is, with a rotation from -π to π: the inverse of [`Self::exp`].
+    #[must_use]
+    pub fn log(motion: &Isometry2<f64>) -> Self {
+        let half = 0.5 * motion.rotation.angle();
+        let translation = UnitComplex::new(-half) * motion.translation.vector / half.sinc();
+        Self::new(translation, motion.rotation.angle())
+    }
+}
+
+impl Twist<6> {
+    /// The rigid motion of this twist, by the exponential map: rotation by |θ| about θ, translation of the origin
+    /// `R(θ/2) (s u⊥ + u∥)`.
+    ///
+    /// ```
+    /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};
+    /// use std::f64::consts::PI;
+    ///
+    /// // Half a turn about the line x = 1, y = 0 along z, and 0.3 m along it.
+    /// let motion = Twist::new([0.0, -PI, 0.3], [0.0, 0.0, PI]).exp();
+    /// assert!((motion * Point3::new(3.0, 0.0, 0.0) - Point3::new(-1.0, 0.0, 0.3)).norm() < 1e-15);
+    /// ```
+    #[doc(alias = "isometry")]
+    #[must_use]
+    pub fn exp(&self) -> Isometry3<f64> {
+        let rotation = Vector3::from(self.rotation());
+        let translation = Vector3::from(self.translation());
+        let along = along(&rotation, &translation);
+        let chord = along + (translation - along) * (0.5 * rotation.norm()).sinc();
+        let half = UnitQuaternion::from_scaled_axis(0.5 * rotation);
+        Isometry3::from_parts((half * chord).into(), half * half)
+    }
+
+    /// The twist whose rigid motion this is, with a rotation of at most π: the inverse of [`Self::exp`].
+    #[must_use]
+    pub fn log(motion: &Isometry3<f64>) -> Self {
+        let rotation = motion.rotation.scaled_axis();
+        let chord = UnitQuaternion::from_scaled_axis(-0.5 * rotation) * motion.translation.vector;
+        let along = along(&rotation, &chord);
+        Self::new(along + (chord - along) / (0.5 * rotation.norm()).sinc(), rotation)
+    }
+}
+
+/// The part of `v` along `axis`; zero where there is no axis.
+fn along(axis: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    axis.try_normalize(0.0).map_or_else(Vector3::zeros, |axis| axis * axis.dot(v))
+}
