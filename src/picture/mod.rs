@@ -1,14 +1,24 @@
-//! Grasps and load curves as SVG, spatial grasps as pages to turn (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG, spatial grasps as pages to turn (feature `plot`).
 //!
 //! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's business.
 
+mod bands;
 mod chart;
 mod grasp_picture;
 mod page;
+mod polar;
+mod polar_curve;
+mod regions;
+mod sheet;
+mod sphere;
+mod sphere_grid;
 
 pub use chart::{Chart, Series, Stroke};
 pub use grasp_picture::{Outline, draw_grasp};
 pub use page::SpatialPage;
+pub use polar::Polar;
+pub use sphere::SphereMap;
+pub use sphere_grid::SphereGrid;
 
 use plotters::style::RGBColor;
 
