@@ -84,7 +84,7 @@ pub(crate) fn check_base<const D: usize, const C: usize>(
 pub(crate) fn words<const D: usize, const C: usize>(at: [f64; C], base: &Wrench<D>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.as_vector();
-    let mut lines = vec![format!("force at ({point}) m")];
+    let mut lines = vec![format!("Force at ({point}) m")];
     if load.iter().any(|x| *x != 0.0) {
         let load: Vec<_> = load.iter().map(ToString::to_string).collect();
         lines.push(format!("on top of ({}) N, N m", load.join(", ")));

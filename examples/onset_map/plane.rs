@@ -37,7 +37,7 @@ pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) ->
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
-        return Err("no direction has an onset".into());
+        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
     }
     let most = FAR * largest;
     let lasts = watch::sweep("load paths", &angles, MOST, |angle| {

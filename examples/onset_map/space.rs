@@ -37,7 +37,7 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
     let Some((nearest, least)) = finite().min_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| largest > 0.0) else {
-        return Err("no direction has an onset".into());
+        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
     };
     let onset_at = |d: [f64; 3]| {
         let onset = grasp.onset(&ramp(d), &quick).ok().and_then(|onset| onset.factor());

@@ -7,7 +7,7 @@ use super::{Frame, Shown, SpatialPage};
 use crate::picture::{PictureError, word};
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
-/// Parts of the size of the grasp that the largest force, moment and displacement take in the picture.
+/// Parts of the size of the picture that the largest force, moment and displacement take in the picture.
 const LARGEST_FORCE: f64 = 0.4;
 const LARGEST_MOMENT: f64 = 0.3;
 const LARGEST_DISPLACEMENT: f64 = 0.15;
@@ -19,6 +19,8 @@ pub(super) struct Drawing<'p> {
     centre: Vector3<f64>,
     /// Largest extent of the contacts and the outline along an axis, m.
     span: f64,
+    /// The same, or the distance of the load where that is larger, m.
+    size: f64,
     /// m per N, m per N m, and how many times displacements are magnified.
     force: f64,
     moment: f64,
@@ -37,18 +39,29 @@ impl<'p> Drawing<'p> {
         }
         // A single contact has no size of its own.
         let span = if high == low { 1.0 } else { (high - low).amax() };
-        let mut drawing =
-            Self { page, centre: (low + high) / 2.0, span, force: 0.0, moment: 0.0, displacement: 0.0 };
+        let mut drawing = Self {
+            page,
+            centre: (low + high) / 2.0,
+            span,
+            size: span,
+            force: 0.0,
+            moment: 0.0,
+            displacement: 0.0,
+        };
         let (mut force, mut moment, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
+        // Arrows are to be seen beside a load that acts far away.
+        let mut size = span;
         for state in page.frames.iter().filter_map(Frame::state) {
             let load = drawing.load(state);
             (force, moment) = (force.max(load.force.norm()), moment.max(load.moment.norm()));
+            size = size.max((load.at - drawing.centre).norm());
             for contact in &state.contacts {
                 force = force.max(contact.force_world.norm());
                 displacement = displacement.max(contact.body_core.norm());
             }
         }
-        let part = |of: f64, largest: f64| if largest > 0.0 { of * span / largest } else { 0.0 };
+        let part = |of: f64, largest: f64| if largest > 0.0 { of * size / largest } else { 0.0 };
+        drawing.size = size;
         drawing.force = part(LARGEST_FORCE, force);
         drawing.moment = part(LARGEST_MOMENT, moment);
         drawing.displacement = part(LARGEST_DISPLACEMENT, displacement);
@@ -62,7 +75,7 @@ impl<'p> Drawing<'p> {
             [("force", LARGEST_FORCE, "N", self.force), ("moment", LARGEST_MOMENT, "N m", self.moment)]
         {
             if scale > 0.0 {
-                let size = short(largest * self.span / scale);
+                let size = short(largest * self.size / scale);
                 sentences.push(format!("The longest arrow of a {what} is {size} {unit}."));
             }
         }

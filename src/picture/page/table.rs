@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use super::text::{html, short, vector};
 use super::{Frame, Shown};
+use crate::grasp::Hold;
 use crate::picture::{PictureError, word};
-use crate::spatial::{ContactAnswer, Equilibrium, Grasp};
+use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
 /// Headings, and what they mean.
 const COLUMNS: [(&str, &str); 9] = [
@@ -61,7 +62,7 @@ fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Result<
     }
     page.push_str("</tr></thead>\n<tbody>\n");
     for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
-        write_row(page, i, &contact.label_text(i), contact.friction_coefficient(), answer)?;
+        write_row(page, i, contact, answer)?;
     }
     page.push_str("</tbody>\n</table>\n");
     Ok(())
@@ -70,8 +71,7 @@ fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Result<
 fn write_row(
     page: &mut String,
     index: usize,
-    name: &str,
-    mu: f64,
+    contact: &Contact,
     answer: &ContactAnswer,
 ) -> Result<(), PictureError> {
     // What is left of a contact on the edge of its cone is rounding.
@@ -81,23 +81,29 @@ fn write_row(
         answer.normal_force(),
         answer.friction_force(),
         answer.friction_used(),
-        mu,
+        contact.friction_coefficient(),
         reserve,
         moved,
         answer.body_core.norm(),
     ];
+    let name = contact.label_text(index);
     if numbers.iter().any(|x| x.is_nan()) {
         return Err(PictureError(format!("a number of {name} is not a number")));
+    }
+    let mut words = numbers.map(short);
+    if contact.hold == Hold::Bonded {
+        // Glued, it has no friction to use.
+        (words[2], words[3]) = ("–".into(), "bonded".into());
     }
     let state = word(answer);
     let _ = write!(
         page,
         "<tr data-contact=\"{index}\"><th>{}</th><td class=\"{}\">{state}</td>",
-        html(name),
+        html(&name),
         state.replace(' ', "-")
     );
-    for x in numbers {
-        let _ = write!(page, "<td>{}</td>", short(x));
+    for words in words {
+        let _ = write!(page, "<td>{words}</td>");
     }
     page.push_str("</tr>\n");
     Ok(())
