@@ -25,6 +25,9 @@ pub(crate) fn base<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Wrenc
     asked.unwrap_or(Wrench::ZERO)
 }
 
+/// More contacts that leave together are counted.
+const MANY: usize = 4;
+
 /// When something leaves rolling in one direction.
 pub(crate) struct First {
     /// N; infinite for never, not a number where that is not known.
@@ -49,9 +52,12 @@ pub(crate) fn first<const D: usize, const C: usize>(
                 let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
                 format!("{} {does}", grasp.contacts()[leaving.contact].label_text(leaving.contact))
             });
-            // The points of a soft fingertip share a name.
             let mut who: Vec<_> = who.collect();
-            who.dedup();
+            // Points of a soft fingertip leave by the dozen.
+            if who.len() > MANY {
+                let others = who.len() - 1;
+                who = vec![format!("{} and {others} others", who[0])];
+            }
             First { factor: event.factor, who: who.join(", ") }
         }
         Onset::Never => First { factor: f64::INFINITY, who: "never".to_owned() },
