@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --example predict_sliding`
 //!
-//! The same for any grasp in a file, planar or spatial: what the file asks is printed, and the first equilibrium of a planar one drawn.
+//! The same for any grasp in a file, planar or spatial: what the file asks is printed; the first equilibrium of a planar one is drawn, a spatial one
+//! becomes a page that one can turn with the mouse.
 //!
 //! `cargo run --release --example predict_sliding -- --scene examples/scenes/mug.json`
 
@@ -10,14 +11,16 @@
 mod predict;
 #[path = "support/scene_file.rs"]
 mod scene_file;
+#[path = "support/scene_picture.rs"]
+mod scene_picture;
 mod support;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
-use grasp_lcp::planar::{Beyond, ContactState, Departure, Equilibrium, Onset, Outcome, Wrench};
-use grasp_lcp::scene::{Question, Setup, Space};
+use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};
+use grasp_lcp::scene::Space;
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
 
 /// What a contact does, in one word.
@@ -56,40 +59,23 @@ fn of_file(file: &Path) -> Result<(), Failure> {
         println!("{comment}");
     }
     let in_file = |error| format!("{}: {error}", file.display());
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let title = stem.replace('_', " ");
     match &scene.space {
         Space::Planar(setup) => {
             predict::predict(setup).map_err(in_file)?;
-            if let Some(state) = first_equilibrium(setup)? {
-                let outline: Vec<[f64; 2]> = setup.outline.iter().map(|corner| (*corner).into()).collect();
-                let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-                let svg = draw_grasp(&setup.grasp()?, &state, Some(&outline), &stem.replace('_', " "))?;
+            if let Some(svg) = scene_picture::planar(setup, &title)? {
                 println!();
                 support::save(&format!("scene_{stem}.svg"), &svg)?;
             }
         }
-        Space::Spatial(setup) => predict::predict(setup).map_err(in_file)?,
-    }
-    Ok(())
-}
-
-/// That of the first question that has one, for the picture.
-fn first_equilibrium(setup: &Setup<3, 2>) -> Result<Option<Equilibrium>, grasp_lcp::Error> {
-    let grasp = setup.grasp()?;
-    for question in &setup.questions {
-        let state = match question {
-            Question::Solve { load } => grasp.solve_with(load, &setup.settings)?.equilibrium().cloned(),
-            Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?, &setup.settings)? {
-                Onset::At(event) => Some(event.state),
-                Onset::AlreadySliding(state) => Some(*state),
-                _ => None,
-            },
-            _ => None,
-        };
-        if state.is_some() {
-            return Ok(state);
+        Space::Spatial(setup) => {
+            predict::predict(setup).map_err(in_file)?;
+            println!();
+            support::save(&format!("scene_{stem}.html"), &scene_picture::spatial(setup, &title)?)?;
         }
     }
-    Ok(None)
+    Ok(())
 }
 
 fn the_papers_grasp() -> Result<(), Failure> {

@@ -1,11 +1,11 @@
 //! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, beyond it an answer on the round cone
-//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed.
+//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed; a page on which one can turn it.
 //!
 //! `cargo run --release --example spatial_grasp`
 
 mod support;
 
-use grasp_lcp::picture::{Chart, Stroke};
+use grasp_lcp::picture::{Chart, SpatialPage, Stroke};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
 
@@ -105,7 +105,30 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         chart = chart.series(name, curve, Stroke::Line);
     }
     support::save("spatial_grasp_facets.svg", &chart.to_svg()?)?;
+
+    let mut page = SpatialPage::new(&grasp, "A bottle in a thumb and three fingers, poured from");
+    for height in [-0.05, 0.05] {
+        page = page.outline(circle(height));
+    }
+    let part = |factor: f64| grasp.solve(&(direction * (factor * event.factor)));
+    let page = page
+        .outcome("no load", &part(0.0)?)
+        .outcome("half the onset", &part(0.5)?)
+        .frame(format!("onset of sliding, {:.4} N", event.factor), &event.state)
+        .frame(format!("{BEYOND} of the onset"), state)
+        .outcome("1.5 of the onset", &part(1.5)?)
+        .outcome("3 times the onset", &part(3.0)?);
+    support::save("spatial_grasp.html", &page.to_html()?)?;
     Ok(())
+}
+
+/// The bottle at a height, m.
+fn circle(height: f64) -> Vec<[f64; 3]> {
+    let corner = |k: u32| {
+        let (sin, cos) = f64::from(10 * k).to_radians().sin_cos();
+        [0.035 * cos, 0.035 * sin, height]
+    };
+    (0..36).map(corner).collect()
 }
 
 fn sliding(states: &[grasp_lcp::spatial::ContactState]) -> usize {

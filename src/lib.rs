@@ -67,7 +67,7 @@
 //! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
-//! | `picture` | grasps and load curves as SVG (feature `plot`) |
+//! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps as HTML pages (feature `plot`) |
 //! | `scene` | scenes and answers as JSON, or in any other format that serde knows (feature `serde`) |
 //!
 //! # Answers

@@ -5,8 +5,8 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION};
-use crate::planar::{ContactState, Equilibrium, Grasp};
+use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION, word};
+use crate::planar::{Equilibrium, Grasp};
 
 /// The outline of the object: corners in order, m. It is only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
@@ -117,13 +117,6 @@ impl<'a> Picture<'a> {
             }
         }
         self.arrow(chart, p, p + answer.force_world * self.scale, BLUE)?;
-        let word: &str = match answer.state {
-            ContactState::Separated => "separated",
-            ContactState::Sliding { .. } => "sliding",
-            ContactState::Frictionless => "frictionless",
-            ContactState::Rolling if answer.margin <= 1e-12 * answer.normal_force() => "about to slide",
-            ContactState::Rolling => "rolling",
-        };
         let name = contact.label_text(index);
         // Behind the finger, away from the object.
         let at = p - n * (0.12 * self.span);
@@ -135,7 +128,7 @@ impl<'a> Picture<'a> {
             HPos::Center
         };
         let force = format!("|F| = {:.4} N", answer.force.norm());
-        for (line, text) in [name.as_str(), word, &force].into_iter().enumerate() {
+        for (line, text) in [name.as_str(), word(answer), &force].into_iter().enumerate() {
             // Lines run downwards; a finger from above has them above itself.
             let up = 0.05 * self.span * (1.0 - line as f64 - n.y);
             self.label(chart, at + Vector2::new(0.0, up), side, text)?;

@@ -1,14 +1,28 @@
-//! Grasps and load curves as SVG (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG, spatial grasps as pages to turn (feature `plot`).
 //!
-//! Every function returns the text of an SVG file; writing it somewhere is the caller's business.
+//! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's business.
 
+mod bands;
 mod chart;
 mod grasp_picture;
+mod page;
+mod polar;
+mod polar_curve;
+mod regions;
+mod sheet;
+mod sphere;
+mod sphere_grid;
 
 pub use chart::{Chart, Series, Stroke};
 pub use grasp_picture::{Outline, draw_grasp};
+pub use page::SpatialPage;
+pub use polar::Polar;
+pub use sphere::SphereMap;
+pub use sphere_grid::SphereGrid;
 
 use plotters::style::RGBColor;
+
+use crate::equilibrium::{ContactAnswer, ContactState};
 
 /// A picture could not be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -37,3 +51,14 @@ const VERMILION: RGBColor = PALETTE[1];
 const GREEN: RGBColor = PALETTE[2];
 const GREY: RGBColor = RGBColor(110, 110, 110);
 const FONT: &str = "sans-serif";
+
+/// What a contact does, for a picture: a contact on the edge of its cone that has not slipped yet is told apart.
+fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {
+    match answer.state {
+        ContactState::Separated => "separated",
+        ContactState::Sliding { .. } => "sliding",
+        ContactState::Frictionless => "frictionless",
+        ContactState::Rolling if answer.margin <= 1e-12 * answer.normal_force() => "about to slide",
+        ContactState::Rolling => "rolling",
+    }
+}

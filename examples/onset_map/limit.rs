@@ -1,0 +1,91 @@
+//! How far the load path goes in one direction, and how it ends.
+
+use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::load_path::{Leg, PathEnd};
+use grasp_lcp::{Error, Settings};
+
+/// The end of a load path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum End {
+    /// No equilibrium exists beyond.
+    Limit,
+    /// This equilibrium ends, others exist.
+    Snap,
+    /// This equilibrium ends; whether others exist is not known.
+    Ends,
+    /// Nothing resists from there on.
+    GivesWay,
+    /// It is held as far as was asked.
+    Held,
+    /// Rounding stopped the path, or it did not begin.
+    Unknown,
+}
+
+impl End {
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Limit, Self::Snap, Self::Ends, Self::GivesWay, Self::Held, Self::Unknown];
+
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Limit => "limit load",
+            Self::Snap => "snap",
+            Self::Ends => "this equilibrium ends",
+            Self::GivesWay => "nothing resists",
+            Self::Held => "held",
+            Self::Unknown => "not known",
+        }
+    }
+}
+
+/// Where a load path ended.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Last {
+    /// N; infinite where everything asked for is held, not a number where the end is not known.
+    pub(crate) factor: f64,
+    pub(crate) end: End,
+}
+
+/// Of forces over the largest force, a step: a picture shows no more, and smaller steps cost most of the time.
+pub(crate) const STEP_ERROR: f64 = 1e-6;
+
+/// Follows the load from `base` by `most` times `direction`.
+pub(crate) fn last<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    settings: &Settings,
+    base: Wrench<D>,
+    direction: Wrench<D>,
+    most: f64,
+) -> Result<Last, Error> {
+    let settings = settings.clone().with_step_error(STEP_ERROR);
+    let mut path = grasp.follow_with(base, &[Leg::load_by(direction * most)], &settings)?;
+    path.by_ref().for_each(drop);
+    let (end, fraction) = match path.end() {
+        Some(PathEnd::Completed) => (End::Held, f64::INFINITY),
+        Some(PathEnd::LimitLoad(loss)) => (End::Limit, loss.fraction),
+        Some(PathEnd::Snap(loss)) => (End::Snap, loss.fraction),
+        Some(PathEnd::Ends(loss)) => (End::Ends, loss.fraction),
+        Some(PathEnd::GivesWay { fraction, .. }) => (End::GivesWay, *fraction),
+        _ => (End::Unknown, f64::NAN),
+    };
+    Ok(Last { factor: fraction * most, end })
+}
+
+impl Last {
+    /// The load, for a table of paths that go as far as `most`.
+    pub(crate) fn words(&self, most: f64) -> String {
+        match self.end {
+            End::Held => format!("{most:.4} and on"),
+            End::Unknown => "–".to_owned(),
+            _ => format!("{:.9}", self.factor),
+        }
+    }
+}
+
+/// How many paths end in which way.
+pub(crate) fn count(lasts: &[Last]) -> String {
+    let parts = End::ALL.into_iter().filter_map(|end| {
+        let count = lasts.iter().filter(|last| last.end == end).count();
+        (count > 0).then(|| format!("{} {count}", end.word()))
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}

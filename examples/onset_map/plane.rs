@@ -1,0 +1,150 @@
+//! Every direction in the plane: a table and a polar picture.
+
+use std::f64::consts::TAU;
+use std::time::Duration;
+
+use grasp_lcp::picture::{Polar, Stroke};
+use grasp_lcp::planar::{Grasp, Ramp, Wrench};
+use grasp_lcp::scene::Setup;
+
+use crate::ask::{self, First};
+use crate::limit::{self, End, Last};
+use crate::{Failure, support, watch, weakest};
+
+/// Directions of the picture; every 60th is in the table.
+const DIRECTIONS: u32 = 1440;
+const TABLE: usize = 60;
+/// Load paths are followed this many times as far as the largest onset, and the picture goes no further than that many times.
+const FAR: f64 = 5.0;
+const SHOWN: f64 = 3.0;
+/// Then something is wrong.
+const MOST: Duration = Duration::from_secs(300);
+const TOO_LONG: &str = "that takes more than five minutes";
+
+pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) -> Result<(), Failure> {
+    let (grasp, base) = (setup.grasp()?, ask::base(setup));
+    let pull = |angle: f64| {
+        // Quarter turns exactly, so that symmetric grasps have symmetric answers.
+        let (sin, cos) = quarter(angle).unwrap_or_else(|| angle.sin_cos());
+        Wrench::force_at([cos, sin], at)
+    };
+    let ramp = |angle: f64| Ramp::load(base, pull(angle));
+    ask::check_base(&grasp, setup, &ramp(0.0))?;
+    let quick = ask::quick(&setup.settings);
+    let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
+    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&grasp, &quick, &ramp(*angle)))?
+        .ok_or(TOO_LONG)?;
+    let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
+    let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
+    if largest <= 0.0 {
+        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
+    }
+    let most = FAR * largest;
+    let lasts = watch::sweep("load paths", &angles, MOST, |angle| {
+        limit::last(&grasp, &setup.settings, base, pull(*angle), most)
+    })?
+    .ok_or(TOO_LONG)?;
+    let onset_at = |angle: f64| {
+        let onset = grasp.onset(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
+        onset.unwrap_or(f64::NAN)
+    };
+    let weakest = weakest::in_the_plane(&angles, &onsets, onset_at);
+
+    let words = ask::words(at, &base);
+    println!("{title}: {}", words.join(", "));
+    print_table(&angles, &firsts, &lasts, most);
+    println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
+    for (angle, onset) in &weakest {
+        println!("  weakest direction {:.6}°: onset {onset:.15} N", angle.to_degrees());
+        if let Some(edge) = distance_of_edge(*angle, onset_at) {
+            println!("    the region in which nothing slides has a straight edge there, {edge:.15} N away");
+        }
+    }
+    if name == "two_fingers" {
+        let exact = 65f64.sqrt() / 66.0;
+        println!("  downwards: onset {:.15} N, exact √65/66 = {exact:.15} N", onset_at(0.75 * TAU));
+    }
+    let svg = draw(title, &grasp, &words, &angles, &onsets, &lasts, &weakest)?;
+    support::save(&format!("onset_map_{name}.svg"), &svg)?;
+    Ok(())
+}
+
+/// (sin, cos) of whole quarter turns.
+fn quarter(angle: f64) -> Option<(f64, f64)> {
+    let values = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)];
+    values.into_iter().zip([0.0, 0.25, 0.5, 0.75]).find(|(_, turns)| angle == turns * TAU).map(|(v, _)| v)
+}
+
+fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
+    println!(
+        "  {:>9}  {:>14}  {:>14}  {:22} leaves first",
+        "direction", "onset (N)", "held to (N)", "end of the path"
+    );
+    for ((angle, first), last) in angles.iter().zip(firsts).zip(lasts).step_by(TABLE) {
+        let held = last.words(most);
+        println!(
+            "  {:8.1}°  {:14.9}  {held:>14}  {:22} {}",
+            angle.to_degrees(),
+            first.factor,
+            last.end.word(),
+            first.who
+        );
+    }
+}
+
+/// The region in which nothing slides is a polygon: the distance of the edge that is crossed at this angle, from two points on it. `None` if the points beside lie on
+/// two edges.
+fn distance_of_edge(angle: f64, onset_at: impl Fn(f64) -> f64) -> Option<f64> {
+    let point = |angle: f64| {
+        let (radius, (sin, cos)) = (onset_at(angle), angle.sin_cos());
+        [radius * cos, radius * sin]
+    };
+    let [a, m, b] = [-0.01, 0.0, 0.01].map(|aside| point(angle + aside));
+    let along = [b[0] - a[0], b[1] - a[1]];
+    let size = along[0].hypot(along[1]);
+    let distance = |p: [f64; 2]| (p[0] * along[1] - p[1] * along[0]) / size;
+    ((distance(m) - distance(a)).abs() <= 1e-10 * distance(a).abs()).then(|| distance(a).abs())
+}
+
+fn draw(
+    title: &str,
+    grasp: &Grasp,
+    words: &[String],
+    angles: &[f64],
+    onsets: &[f64],
+    lasts: &[Last],
+    weakest: &[(f64, f64)],
+) -> Result<String, Failure> {
+    let with = |radii: &mut dyn Iterator<Item = f64>| angles.iter().copied().zip(radii).collect::<Vec<_>>();
+    let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
+    let (onset, limit) = (most(&mut onsets.iter().copied()), most(&mut lasts.iter().map(|last| last.factor)));
+    let rim = onset.max(limit).min(SHOWN * onset) * 1.05;
+    let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
+        .rim(rim)
+        .curve("onset of sliding", with(&mut onsets.iter().copied()), Stroke::Line)
+        .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
+    for (end, words) in [
+        (End::Snap, "… where it snaps: other\nequilibria exist beyond"),
+        (End::Ends, "… where others may\nexist beyond"),
+        (End::GivesWay, "… where nothing resists"),
+    ] {
+        let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
+        let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();
+        if !points.is_empty() {
+            polar = polar.curve(words, points, Stroke::Circles);
+        }
+    }
+    let where_weak: Vec<_> = weakest.iter().map(|(angle, _)| format!("{:.1}°", angle.to_degrees())).collect();
+    let least = weakest.first().map_or(f64::NAN, |(_, onset)| *onset);
+    polar = polar.mark(weakest.to_vec(), format!("weakest: {least:.6} N\nat {}", where_weak.join(", ")));
+    for (i, (contact, frame)) in grasp.contacts().iter().zip(grasp.frames()).enumerate() {
+        polar = polar.ray(frame[(1, 0)].atan2(frame[(0, 0)]), contact.label_text(i));
+    }
+    for line in words {
+        polar = polar.note(line);
+    }
+    for note in ["arc on the rim: beyond it", "arrows: contact normals,", "the way the finger pushes"] {
+        polar = polar.note(note);
+    }
+    Ok(polar.to_svg()?)
+}

@@ -1,0 +1,147 @@
+//! Every direction in space: maps of the sphere and a table.
+
+use std::time::Duration;
+
+use grasp_lcp::picture::{SphereGrid, SphereMap};
+use grasp_lcp::scene::Setup;
+use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
+
+use crate::ask::{self, First};
+use crate::limit;
+use crate::{Failure, support, watch, weakest};
+
+/// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
+const ONSETS: (usize, usize) = (45, 120);
+const PATHS: (usize, usize) = (10, 26);
+/// Below every map.
+const NOTE: &str = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. Rings: angle from ±z.";
+/// Longer than this nobody waits for a map.
+const ALL_ONSETS: Duration = Duration::from_secs(300);
+const ALL_PATHS: Duration = Duration::from_secs(120);
+/// Load paths are followed this many times as far as the largest onset.
+const FAR: f64 = 5.0;
+
+pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) -> Result<(), Failure> {
+    let (grasp, base) = (setup.grasp()?, ask::base(setup));
+    let pull = |direction: [f64; 3]| Wrench::force_at(direction, at);
+    let ramp = |direction: [f64; 3]| Ramp::load(base, pull(direction));
+    ask::check_base(&grasp, setup, &ramp([0.0, 0.0, -1.0]))?;
+    let quick = ask::quick(&setup.settings);
+
+    let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
+    let grid = SphereGrid::new(rings, around);
+    let directions = grid.directions();
+    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(&grasp, &quick, &ramp(*d)))?
+        .ok_or("onsets in so many directions take more than five minutes")?;
+    let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
+    let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
+    let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
+    let Some((nearest, least)) = finite().min_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| largest > 0.0) else {
+        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
+    };
+    let onset_at = |d: [f64; 3]| {
+        let onset = grasp.onset(&ramp(d), &quick).ok().and_then(|onset| onset.factor());
+        onset.unwrap_or(f64::INFINITY)
+    };
+    let (weakest, onset) = weakest::in_space(directions[nearest], onset_at);
+
+    let coarse = SphereGrid::new(PATHS.0, PATHS.1);
+    let most = FAR * largest;
+    let ways = coarse.directions();
+    let lasts = if grasp.len() > MANY {
+        None
+    } else {
+        watch::sweep("load paths", &ways, ALL_PATHS, |d| {
+            limit::last(&grasp, &setup.settings, base, pull(*d), most)
+        })?
+    };
+
+    let words = ask::words(at, &base).join(", ");
+    println!("{title}: {words}");
+    print_table(&grasp, setup, &ramp, &pull, (base, most), weakest)?;
+    println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
+    println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
+    match &lasts {
+        Some(lasts) => println!(
+            "  of {} paths, followed to {most:.1} N with an error of a step of {:.0e}: {}",
+            ways.len(),
+            limit::STEP_ERROR,
+            limit::count(lasts)
+        ),
+        None => println!(
+            "  no map of what is held: load paths in {} directions take too long here ({} points of contact)",
+            ways.len(),
+            grasp.len()
+        ),
+    }
+    let first = ask::first(&grasp, &quick, &ramp(weakest))?;
+
+    let marked = |map: SphereMap| {
+        let normals = grasp.contacts().iter().zip(grasp.frames()).enumerate();
+        let soft = grasp.len() > MANY;
+        normals.filter(|_| !soft).fold(map, |map, (i, (contact, frame))| {
+            map.ray([frame[(0, 0)], frame[(1, 0)], frame[(2, 0)]], contact.label_text(i))
+        })
+    };
+    let map = SphereMap::new(
+        format!("{title}: onset of sliding for a force in every direction"),
+        "onset (N)",
+        grid,
+        onsets,
+    )?
+    .mark(weakest, format!("weakest {onset:.3} N"))
+    .meanings("never slides", "not known")
+    .note(NOTE)
+    .note(format!("{words}."))
+    .note(format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who));
+    support::save(&format!("onset_map_{name}.svg"), &marked(map).to_svg()?)?;
+    if let Some(lasts) = lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
+        let held = lasts.iter().map(|last| last.factor).collect();
+        let map =
+            SphereMap::new(format!("{title}: what is held on the load path"), "held to (N)", coarse, held)?
+                .meanings(format!("held to {most:.0} N and on"), "not known")
+                .note(NOTE)
+                .note(format!("{words}."))
+                .note(format!("How the {} paths end: {}.", ways.len(), limit::count(&lasts)));
+        support::save(&format!("onset_map_{name}_limit.svg"), &marked(map).to_svg()?)?;
+    }
+    Ok(())
+}
+
+/// Names of more contacts would cover the map, and its load paths take minutes.
+const MANY: usize = 8;
+
+fn print_table(
+    grasp: &Grasp,
+    setup: &Setup<6, 3>,
+    ramp: &impl Fn([f64; 3]) -> Ramp,
+    pull: &impl Fn([f64; 3]) -> Wrench,
+    (base, most): (Wrench, f64),
+    weakest: [f64; 3],
+) -> Result<(), Failure> {
+    println!(
+        "  {:9}  {:>14}  {:>14}  {:22} leaves first",
+        "direction", "onset (N)", "held to (N)", "end of the path"
+    );
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
+    for (name, d) in [
+        ("+x", x),
+        ("−x", back(x)),
+        ("+y", y),
+        ("−y", back(y)),
+        ("+z", z),
+        ("−z", back(z)),
+        ("weakest", weakest),
+    ] {
+        let First { factor, who } = ask::first(grasp, &ask::quick(&setup.settings), &ramp(d))?;
+        let last = limit::last(grasp, &setup.settings, base, pull(d), most)?;
+        let held = last.words(most);
+        println!("  {name:9}  {factor:14.9}  {held:>14}  {:22} {who}", last.end.word());
+    }
+    Ok(())
+}
+
+fn components(d: [f64; 3]) -> String {
+    d.map(|x| format!("{x:.4}")).join(", ")
+}

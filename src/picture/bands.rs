@@ -1,0 +1,88 @@
+//! The bands of a map: levels between them, and their colours.
+
+use plotters::style::RGBColor;
+use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
+
+use super::sheet::{in_steps, round_up};
+
+/// Levels between which a map has one colour each: round numbers, evenly spaced, or in ratios where the largest value is several times the smallest.
+pub(super) struct Bands {
+    /// Lower ends, and the upper end of the last.
+    pub(super) levels: Vec<f64>,
+    /// What the levels are written to.
+    step: Option<f64>,
+}
+
+/// From this ratio of the largest to the smallest value on.
+const IN_RATIOS: f64 = 4.0;
+/// About how many bands.
+const MOST: f64 = 12.0;
+/// Preferred numbers (ISO 3), ten, five and three to a decade, and the decades.
+const PREFERRED: [&[f64]; 4] = [
+    &[1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0],
+    &[1.0, 1.6, 2.5, 4.0, 6.3],
+    &[1.0, 2.0, 5.0],
+    &[1.0],
+];
+
+impl Bands {
+    /// For finite values from `low` to `high`.
+    pub(super) fn new(low: f64, high: f64) -> Self {
+        if low > 0.0 && high > IN_RATIOS * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
+    }
+
+    fn even(low: f64, high: f64) -> Self {
+        let width = if high > low { high - low } else { high.abs().max(f64::MIN_POSITIVE) };
+        let step = round_up(width / MOST);
+        let first = (low / step + 1e-9).floor();
+        let count = ((high / step - 1e-9).ceil() - first).clamp(1.0, 2.0 * MOST);
+        let levels = (0..=100).map(f64::from).take_while(|k| *k <= count).map(|k| (first + k) * step);
+        Self { levels: levels.collect(), step: Some(step) }
+    }
+
+    fn in_ratios(low: f64, high: f64) -> Self {
+        let decades = (high / low).log10();
+        let enough = |series: &&&[f64]| series.len() as f64 * decades <= MOST + 2.0;
+        let series = PREFERRED.iter().find(enough).unwrap_or(&PREFERRED[3]);
+        let mut levels = Vec::new();
+        let mut decade = 10f64.powf(low.log10().floor());
+        while levels.last().is_none_or(|last| *last < high) {
+            for number in *series {
+                let level = number * decade;
+                // The last level not above the lowest value is the first that counts.
+                if level <= low {
+                    levels.clear();
+                }
+                if levels.last().is_none_or(|last| *last < high) {
+                    levels.push(level);
+                }
+            }
+            decade *= 10.0;
+        }
+        Self { levels, step: None }
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.levels.len() - 1
+    }
+
+    /// A value so that levels between two others are met where they are drawn: its logarithm, where levels go in ratios.
+    pub(super) fn measure(&self, value: f64) -> f64 {
+        if self.step.is_some() { value } else { value.ln() }
+    }
+
+    pub(super) fn label(&self, level: f64) -> String {
+        match self.step {
+            Some(step) => in_steps(level, step),
+            None if (1e-3..1e5).contains(&level) => {
+                format!("{level:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
+            }
+            None => format!("{level:.2e}"),
+        }
+    }
+
+    pub(super) fn color(&self, band: usize) -> RGBColor {
+        let last = (self.count() - 1).max(1) as f64;
+        ViridisRGB.get_color(band as f64 / last)
+    }
+}

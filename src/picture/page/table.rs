@@ -1,0 +1,110 @@
+//! The numbers beside the picture: one section for each answer, of which the page shows one.
+
+use std::fmt::Write;
+
+use super::text::{html, short, vector};
+use super::{Frame, Shown};
+use crate::grasp::Hold;
+use crate::picture::{PictureError, word};
+use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
+
+/// Headings, and what they mean.
+const COLUMNS: [(&str, &str); 9] = [
+    ("contact", "name"),
+    ("state", "what the contact does"),
+    ("F_n (N)", "normal force; positive pushes"),
+    ("|F_t| (N)", "friction force"),
+    ("|F_t|/F_n", "friction used"),
+    ("μ", "coefficient of friction"),
+    ("μF_n − |F_t| (N)", "friction in reserve"),
+    ("gap, slip (m)", "gap of an open contact; slip of the finger over the object"),
+    ("|u_c| (m)", "displacement of the object at the contact"),
+];
+
+pub(super) fn write(page: &mut String, grasp: &Grasp, frames: &[Frame]) -> Result<(), PictureError> {
+    for (k, Frame { label, shown }) in frames.iter().enumerate() {
+        let hidden = if k == 0 { "" } else { " hidden" };
+        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", html(label));
+        match shown {
+            Shown::Nothing(why) => {
+                let _ = writeln!(page, "<p class=\"none\">{}</p>", html(why));
+            }
+            Shown::State(state) => write_state(page, grasp, state)?,
+        }
+        page.push_str("</section>\n");
+    }
+    Ok(())
+}
+
+fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Result<(), PictureError> {
+    let (load, twist) = (state.load.as_vector().as_slice(), state.twist.as_vector().as_slice());
+    let _ = writeln!(
+        page,
+        "<p>Load: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
+         Residual {:.0e}.</p>",
+        vector(&load[..3]),
+        vector(&load[3..]),
+        vector(&twist[..3]),
+        vector(&twist[3..]),
+        state.residuals.worst()
+    );
+    for motion in &state.free_motions {
+        let v = motion.as_vector().as_slice();
+        let _ = writeln!(
+            page,
+            "<p>Nothing resists the motion {} (translation, rotation about the origin): where the object goes is known up to it.</p>",
+            vector(v)
+        );
+    }
+    page.push_str("<table>\n<thead><tr>");
+    for (heading, meaning) in COLUMNS {
+        let _ = write!(page, "<th title=\"{}\">{}</th>", html(meaning), html(heading));
+    }
+    page.push_str("</tr></thead>\n<tbody>\n");
+    for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
+        write_row(page, i, contact, answer)?;
+    }
+    page.push_str("</tbody>\n</table>\n");
+    Ok(())
+}
+
+fn write_row(
+    page: &mut String,
+    index: usize,
+    contact: &Contact,
+    answer: &ContactAnswer,
+) -> Result<(), PictureError> {
+    // What is left of a contact on the edge of its cone is rounding.
+    let reserve = if answer.margin.abs() <= 1e-12 * answer.normal_force() { 0.0 } else { answer.margin };
+    let moved = if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() };
+    let numbers = [
+        answer.normal_force(),
+        answer.friction_force(),
+        answer.friction_used(),
+        contact.friction_coefficient(),
+        reserve,
+        moved,
+        answer.body_core.norm(),
+    ];
+    let name = contact.label_text(index);
+    if numbers.iter().any(|x| x.is_nan()) {
+        return Err(PictureError(format!("a number of {name} is not a number")));
+    }
+    let mut words = numbers.map(short);
+    if contact.hold == Hold::Bonded {
+        // Glued, it has no friction to use.
+        (words[2], words[3]) = ("–".into(), "bonded".into());
+    }
+    let state = word(answer);
+    let _ = write!(
+        page,
+        "<tr data-contact=\"{index}\"><th>{}</th><td class=\"{}\">{state}</td>",
+        html(&name),
+        state.replace(' ', "-")
+    );
+    for words in words {
+        let _ = write!(page, "<td>{words}</td>");
+    }
+    page.push_str("</tr>\n");
+    Ok(())
+}

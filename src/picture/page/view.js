@@ -1,0 +1,257 @@
+"use strict";
+// Draws the grasp on a canvas, seen from afar, and turns it. Everything is painted from back to front.
+(() => {
+  const scene = JSON.parse(document.getElementById("grasp").textContent);
+  const canvas = document.getElementById("view");
+  const pen = canvas.getContext("2d");
+  const COLOURS = {
+    "rolling": "#0072b2", "about-to-slide": "#e69f00", "sliding": "#d55e00", "separated": "#6e6e6e", "frictionless": "#009e73",
+  };
+  const [BLACK, GREY, PINK, SKY] = ["#000", "#6e6e6e", "#cc79a7", "#3a8fc8"];
+  const SIDES = 32, MANY = 12;
+  const START = { yaw: -0.6, pitch: 0.45, zoom: 1 };
+  let { yaw, pitch, zoom } = START;
+  let shown = 0, lit = -1;
+  const layers = {};
+
+  const add = (a, b, s = 1) => a.map((x, k) => x + s * b[k]);
+  const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const length = (a) => Math.hypot(...a);
+  // To first order, magnified.
+  const moved = (twist, p) => add(p, add(twist.slice(0, 3), cross(twist.slice(3), p)), scene.displacement);
+
+  // Everything of every answer stays inside the picture, so that answers can be compared.
+  const reach = (() => {
+    const ends = [...scene.outlines.flat()];
+    for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -0.12 * scene.span));
+    for (const frame of scene.frames.filter(Boolean)) {
+      const { load } = frame;
+      frame.contacts.forEach(({ force }, i) => ends.push(add(scene.contacts[i].point, force, scene.force)));
+      ends.push(load.at, add(load.at, load.force, scene.force), add(load.at, load.moment, scene.moment));
+      ends.push(...scene.outlines.flat().map((p) => moved(frame.twist, p)));
+    }
+    return Math.max(...ends.map((p) => length(add(p, scene.centre, -1))), scene.span / 2);
+  })();
+
+  // A point in pixels and its distance towards the eye.
+  let project = () => [0, 0, 0];
+  const look = () => {
+    const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
+    const right = [cy, sy, 0], eye = [sy * cp, -cy * cp, sp], up = cross(eye, right);
+    const scale = (0.46 * zoom * Math.min(canvas.clientWidth, canvas.clientHeight)) / reach;
+    project = (p) => {
+      const q = add(p, scene.centre, -1);
+      return [canvas.clientWidth / 2 + scale * dot(right, q), canvas.clientHeight / 2 - scale * dot(up, q), scale * dot(eye, q)];
+    };
+  };
+
+  let strokes = [];
+  const paint = (depth, draw) => strokes.push({ depth, draw });
+  const path = (points, closed) => {
+    pen.beginPath();
+    points.forEach(([x, y], k) => (k ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+    if (closed) pen.closePath();
+  };
+  const line = (from, to, ink, width, dashes = []) => {
+    const ends = [project(from), project(to)];
+    paint((ends[0][2] + ends[1][2]) / 2, () => {
+      path(ends);
+      [pen.strokeStyle, pen.lineWidth] = [ink, width];
+      pen.setLineDash(dashes);
+      pen.stroke();
+      pen.setLineDash([]);
+    });
+  };
+  const loop = (points, ink, width, dashes) =>
+    points.forEach((p, k) => line(p, points[(k + 1) % points.length], ink, width, dashes));
+  const face = (points, ink, opacity) => {
+    const corners = points.map(project);
+    paint(corners.reduce((sum, c) => sum + c[2], 0) / corners.length, () => {
+      path(corners, true);
+      pen.globalAlpha = opacity;
+      pen.fillStyle = ink;
+      pen.fill();
+      pen.globalAlpha = 1;
+    });
+  };
+  const head = (tip, back, ink, width) => {
+    const [a, b] = [project(tip), project(back)];
+    const along = [a[0] - b[0], a[1] - b[1]], size = Math.hypot(...along);
+    if (size < 1e-6) return;
+    const [long, wide] = [Math.min(4.5 * width, size), 1.6 * width];
+    const [x, y] = [along[0] / size, along[1] / size];
+    const neck = [a[0] - long * x, a[1] - long * y];
+    paint(a[2] + 1e-3, () => {
+      path([a, [neck[0] - wide * y, neck[1] + wide * x], [neck[0] + wide * y, neck[1] - wide * x]], true);
+      pen.fillStyle = ink;
+      pen.fill();
+    });
+  };
+  const arrow = (from, along, ink, width, heads = 1) => {
+    if (length(along) === 0) return;
+    // The line ends inside the head.
+    const size = Math.hypot(...[0, 1].map((k) => project(add(from, along))[k] - project(from)[k]));
+    const neck = Math.max(0, 1 - (3 * width * heads) / Math.max(size, 1e-6));
+    line(from, add(from, along, neck), ink, width);
+    head(add(from, along), from, ink, width);
+    if (heads === 2) head(add(from, along, Math.max(0, 1 - (4.5 * width) / Math.max(size, 1e-6))), from, ink, width);
+  };
+  const text = (at, words, ink, bold, [dx, dy] = [10, -8]) => {
+    const [x, y] = project(at);
+    paint(Infinity, () => {
+      pen.font = `${bold ? "bold " : ""}14px sans-serif`;
+      [pen.lineWidth, pen.strokeStyle, pen.fillStyle] = [4, "#ffffffd0", ink];
+      pen.strokeText(words, x + dx, y + dy);
+      pen.fillText(words, x + dx, y + dy);
+    });
+  };
+
+  const drawCone = ({ point, normal, tangents, mu }, normalForce, ink) => {
+    const high = 1.15 * normalForce * scene.force, wide = mu * high;
+    if (!(high > 0 && wide > 0)) return;
+    const rim = Array.from({ length: SIDES }, (_, k) => {
+      const [c, s] = [Math.cos((2 * Math.PI * k) / SIDES), Math.sin((2 * Math.PI * k) / SIDES)];
+      return add(add(add(point, normal, high), tangents[0], wide * c), tangents[1], wide * s);
+    });
+    rim.forEach((p, k) => face([point, p, rim[(k + 1) % SIDES]], ink, 0.1));
+    loop(rim, ink, 1);
+  };
+
+  const drawContact = (contact, answer, i) => {
+    const { point, normal, name } = contact;
+    const ink = answer ? COLOURS[answer.state] : GREY;
+    // The finger, behind the contact.
+    line(add(point, normal, -0.12 * scene.span), point, GREY, 5);
+    if (answer) {
+      if (layers.cones) drawCone(contact, answer.normal_force, ink);
+      if (layers.forces) arrow(point, answer.force.map((f) => f * scene.force), ink, 3);
+      if (layers.displacements) arrow(point, answer.displacement.map((u) => u * scene.displacement), PINK, 2);
+      if (answer.slides) arrow(point, answer.slides.map((d) => 0.09 * scene.span * d), "#7a3600", 2);
+    }
+    const [x, y, depth] = project(point);
+    paint(depth + 1e-2, () => {
+      pen.beginPath();
+      pen.arc(x, y, i === lit ? 9 : 6, 0, 2 * Math.PI);
+      const open = !answer || answer.state === "separated";
+      [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = [open ? "#fff" : ink, open ? ink : "#fff", open ? 2 : 1];
+      pen.fill();
+      pen.stroke();
+    });
+    if (i === lit || (layers.names && scene.contacts.length <= MANY)) text(point, name, "#222", i === lit);
+  };
+
+  const drawAxes = () => {
+    // In the corner, turned like the grasp.
+    const origin = project(scene.centre), unit = reach / zoom;
+    const corner = [46, canvas.clientHeight - 46];
+    ["x", "y", "z"].forEach((name, k) => {
+      const tip = project(add(scene.centre, [0, 1, 2].map((j) => (j === k ? 0.13 * unit : 0))));
+      const end = [corner[0] + tip[0] - origin[0], corner[1] + tip[1] - origin[1]];
+      paint(Infinity, () => {
+        path([corner, end]);
+        [pen.strokeStyle, pen.lineWidth, pen.fillStyle, pen.font] = ["#888", 1.5, "#555", "13px sans-serif"];
+        pen.stroke();
+        pen.fillText(name, end[0] + 4 * Math.sign(end[0] - corner[0]) - 3, end[1] + 4 * Math.sign(end[1] - corner[1]) + 4);
+      });
+    });
+  };
+
+  const draw = () => {
+    const ratio = window.devicePixelRatio || 1;
+    [canvas.width, canvas.height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    [pen.lineJoin, pen.lineCap] = ["round", "round"];
+    look();
+    strokes = [];
+    const frame = scene.frames[shown];
+    for (const outline of scene.outlines) {
+      loop(outline, "#999", 1);
+      if (frame && layers.displacements) loop(outline.map((p) => moved(frame.twist, p)), PINK, 1, [5, 4]);
+    }
+    scene.contacts.forEach((contact, i) => drawContact(contact, frame && frame.contacts[i], i));
+    if (frame && layers.load) {
+      const { at, force, moment } = frame.load;
+      arrow(at, force.map((f) => f * scene.force), BLACK, 3);
+      arrow(at, moment.map((m) => m * scene.moment), BLACK, 2, 2);
+      const end = length(force) > 0 ? add(at, force, scene.force) : add(at, moment, scene.moment);
+      if (layers.names && length(add(end, at, -1)) > 0) text(end, "load", BLACK, false, [8, 14]);
+    }
+    if (frame && layers.free) {
+      for (const { at, along, turns } of frame.free) {
+        line(add(at, along, -0.75 * scene.span), add(at, along, 0.75 * scene.span), SKY, 2, [9, 6]);
+        text(add(at, along, 0.75 * scene.span), turns ? "turns freely" : "moves freely", SKY, false);
+      }
+    }
+    drawAxes();
+    strokes.sort((a, b) => a.depth - b.depth).forEach(({ draw }) => draw());
+  };
+
+  const show = (k) => {
+    shown = k;
+    for (const part of document.querySelectorAll("section[data-frame]")) part.hidden = Number(part.dataset.frame) !== k;
+    for (const button of document.querySelectorAll("#frames button")) {
+      button.setAttribute("aria-pressed", String(Number(button.dataset.frame) === k));
+    }
+    draw();
+  };
+  const light = (i) => {
+    if (i === lit) return;
+    lit = i;
+    for (const row of document.querySelectorAll("tr[data-contact]")) row.classList.toggle("lit", Number(row.dataset.contact) === i);
+    draw();
+  };
+  const under = ({ offsetX, offsetY }) => {
+    const near = scene.contacts.map(({ point }, i) => [Math.hypot(project(point)[0] - offsetX, project(point)[1] - offsetY), i]);
+    const [distance, i] = near.reduce((best, next) => (next[0] < best[0] ? next : best));
+    return distance < 14 ? i : -1;
+  };
+  const turn = (across, down) => {
+    yaw -= 0.008 * across;
+    pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, pitch + 0.008 * down));
+    draw();
+  };
+
+  let held = null;
+  canvas.addEventListener("pointerdown", (event) => {
+    held = [event.clientX, event.clientY];
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!held) return light(under(event));
+    turn(event.clientX - held[0], event.clientY - held[1]);
+    held = [event.clientX, event.clientY];
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { held = null; });
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    zoom = Math.max(0.2, Math.min(20, zoom * Math.exp(-0.0015 * event.deltaY)));
+    draw();
+  }, { passive: false });
+  canvas.addEventListener("dblclick", () => {
+    ({ yaw, pitch, zoom } = START);
+    draw();
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const way = { ArrowLeft: [-15, 0], ArrowRight: [15, 0], ArrowUp: [0, -15], ArrowDown: [0, 15] }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    turn(...way);
+  });
+  for (const row of document.querySelectorAll("tr[data-contact]")) {
+    row.addEventListener("mouseenter", () => light(Number(row.dataset.contact)));
+    row.addEventListener("mouseleave", () => light(-1));
+  }
+  for (const button of document.querySelectorAll("#frames button")) {
+    button.addEventListener("click", () => show(Number(button.dataset.frame)));
+  }
+  for (const box of document.querySelectorAll("input[data-layer]")) {
+    layers[box.dataset.layer] = box.checked;
+    box.addEventListener("change", () => {
+      layers[box.dataset.layer] = box.checked;
+      draw();
+    });
+  }
+  window.addEventListener("resize", draw);
+  draw();
+})();

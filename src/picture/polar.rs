@@ -1,0 +1,263 @@
+//! Curves around a point: a number for every direction in the plane.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use plotters::style::{Color, colors::BLACK};
+
+use super::polar_curve::{draw_curve, width_of};
+use super::sheet::{Place, Sheet, in_steps, round_up, sheet};
+use super::{GREY, PALETTE, PictureError, Series, Stroke};
+
+/// A polar chart: radius over direction, angles from x towards y; build it up, then [`Polar::to_svg`].
+///
+/// Radii that are infinite, or beyond the rim, are shown as an arc along the rim, which is how far the picture goes; where a radius is not a
+/// number the curve has a gap.
+///
+/// ```
+/// use grasp_lcp::picture::{Polar, Stroke};
+///
+/// let circle: Vec<_> = (0..360).map(|k| (f64::from(k).to_radians(), 2.0)).collect();
+/// let svg = Polar::new("Two newtons in every direction", "N").curve("force", circle, Stroke::Line).to_svg()?;
+/// assert!(svg.starts_with("<svg"));
+/// # Ok::<(), grasp_lcp::picture::PictureError>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Polar {
+    title: String,
+    unit: String,
+    curves: Vec<Series>,
+    marks: Vec<(Vec<(f64, f64)>, String)>,
+    rays: Vec<(f64, String)>,
+    notes: Vec<String>,
+    rim: Option<f64>,
+}
+
+const SIZE: (u32, u32) = (860, 640);
+pub(super) const MIDDLE: Place = (330.0, 340.0);
+/// Of the rim, pixels.
+pub(super) const RADIUS: f64 = 225.0;
+/// Left edge of the legend, and the length of its lines.
+const LEGEND: f64 = 630.0;
+const SAMPLE: f64 = 22.0;
+/// Letters of a name that has room outside the rim.
+const SHORT: usize = 10;
+
+impl Polar {
+    /// An empty chart with its title and the unit of the radii.
+    #[must_use]
+    pub fn new(title: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { title: title.into(), unit: unit.into(), ..Self::default() }
+    }
+
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first.
+    #[must_use]
+    pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
+        self.curves.push(Series { name: name.into(), points, stroke });
+        self
+    }
+
+    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the label stands in the legend.
+    #[must_use]
+    pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
+        self.marks.push((points, label.into()));
+        self
+    }
+
+    /// Names a direction outside the rim.
+    #[must_use]
+    pub fn ray(mut self, angle: f64, label: impl Into<String>) -> Self {
+        self.rays.push((angle, label.into()));
+        self
+    }
+
+    /// A line of text below the legend.
+    #[must_use]
+    pub fn note(mut self, text: impl Into<String>) -> Self {
+        self.notes.push(text.into());
+        self
+    }
+
+    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the next ring outside it.
+    #[must_use]
+    pub fn rim(mut self, radius: f64) -> Self {
+        self.rim = Some(radius);
+        self
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// [`PictureError`] if there is no positive finite radius to draw, or the rim is none.
+    pub fn to_svg(&self) -> Result<String, PictureError> {
+        let radii = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
+        let most = radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
+        if most <= 0.0 {
+            return Err(PictureError("no positive finite radius".into()));
+        }
+        let wanted = self.rim.unwrap_or(most);
+        if !(wanted > 0.0 && wanted.is_finite()) {
+            return Err(PictureError("the rim must have a positive, finite radius".into()));
+        }
+        let step = round_up(wanted / 5.0);
+        let rim = step * (wanted / step - 1e-9).ceil();
+        sheet(SIZE, |paper| {
+            paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
+            self.draw_grid(paper, rim, step)?;
+            // The first curve lies on top.
+            for (k, curve) in self.curves.iter().enumerate().rev() {
+                draw_curve(paper, rim, k, curve)?;
+            }
+            for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
+                let end = at(*angle, RADIUS * (radius / rim).min(1.0));
+                paper.line([MIDDLE, end], BLACK, 1.0)?;
+                paper.circle(end, 4.5, BLACK, None)?;
+            }
+            self.draw_rays(paper)?;
+            self.draw_numbers(paper, rim, step)?;
+            self.draw_legend(paper)
+        })
+    }
+
+    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+        for radius in rings(rim, step) {
+            paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7))?;
+        }
+        paper.circle(MIDDLE, RADIUS, GREY, Some(1.2))?;
+        for k in 0..12 {
+            let angle = f64::from(k) * PI / 6.0;
+            let strong = k % 3 == 0;
+            let ink = GREY.mix(if strong { 0.6 } else { 0.3 });
+            paper.line([MIDDLE, at(angle, RADIUS)], ink, 0.7)?;
+            let axis = match k {
+                0 => "0°, +x",
+                3 => "90°, +y",
+                6 => "180°, −x",
+                9 => "270°, −y",
+                _ => "",
+            };
+            let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
+            // A little aside of a named direction.
+            let named = |(ray, _): &(f64, String)| ((ray - angle + PI).rem_euclid(TAU) - PI).abs() < 0.12;
+            let aside = if self.rays.iter().any(named) { 0.13 } else { 0.0 };
+            outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0)?;
+        }
+        Ok(())
+    }
+
+    /// Small arrows outside the arcs, with their names, or with letters for the legend where names are long or meet.
+    fn draw_rays(&self, paper: &Sheet) -> Result<(), PictureError> {
+        let lettered = self.rays_have_letters();
+        for (k, (angle, label)) in self.rays.iter().enumerate() {
+            let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
+            let tail = [at(angle - side, RADIUS + 13.0), at(angle + side, RADIUS + 13.0)];
+            paper.area([tip, tail[0], tail[1]], BLACK)?;
+            // Letters of rays that meet stand one after the other.
+            let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
+            let words = if lettered { letter(k) } else { label.clone() };
+            outside(paper, *angle, RADIUS + 36.0 + 16.0 * before as f64, &words, 14.0)?;
+        }
+        Ok(())
+    }
+
+    fn rays_have_letters(&self) -> bool {
+        self.rays.iter().enumerate().any(|(k, (angle, label))| {
+            label.chars().count() > SHORT || self.rays[..k].iter().any(|(other, _)| meet(*other, *angle))
+        })
+    }
+
+    /// Along the spoke on which the curves leave most room.
+    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+        let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
+        let crowd = |angle: f64| {
+            let close = |a: f64, r: f64| {
+                let turn = (a - angle + PI).rem_euclid(TAU) - PI;
+                let near = |ring: &&f64| (r - **ring).abs() < 0.05 * rim;
+                turn.abs() < 0.12 && numbered.iter().find(near).is_some()
+            };
+            let marks = self.marks.iter().flat_map(|(points, _)| points).map(|(a, _)| (*a, numbered[0]));
+            let points = self.curves.iter().flat_map(|curve| &curve.points).copied();
+            points.chain(marks).filter(|(a, r)| close(*a, *r)).count()
+        };
+        let spokes = (0..12).map(|k| f64::from(k) * PI / 6.0 + PI / 12.0);
+        let spoke = spokes.min_by_key(|angle| crowd(*angle)).unwrap_or(FRAC_PI_2);
+        for (k, radius) in numbered.iter().enumerate() {
+            let unit = if k + 1 == numbered.len() { format!(" {}", self.unit) } else { String::new() };
+            let words = format!("{}{unit}", in_steps(*radius, step));
+            paper.plaque(at(spoke, RADIUS * radius / rim), &words, 12.0, 0.5)?;
+        }
+        Ok(())
+    }
+
+    fn draw_legend(&self, paper: &Sheet) -> Result<(), PictureError> {
+        let mut y = 80.0;
+        for (k, Series { name, stroke, .. }) in self.curves.iter().enumerate() {
+            let ink = PALETTE[k % PALETTE.len()];
+            let ends = [(LEGEND, y), (LEGEND + SAMPLE, y)];
+            match stroke {
+                Stroke::Circles => paper.circle((LEGEND + SAMPLE / 2.0, y), 4.0, ink, Some(1.5))?,
+                Stroke::Dots => paper.circle((LEGEND + SAMPLE / 2.0, y), 2.0, ink, None)?,
+                Stroke::Dashed => paper.dashes(&ends, ink, 2.0)?,
+                _ => paper.line(ends, ink, width_of(k))?,
+            }
+            y = legend_text(paper, y, name)?;
+        }
+        for (_, label) in &self.marks {
+            paper.line([(LEGEND, y), (LEGEND + SAMPLE / 2.0, y)], BLACK, 1.0)?;
+            paper.circle((LEGEND + SAMPLE / 2.0, y), 4.5, BLACK, None)?;
+            y = legend_text(paper, y, label)?;
+        }
+        if self.rays_have_letters() {
+            for (k, (_, label)) in self.rays.iter().enumerate() {
+                paper.text((LEGEND + SAMPLE / 2.0, y), &letter(k), 14.0, 0.5, BLACK)?;
+                y = legend_text(paper, y, label)?;
+            }
+        }
+        y += 8.0;
+        for note in &self.notes {
+            paper.text((LEGEND, y), note, 13.0, 0.0, GREY)?;
+            y += 18.0;
+        }
+        Ok(())
+    }
+}
+
+fn meet(angle: f64, other: f64) -> bool {
+    ((angle - other + PI).rem_euclid(TAU) - PI).abs() < 0.06
+}
+
+/// a, b, c … and numbers after z.
+fn letter(k: usize) -> String {
+    u8::try_from(k)
+        .ok()
+        .filter(|k| *k < 26)
+        .map_or_else(|| k.to_string(), |k| char::from(b'a' + k).to_string())
+}
+
+/// Line by line; returns where the next entry goes.
+fn legend_text(paper: &Sheet, y: f64, words: &str) -> Result<f64, PictureError> {
+    let mut at = y;
+    for line in words.lines() {
+        paper.text((LEGEND + SAMPLE + 8.0, at), line, 14.0, 0.0, BLACK)?;
+        at += 18.0;
+    }
+    Ok(at + 6.0)
+}
+
+fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
+    (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * (1.0 - 1e-6))
+}
+
+/// A place so many pixels from the middle.
+pub(super) fn at(angle: f64, radius: f64) -> Place {
+    (MIDDLE.0 + radius * angle.cos(), MIDDLE.1 - radius * angle.sin())
+}
+
+/// A text that grows away from the middle.
+fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Result<(), PictureError> {
+    let left = match angle.cos() {
+        c if c > 0.2 => 0.0,
+        c if c < -0.2 => 1.0,
+        _ => 0.5,
+    };
+    paper.text(at(angle, radius), words, size, left, BLACK)
+}

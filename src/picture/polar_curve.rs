@@ -1,0 +1,73 @@
+//! One curve of a polar chart: inside the rim as a line, beyond it as an arc along the rim.
+
+use std::f64::consts::TAU;
+
+use super::polar::{MIDDLE, RADIUS, at};
+use super::sheet::{Place, Sheet};
+use super::{PALETTE, PictureError, Series, Stroke};
+
+/// Draws the curve with this index, which says its colour.
+pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Result<(), PictureError> {
+    let Series { points, stroke, .. } = curve;
+    let ink = PALETTE[index % PALETTE.len()];
+    let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);
+    let inside = points.iter().copied().filter(|(_, radius)| *radius <= rim);
+    match stroke {
+        Stroke::Circles => {
+            return inside.map(place).try_for_each(|p| paper.circle(p, 4.0, ink, Some(1.5)));
+        }
+        Stroke::Dots => return inside.map(place).try_for_each(|p| paper.circle(p, 2.0, ink, None)),
+        Stroke::Bars => return inside.map(place).try_for_each(|p| paper.line([MIDDLE, p], ink, 1.5)),
+        Stroke::Marked => inside.map(place).try_for_each(|p| paper.circle(p, 3.0, ink, None))?,
+        Stroke::Line | Stroke::Dashed => {}
+    }
+    let draw = |line: &[Place]| match stroke {
+        _ if line.len() < 2 => Ok(()),
+        Stroke::Dashed => paper.dashes(line, ink, 2.0),
+        _ => paper.line(line.iter().copied(), ink, width_of(index)),
+    };
+    // Arcs of several curves lie side by side.
+    let arc_radius = RADIUS + 3.0 + 4.0 * index as f64;
+    let (mut line, mut arc): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
+    for (k, &(angle, radius)) in points.iter().enumerate() {
+        let (next_angle, next) = points[(k + 1) % points.len()];
+        let at_crossing = angle + crossing(radius, next, rim) * (next_angle - angle).rem_euclid(TAU);
+        if radius <= rim {
+            line.push(place((angle, radius)));
+        } else if radius > rim {
+            arc.push(at(angle, arc_radius));
+        }
+        if radius.is_nan() || next.is_nan() {
+            draw(&std::mem::take(&mut line))?;
+            paper.line(std::mem::take(&mut arc), ink, 4.0)?;
+        } else if radius <= rim && next > rim {
+            line.push(at(at_crossing, RADIUS));
+            draw(&std::mem::take(&mut line))?;
+            arc.push(at(at_crossing, arc_radius));
+        } else if radius > rim && next <= rim {
+            arc.push(at(at_crossing, arc_radius));
+            paper.line(std::mem::take(&mut arc), ink, 4.0)?;
+            line.push(at(at_crossing, RADIUS));
+        }
+    }
+    if let Some(&(angle, radius)) = points.first() {
+        if radius <= rim {
+            line.push(place((angle, radius)));
+        } else if radius > rim {
+            arc.push(at(angle, arc_radius));
+        }
+    }
+    paper.line(arc, ink, 4.0)?;
+    draw(&line)
+}
+
+/// Curves farther down are wider, so that they show beside those on top of them.
+pub(super) fn width_of(index: usize) -> f64 {
+    2.0 + 3.0 * index.min(2) as f64
+}
+
+/// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite radii have, too.
+fn crossing(from: f64, to: f64, rim: f64) -> f64 {
+    let part = (1.0 / from - 1.0 / rim) / (1.0 / from - 1.0 / to);
+    if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }
+}

@@ -1,0 +1,171 @@
+//! Paper to draw on in pixels: lines, areas and texts of plotters without axes.
+
+use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{FONT, PictureError};
+
+/// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a picture has smooth curves.
+const FINE: u32 = 4;
+
+/// A place on the paper, pixels to the right and downwards.
+pub(super) type Place = (f64, f64);
+
+pub(super) struct Sheet<'a> {
+    root: DrawingArea<SVGBackend<'a>, Shift>,
+}
+
+/// Draws on a white sheet of so many pixels.
+pub(super) fn sheet(
+    (wide, high): (u32, u32),
+    draw: impl FnOnce(&Sheet) -> Result<(), PictureError>,
+) -> Result<String, PictureError> {
+    let mut svg = String::new();
+    {
+        let size = (wide * FINE, high * FINE);
+        let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        root.fill(&WHITE).map_err(PictureError::from_backend)?;
+        let sheet = Sheet { root };
+        draw(&sheet)?;
+        sheet.root.present().map_err(PictureError::from_backend)?;
+    }
+    let drawn = format!("width=\"{}\" height=\"{}\"", wide * FINE, high * FINE);
+    Ok(svg.replacen(&drawn, &format!("width=\"{wide}\" height=\"{high}\""), 1))
+}
+
+/// The nearest pixel of the fine grid; far outside it is kept away from the limits of integers.
+pub(super) fn pixel((x, y): Place) -> (i32, i32) {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped")]
+    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-1e6, 1e6) as i32;
+    (whole(x), whole(y))
+}
+
+impl Sheet<'_> {
+    /// A line through places.
+    pub(super) fn line(
+        &self,
+        places: impl IntoIterator<Item = Place>,
+        color: impl Into<RGBAColor>,
+        width: f64,
+    ) -> Result<(), PictureError> {
+        self.pixels(places.into_iter().map(pixel).collect(), color, width)
+    }
+
+    /// A line through places that have been rounded to pixels.
+    pub(super) fn pixels(
+        &self,
+        places: Vec<(i32, i32)>,
+        color: impl Into<RGBAColor>,
+        width: f64,
+    ) -> Result<(), PictureError> {
+        if places.len() < 2 {
+            return Ok(());
+        }
+        self.root
+            .draw(&PathElement::new(places, color.into().stroke_width(fine(width))))
+            .map_err(PictureError::from_backend)
+    }
+
+    /// A dashed line.
+    pub(super) fn dashes(
+        &self,
+        places: &[Place],
+        color: impl Into<RGBAColor>,
+        width: f64,
+    ) -> Result<(), PictureError> {
+        let pixels: Vec<_> = places.iter().map(|place| pixel(*place)).collect();
+        let style = color.into().stroke_width(fine(width));
+        let line = DashedPathElement::new(pixels, fine(7.0), fine(5.0), style);
+        self.root.draw(&line).map_err(PictureError::from_backend)
+    }
+
+    /// A filled area.
+    pub(super) fn area(
+        &self,
+        corners: impl IntoIterator<Item = Place>,
+        color: impl Into<RGBAColor>,
+    ) -> Result<(), PictureError> {
+        self.fill(corners.into_iter().map(pixel).collect(), color)
+    }
+
+    /// The same of corners that have been rounded to pixels.
+    pub(super) fn fill(
+        &self,
+        corners: Vec<(i32, i32)>,
+        color: impl Into<RGBAColor>,
+    ) -> Result<(), PictureError> {
+        self.root.draw(&Polygon::new(corners, color.into())).map_err(PictureError::from_backend)
+    }
+
+    /// A circle, filled or drawn with a line of some width.
+    pub(super) fn circle(
+        &self,
+        middle: Place,
+        radius: f64,
+        color: impl Into<RGBAColor>,
+        line: Option<f64>,
+    ) -> Result<(), PictureError> {
+        let color = color.into();
+        let style = line.map_or(color.filled(), |width| ShapeStyle {
+            color,
+            filled: false,
+            stroke_width: fine(width),
+        });
+        self.root.draw(&Circle::new(pixel(middle), fine(radius), style)).map_err(PictureError::from_backend)
+    }
+
+    /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of its height above.
+    pub(super) fn text(
+        &self,
+        place: Place,
+        words: &str,
+        size: f64,
+        left: f64,
+        color: RGBColor,
+    ) -> Result<(), PictureError> {
+        let side = match left {
+            l if l < 0.25 => HPos::Left,
+            l if l > 0.75 => HPos::Right,
+            _ => HPos::Center,
+        };
+        let style = (FONT, fine(size)).into_font().color(&color).pos(Pos::new(side, VPos::Center));
+        self.root.draw(&Text::new(words.to_owned(), pixel(place), style)).map_err(PictureError::from_backend)
+    }
+
+    /// The same on a light ground, so that it can be read on anything.
+    pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Result<(), PictureError> {
+        // Letters of a sans serif face are a little more than half as wide as high.
+        let wide = 0.54 * size * words.chars().count() as f64 + 4.0;
+        let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
+        let high = 0.62 * size;
+        let corners = [(x, y - high), (x + wide, y - high), (x + wide, y + high), (x, y + high)];
+        self.area(corners, WHITE.mix(0.75))?;
+        self.text(place, words, size, left, BLACK)
+    }
+}
+
+fn fine(length: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths of a few pixels")]
+    let whole = (length * f64::from(FINE)).round() as u32;
+    whole.max(1)
+}
+
+/// A round number, 1, 2 or 5 times a power of ten, not below a positive one.
+pub(super) fn round_up(x: f64) -> f64 {
+    let power = 10f64.powf(x.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0];
+    steps
+        .into_iter()
+        .map(|step| step * power)
+        .find(|rounded| *rounded >= x * (1.0 - 1e-9))
+        .unwrap_or(10.0 * power)
+}
+
+/// A number that is a few steps, with no more digits than the step needs.
+pub(super) fn in_steps(x: f64, step: f64) -> String {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+    let digits = (-step.log10() + 1e-9).ceil().clamp(0.0, 12.0) as usize;
+    if (1e-4..1e6).contains(&step) { format!("{x:.digits$}") } else { format!("{x:.1e}") }
+}

@@ -1,0 +1,304 @@
+//! A number for every direction in space, as a map of equal areas.
+
+use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+
+use plotters::style::{Color, RGBColor, colors::BLACK, colors::WHITE};
+
+use super::bands::Bands;
+use super::regions::{Corner, joined, outlines};
+use super::sheet::{Place, Sheet, sheet};
+use super::sphere_grid::SphereGrid;
+use super::{GREY, PictureError, VERMILION};
+
+/// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) on the left and downwards
+/// on the right, both seen from above, x to the right and y up. A disc's middle is ±z, its rim the directions across z.
+///
+/// ```
+/// use grasp_lcp::picture::{SphereGrid, SphereMap};
+///
+/// let grid = SphereGrid::new(12, 24);
+/// let values = grid.directions().iter().map(|d| 2.0 + d[0]).collect();
+/// let svg = SphereMap::new("Two and a bit", "2 + x", grid, values)?.mark([-1.0, 0.0, 0.0], "least").to_svg()?;
+/// assert!(svg.starts_with("<svg"));
+/// # Ok::<(), grasp_lcp::picture::PictureError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SphereMap {
+    title: String,
+    quantity: String,
+    grid: SphereGrid,
+    values: Vec<f64>,
+    marks: Vec<([f64; 3], String)>,
+    rays: Vec<([f64; 3], String)>,
+    notes: Vec<String>,
+    unbounded: String,
+    missing: String,
+}
+
+const WIDE: u32 = 860;
+const HIGH: u32 = 530;
+const RADIUS: f64 = 165.0;
+/// Middles of the discs.
+const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
+/// Where the notes begin.
+const FOOT: f64 = 510.0;
+/// Right edge of the colour scale, and its height.
+const BAR: (f64, f64) = (848.0, 320.0);
+const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
+const MISSING: RGBColor = RGBColor(190, 190, 190);
+
+impl SphereMap {
+    /// A map of one value for each direction of the grid. An infinite value means that there is no bound that way, a value that is not a number that none
+    /// is known; both get colours of their own.
+    ///
+    /// # Errors
+    /// [`PictureError`] if there are more or fewer values than directions, or none of them is finite.
+    pub fn new(
+        title: impl Into<String>,
+        quantity: impl Into<String>,
+        grid: SphereGrid,
+        values: Vec<f64>,
+    ) -> Result<Self, PictureError> {
+        if values.len() != grid.len() {
+            let (given, expected) = (values.len(), grid.len());
+            return Err(PictureError(format!("{given} values for {expected} directions")));
+        }
+        if !values.iter().any(|value| value.is_finite()) {
+            return Err(PictureError("no finite value".into()));
+        }
+        Ok(Self {
+            title: title.into(),
+            quantity: quantity.into(),
+            grid,
+            values,
+            marks: Vec::new(),
+            rays: Vec::new(),
+            notes: Vec::new(),
+            unbounded: "no bound".into(),
+            missing: "not known".into(),
+        })
+    }
+
+    /// Marks a direction with a dot and a label.
+    #[must_use]
+    pub fn mark(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
+        self.marks.push((direction, label.into()));
+        self
+    }
+
+    /// Marks a direction with a cross and a label, for what the map is about: a contact normal.
+    #[must_use]
+    pub fn ray(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
+        self.rays.push((direction, label.into()));
+        self
+    }
+
+    /// A line of text below the map.
+    #[must_use]
+    pub fn note(mut self, text: impl Into<String>) -> Self {
+        self.notes.push(text.into());
+        self
+    }
+
+    /// What infinite values, and values that are not numbers, mean.
+    #[must_use]
+    pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
+        (self.unbounded, self.missing) = (unbounded.into(), missing.into());
+        self
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// [`PictureError`] if the back end fails.
+    pub fn to_svg(&self) -> Result<String, PictureError> {
+        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let (low, high) =
+            (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        let bands = Bands::new(low, high);
+        let size = (WIDE, HIGH + 18 * u32::try_from(self.notes.len()).unwrap_or(0));
+        sheet(size, |paper| {
+            paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
+            for (side, middle) in DISCS.into_iter().enumerate() {
+                self.draw_disc(paper, side, middle, &bands)?;
+            }
+            for (marks, dot) in [(&self.rays, false), (&self.marks, true)] {
+                for (direction, label) in marks {
+                    draw_mark(paper, *direction, label, dot)?;
+                }
+            }
+            self.draw_scale(paper, &bands)?;
+            for (k, note) in self.notes.iter().enumerate() {
+                paper.text((18.0, FOOT + 18.0 * k as f64), note, 13.0, 0.0, GREY)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn draw_disc(
+        &self,
+        paper: &Sheet,
+        side: usize,
+        middle: Place,
+        bands: &Bands,
+    ) -> Result<(), PictureError> {
+        // What has no finite value is painted over afterwards.
+        let filled = self.filled();
+        let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
+        for band in 0..bands.count() {
+            let level = if band == 0 { f64::NEG_INFINITY } else { bands.measure(bands.levels[band]) };
+            let loops = outlines(&triangles, level);
+            if loops.is_empty() {
+                continue;
+            }
+            paper.fill(joined(&loops), bands.color(band))?;
+            for line in loops.iter().filter(|_| band > 0) {
+                paper.pixels(line.clone(), WHITE.mix(0.55), 0.6)?;
+            }
+        }
+        for (color, is) in
+            [(UNBOUNDED, f64::is_infinite as fn(f64) -> bool), (MISSING, f64::is_nan as fn(f64) -> bool)]
+        {
+            let triangles = self.triangles(side, middle, |k| f64::from(u8::from(is(self.values[k]))));
+            let loops = outlines(&triangles, 0.5);
+            if !loops.is_empty() {
+                paper.fill(joined(&loops), color)?;
+            }
+        }
+        for degrees in [30.0_f64, 60.0] {
+            let radius = RADIUS * SQRT_2 * (degrees.to_radians() / 2.0).sin();
+            paper.circle(middle, radius, BLACK.mix(0.35), Some(0.6))?;
+            let place = (middle.0 + radius * 0.5_f64.sqrt(), middle.1 + radius * 0.5_f64.sqrt());
+            paper.plaque(place, &format!("{degrees:.0}°"), 10.0, 0.5)?;
+        }
+        for k in 0..12 {
+            let (sin, cos) = (f64::from(k) * TAU / 12.0).sin_cos();
+            let end = |part: f64| (middle.0 + part * RADIUS * cos, middle.1 - part * RADIUS * sin);
+            paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6)?;
+        }
+        paper.circle(middle, RADIUS, BLACK, Some(1.2))?;
+        for (k, name) in ["+x", "+y", "−x", "−y"].into_iter().enumerate() {
+            let (sin, cos) = (k as f64 * FRAC_PI_2).sin_cos();
+            let place = (middle.0 + (RADIUS + 15.0) * cos, middle.1 - (RADIUS + 13.0) * sin);
+            paper.text(place, name, 14.0, 0.5, BLACK)?;
+        }
+        let words = if side == 0 { "upwards: +z in the middle" } else { "downwards: −z in the middle" };
+        paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK)
+    }
+
+    /// The values, with the mean of their neighbours for those that are not finite: what is painted over must not bend contours beside it.
+    fn filled(&self) -> Vec<f64> {
+        let SphereGrid { rings, around } = self.grid;
+        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let overall = finite().fold(f64::NEG_INFINITY, f64::max);
+        let mut filled = self.values.clone();
+        for ring in 0..=2 * rings {
+            let pole = ring == 0 || ring == 2 * rings;
+            for k in 0..if pole { 1 } else { around } {
+                let index = self.grid.index(ring, k);
+                if self.values[index].is_finite() {
+                    continue;
+                }
+                let aside: Vec<usize> =
+                    if pole { (0..around).collect() } else { vec![k + around - 1, k, k + 1] };
+                let rows = ring.saturating_sub(1)..=(ring + 1).min(2 * rings);
+                let near = rows.flat_map(|row| aside.iter().map(move |k| (row, *k)));
+                let near: Vec<f64> = near
+                    .map(|(row, k)| self.values[self.grid.index(row, k)])
+                    .filter(|value| value.is_finite())
+                    .collect();
+                let mean = near.iter().sum::<f64>() / near.len() as f64;
+                filled[index] = if near.is_empty() { overall } else { mean };
+            }
+        }
+        filled
+    }
+
+    /// Triangles of one hemisphere, all turning the same way, with a function of the directions at their corners.
+    fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
+        let SphereGrid { rings, around } = self.grid;
+        let corner = |ring: usize, k: usize| {
+            let from_pole = self.grid.polar_angle(ring);
+            let radius = RADIUS * SQRT_2 * (from_pole / 2.0).sin();
+            let (sin, cos) = self.grid.azimuth(k % around).sin_cos();
+            let place = (middle.0 + radius * cos, middle.1 - radius * sin);
+            let of_sphere = if side == 0 { ring } else { 2 * rings - ring };
+            (place, field(self.grid.index(of_sphere, k)))
+        };
+        let mut triangles = Vec::new();
+        for ring in 0..rings {
+            for k in 0..around {
+                let [a, b, c, d] =
+                    [corner(ring, k), corner(ring + 1, k), corner(ring + 1, k + 1), corner(ring, k + 1)];
+                triangles.push([a, b, c]);
+                if ring > 0 {
+                    triangles.push([a, c, d]);
+                }
+            }
+        }
+        triangles
+    }
+
+    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Result<(), PictureError> {
+        let (right, high) = BAR;
+        let (left, bottom) = (right - 16.0, DISCS[1].1 + high / 2.0);
+        let each = high / bands.count() as f64;
+        for (k, level) in bands.levels.iter().enumerate() {
+            let (low, top) = (bottom - each * k as f64, bottom - each * (k + 1) as f64);
+            if k < bands.count() {
+                paper.area([(left, low), (right, low), (right, top), (left, top)], bands.color(k))?;
+            }
+            paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK)?;
+        }
+        paper.text((f64::from(WIDE) - 8.0, bottom - high - 20.0), &self.quantity, 13.0, 1.0, BLACK)?;
+        let mut x = 18.0;
+        let present = [
+            (UNBOUNDED, &self.unbounded, self.values.iter().any(|value| value.is_infinite())),
+            (MISSING, &self.missing, self.values.iter().any(|value| value.is_nan())),
+        ];
+        for (color, words, _) in present.into_iter().filter(|(_, _, there)| *there) {
+            let y = FOOT - 24.0;
+            let corners = [(x, y - 6.0), (x + 16.0, y - 6.0), (x + 16.0, y + 6.0), (x, y + 6.0)];
+            paper.area(corners, color)?;
+            paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7)?;
+            paper.text((x + 22.0, y), words, 13.0, 0.0, BLACK)?;
+            x += 60.0 + 7.0 * words.chars().count() as f64;
+        }
+        Ok(())
+    }
+}
+
+/// On the disc to which it points; across z on both.
+fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Result<(), PictureError> {
+    let [x, y, z] = direction;
+    let size = x.hypot(y).hypot(z);
+    if !(size > 0.0 && size.is_finite()) {
+        return Err(PictureError(format!("the direction of \"{label}\" has no length")));
+    }
+    let level = z.abs() <= 1e-9 * size;
+    for (side, middle) in DISCS.into_iter().enumerate() {
+        if !level && (z > 0.0) != (side == 0) {
+            continue;
+        }
+        let from_pole = x.hypot(y).atan2(z.abs());
+        let radius = RADIUS * SQRT_2 * (from_pole / 2.0).sin();
+        let flat = x.hypot(y).max(f64::MIN_POSITIVE);
+        let place = (middle.0 + radius * x / flat, middle.1 - radius * y / flat);
+        if dot {
+            paper.circle(place, 6.0, WHITE, None)?;
+            paper.circle(place, 4.5, VERMILION, None)?;
+        } else {
+            for (ink, width) in [(WHITE, 4.0), (BLACK, 1.8)] {
+                for slope in [1.0, -1.0] {
+                    let ends = [-5.0, 5.0].map(|d| (place.0 + d, place.1 + slope * d));
+                    paper.line(ends, ink, width)?;
+                }
+            }
+        }
+        // Towards the middle, where there is room.
+        let left = if place.0 > middle.0 { 1.0 } else { 0.0 };
+        let aside = if left > 0.0 { -10.0 } else { 10.0 };
+        paper.plaque((place.0 + aside, place.1), label, 12.0, left)?;
+    }
+    Ok(())
+}

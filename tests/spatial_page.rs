@@ -1,0 +1,103 @@
+//! A page with a spatial grasp needs nothing else, cannot be broken out of by names, and has the numbers of the answer to the last bit.
+
+use grasp_lcp::picture::SpatialPage;
+use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Wrench};
+use serde_json::Value;
+
+const NASTY: &str = "</script><script>alert(\"1 & 'x'\")</script>\u{2028}\\";
+
+type Failure = Box<dyn std::error::Error>;
+
+fn jar(name: &str) -> Result<Grasp, grasp_lcp::Error> {
+    let finger = |name: &str, degrees: f64, height: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Contact::new([0.03 * cos, 0.03 * sin, height], [-cos, -sin, 0.0])
+            .name(name)
+            .series_stiffness(1000.0, 600.0)
+            .friction(0.5)
+            .command([0.004, 0.0, 0.0])
+    };
+    Grasp::new([finger(name, 180.0, 0.0), finger("index", 60.0, 0.01), finger("middle", -60.0, -0.01)])
+}
+
+fn page_of(name: &str) -> Result<(String, Grasp, Equilibrium), Failure> {
+    let grasp = jar(name)?;
+    let state = grasp.solve(&Wrench::force_at([0.05, 0.1, -0.3], [0.005, 0.0, 0.0]))?;
+    let state = state.equilibrium().ok_or_else(|| format!("{state:?}"))?.clone();
+    let far = grasp.solve(&Wrench::force([0.0, 0.0, -100.0]))?;
+    let page = SpatialPage::new(&grasp, name)
+        .outline([[0.03, 0.0, 0.05], [0.0, 0.03, 0.05], [-0.03, 0.0, 0.05]])
+        .frame(name, &state)
+        .outcome("too much", &far);
+    Ok((page.to_html()?, grasp, state))
+}
+
+fn data(page: &str) -> Result<Value, Failure> {
+    let start = "<script type=\"application/json\" id=\"grasp\">";
+    let text = page.split(start).nth(1).and_then(|rest| rest.split("</script>").next());
+    Ok(serde_json::from_str(text.ok_or("has data")?)?)
+}
+
+#[test]
+fn nothing_is_loaded_from_elsewhere() -> Result<(), Failure> {
+    let (page, ..) = page_of("thumb")?;
+    for word in ["http:", "https:", "src=", "href=", "url(", "import", "fetch("] {
+        assert!(!page.contains(word), "{word}");
+    }
+    Ok(())
+}
+
+#[test]
+fn names_are_text_and_nothing_else() -> Result<(), Failure> {
+    let (plain, ..) = page_of("thumb")?;
+    let (page, ..) = page_of(NASTY)?;
+    for tag in ["<script", "</script", "<button", "<td", "alert("] {
+        let expected = plain.matches(tag).count();
+        // The words of the name are there, as text: title, heading, canvas, button, section, row and data.
+        let expected = if tag == "alert(" { 7 } else { expected };
+        assert_eq!(page.matches(tag).count(), expected, "{tag}");
+    }
+    assert_eq!(data(&page)?["contacts"][0]["name"], NASTY);
+    Ok(())
+}
+
+#[test]
+fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
+    let (page, grasp, state) = page_of("thumb")?;
+    let data = data(&page)?;
+    let row = |value: &Value| -> Vec<f64> {
+        value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
+    };
+    let frame = &data["frames"][0];
+    assert_eq!(row(&frame["twist"]), state.twist.as_vector().as_slice());
+    for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
+        assert_eq!(row(&data["contacts"][i]["point"]), contact.point().as_slice());
+        let drawn = &frame["contacts"][i];
+        assert_eq!(row(&drawn["force"]), answer.force_world.as_slice());
+        assert_eq!(row(&drawn["displacement"]), answer.body_core.as_slice());
+        assert_eq!(drawn["normal_force"].as_f64(), Some(answer.normal_force()));
+    }
+    // The line of action and the moment about it are the load again.
+    let [at, force, moment] = ["at", "force", "moment"].map(|key| row(&frame["load"][key]));
+    let load = Wrench::force_at([force[0], force[1], force[2]], [at[0], at[1], at[2]])
+        + Wrench::new([0.0; 3], [moment[0], moment[1], moment[2]]);
+    assert!((load.as_vector() - state.load.as_vector()).norm() < 1e-15, "{load:?}");
+    // Where nothing holds nothing is drawn, and the page says why.
+    assert!(data["frames"][1].is_null());
+    assert!(page.contains("No equilibrium exists."));
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
+    let (_, grasp, state) = page_of("thumb")?;
+    let bad_corner = SpatialPage::new(&grasp, "x").outline([[f64::NAN, 0.0, 0.0]]).to_html();
+    assert!(bad_corner.is_err_and(|error| error.to_string().contains("outline")));
+    let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
+    let bad_count = SpatialPage::new(&other, "x").frame("a", &state).to_html();
+    assert!(bad_count.is_err_and(|error| error.to_string().contains("3 contacts")));
+    let mut broken = state;
+    broken.contacts[0].force_world[1] = f64::INFINITY;
+    assert!(SpatialPage::new(&grasp, "x").frame("a", &broken).to_html().is_err());
+    Ok(())
+}
