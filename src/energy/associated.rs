@@ -96,6 +96,24 @@ impl<const C: usize> AssociatedContact<C> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// What the associated friction law says under a load. In space on the polygonal cone of the settings.
     ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Coulomb's law has no equilibrium under 12 N. The associated law lets the contacts slide and open until they press with 12 N,
+    /// // which takes 12 mm of spring: 2 mm more than the command, and μ times the slip.
+    /// let law = grasp.associated_friction(&Wrench::force([0.0, -12.0]), &Settings::default())?;
+    /// let contact = law.rest().expect("in the friction wrench cone").contacts[0];
+    /// assert!((contact.force[0] - 12.0).abs() < 1e-13);
+    /// assert!((contact.dilation() - 0.002).abs() < 1e-16);
+    /// assert!((contact.slip.norm() - 0.004).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn associated_friction(

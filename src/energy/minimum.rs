@@ -103,6 +103,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The same minimum as that of [`Self::printed_qp`] and [`Self::reduced_qp`], with the springs in series and computed on
     /// orthogonal factors; rigid sides and series stiffness are welcome.
     ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.minimum_energy(&Wrench::force([0.0, -6.0]), &Settings::default())?;
+    /// let minimum = outcome.minimum().expect("everything rolls");
+    /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
+    /// assert!(minimum.imbalance.as_vector().amax() < 1e-14);
+    /// // Σ ½ F²/k = 10²/1000 + 3²/800.
+    /// assert!((minimum.stored_energy - 0.11125).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn minimum_energy(

@@ -173,6 +173,29 @@ impl<const D: usize, const C: usize> PrintedQp<D, C> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The paper's quadratic program under a load, in all displacements; `cone` stands for the round cone in space.
     ///
+    /// ```
+    /// use grasp_lcp::PolygonCone;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Springs of 2000 and 1600 N/m on both sides: half of that in series.
+    /// let finger = |x: f64| {
+    ///     Contact::new([x, 0.0], [-x, 0.0])
+    ///         .body_stiffness(2000.0, 1600.0)
+    ///         .finger_stiffness(2000.0, 1600.0)
+    ///         .friction(0.5)
+    ///         .command([0.01, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let printed = grasp.printed_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
+    /// let outcome = printed.program.solve()?;
+    /// let minimum = outcome.minimum().ok_or("everything rolls")?;
+    /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
+    /// // The springs of body and finger give way alike, 5 mm each.
+    /// let u = printed.displacements(&minimum.x, 0);
+    /// assert!((u.finger_surface[0] - 0.005).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite; [`Error::Contact`] for a contact of which one side is rigid or whose
     /// stiffness is only known in series: the paper's program has a spring on both sides.

@@ -109,6 +109,26 @@ impl QuadraticProgram {
 
     /// The minimum and its multipliers, by Lemke's method on [`Self::optimality_conditions`].
     ///
+    /// ```
+    /// use grasp_lcp::energy::QuadraticProgram;
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // The point of the line x₁ + x₂ = 2 with x₂ >= 1.5 next to the origin.
+    /// let program = QuadraticProgram {
+    ///     g: DVector::zeros(2),
+    ///     h: DMatrix::identity(2, 2),
+    ///     a: DMatrix::from_row_slice(1, 2, &[1.0, 1.0]),
+    ///     c: DVector::from_vec(vec![2.0]),
+    ///     b: DMatrix::from_row_slice(1, 2, &[0.0, 1.0]),
+    ///     d: DVector::from_vec(vec![1.5]),
+    /// };
+    /// let outcome = program.solve()?;
+    /// let minimum = outcome.minimum().expect("H is positive definite");
+    /// assert!((&minimum.x - DVector::from_vec(vec![0.5, 1.5])).amax() < 1e-15);
+    /// assert!((minimum.multipliers[0] - 1.0).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`LcpError`] if the sizes do not fit or a number is not finite.
     pub fn solve(&self) -> Result<QpOutcome, LcpError> {

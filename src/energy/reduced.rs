@@ -70,6 +70,23 @@ pub struct ReducedQp<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The reduced quadratic program under a load; `cone` stands for the round cone in space.
     ///
+    /// ```
+    /// use grasp_lcp::PolygonCone;
+    /// use grasp_lcp::energy::Unknowns;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Rows F_n >= 0 and ±F_t <= μ F_n of each contact, unknowns x, y and the angle.
+    /// let reduced = grasp.reduced_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default(), Unknowns::Twist)?;
+    /// let outcome = reduced.program.solve()?;
+    /// let minimum = outcome.minimum().ok_or("the program is strictly convex")?;
+    /// assert!((minimum.x[1] + 6.0 / (2.0 * 800.0)).abs() < 1e-16);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn reduced_qp(

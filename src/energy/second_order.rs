@@ -91,6 +91,27 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
     /// load's force acts at the object's point there.
     ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // A weight of 2 N at the end of an arm of 10 mm turns the body by M / (2 · 800 N/m · (1 m)²), to first order.
+    /// let load = Wrench::force_at([0.0, -2.0], [0.01, 0.0]);
+    /// let outcome = grasp.second_order_equilibrium(&load, &Settings::default())?;
+    /// let found = outcome.equilibrium().expect("it hardly turns");
+    /// let angle = 0.02 / 1600.0;
+    /// assert!((found.first_order.twist.rotation() + angle).abs() < 1e-18);
+    /// // To second order the fingers' pressure turns with the body, a matter of 2 · 10 N · 1 m beside 1600 N m; ½ θ² r is what first order drops.
+    /// let turned = found.twist.rotation().abs();
+    /// assert!((turned / angle - 1.0).abs() < 0.02);
+    /// assert!((found.dropped_displacement / (0.5 * turned * turned) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn second_order_equilibrium(

@@ -24,6 +24,22 @@ pub struct ThreeLaws<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The same load under three laws of friction.
     ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Twelve newtons are two more than friction holds: an equilibrium for the associated law alone.
+    /// let table = grasp.three_laws(&Wrench::force([0.0, -12.0]), &Settings::default())?;
+    /// assert!(table.comparison.equilibrium.equilibrium().is_none());
+    /// assert!(table.associated.rest().is_some());
+    /// assert!(table.to_string().contains("no equilibrium exists"));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn three_laws(&self, load: &Wrench<D>, settings: &Settings) -> Result<ThreeLaws<D, C>, Error> {

@@ -50,6 +50,22 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as
     /// `settings.cone` has; its fit and `settings.round` are not looked at. In the plane the three are one.
     ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    ///
+    /// // Three fingers under a plate of 12 N, μ = 0.5: they hold 6 N sideways on the round cone.
+    /// let finger = |x: f64, y: f64| {
+    ///     Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(100.0, 100.0).friction(0.5).command([0.04, 0.0, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
+    ///
+    /// // Below 6 cos(π/8) N everything rolls on every polygon of 8 facets, and the three answers are one.
+    /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]), &Settings::default())?;
+    /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn bracket(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {

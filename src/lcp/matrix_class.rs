@@ -66,6 +66,18 @@ pub enum Guarantee {
 impl MatrixClass {
     /// Looks at M. The cost is that of a Cholesky factorisation, n³/3 flops, or 2ⁿ for n ≤ 12.
     ///
+    /// ```
+    /// use grasp_lcp::lcp::{Definiteness, Guarantee, MatrixClass};
+    /// use nalgebra::DMatrix;
+    ///
+    /// // Not symmetric, but all principal minors are positive: 1, 1 and 3.
+    /// let class = MatrixClass::of(&DMatrix::from_row_slice(2, 2, &[1.0, -1.0, 2.0, 1.0]))?;
+    /// assert!(!class.symmetric && class.p_matrix == Some(true));
+    /// assert_eq!(class.definiteness, Definiteness::PositiveDefinite);
+    /// assert_eq!(class.guarantee(), Guarantee::UniqueSolution);
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// If M is not square or has entries that are not finite.

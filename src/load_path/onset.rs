@@ -135,6 +135,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// there and what comes next. No stepping and no bisection: a linear equation for each facet in the plane, a
     /// quadratic one for each contact on the round cone in space.
     ///
+    /// What comes next takes most of the time, in space by far: where nothing holds, that is a proof over all contact states. For many onsets
+    /// alone ask with [`Settings::with_most_states`] of 0, which leaves such proofs out.
+    ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
     /// use grasp_lcp::Settings;

@@ -50,6 +50,18 @@ pub enum Stroke {
 
 impl Chart {
     /// An empty chart with its title and the labels of its axes (say the units).
+    ///
+    /// ```
+    /// use grasp_lcp::picture::{Chart, Stroke};
+    ///
+    /// let force = (0..=10).map(|i| f64::from(i) / 10.0).map(|x| (x, x * x)).collect();
+    /// let svg = Chart::new("A spring that stiffens", "stretch (mm)", "force (N)")
+    ///     .series("measured", force, Stroke::Line)
+    ///     .mark(0.5, "yields")
+    ///     .to_svg()?;
+    /// assert!(svg.contains("stretch (mm)") && svg.contains("yields"));
+    /// # Ok::<(), grasp_lcp::picture::PictureError>(())
+    /// ```
     #[must_use]
     pub fn new(title: impl Into<String>, x_label: impl Into<String>, y_label: impl Into<String>) -> Self {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }

@@ -20,6 +20,19 @@ const HEIGHT: u32 = 560;
 /// Draws a grasp with its contact forces inside their friction cones. The largest force gets a third of the picture's
 /// width; cones are as long as the forces they belong to would be at that size. The load acts at the origin.
 ///
+/// ```
+/// use grasp_lcp::picture::draw_grasp;
+/// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+///
+/// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+/// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+/// let outcome = grasp.solve(&Wrench::force([0.0, -6.0]))?;
+/// let state = outcome.equilibrium().ok_or("it holds")?;
+/// let svg = draw_grasp(&grasp, state, None, "A pinch")?;
+/// assert!(svg.starts_with("<svg"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`PictureError`] if the back end fails.
 pub fn draw_grasp(

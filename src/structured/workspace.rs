@@ -142,6 +142,26 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     /// An equilibrium of a grasp under a load: with many contacts by Newton's method if it arrives, else along Lemke's paths from the elastic
     /// trial state.
     ///
+    /// ```
+    /// use grasp_lcp::PolygonCone;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::structured::{Search, Workspace};
+    ///
+    /// // Eight springs under a block of 16 N, which is pulled sideways: μ = 0.5 holds 8 N.
+    /// let spring = |i: u8| {
+    ///     Contact::new([f64::from(i), 0.0], [0.0, 1.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.002, 0.0])
+    /// };
+    /// let grasp = Grasp::new((0..8).map(spring))?;
+    /// let mut workspace = Workspace::new(PolygonCone::default());
+    /// for pull in 0..8 {
+    ///     let load = Wrench::force_at([f64::from(pull), -16.0], [3.5, 0.0]);
+    ///     let Search::Found(found) = workspace.solve(&grasp, &load)? else { panic!("it holds") };
+    ///     assert!(found.residual() < 1e-14);
+    ///     assert!((found.twist().translation()[0] - f64::from(pull) / 6400.0).abs() < 1e-15);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite.
     pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Search<'_, D, C>, Error> {
