@@ -167,7 +167,7 @@ pub(super) fn admit_sliding<const D: usize, const C: usize>(
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp
 /// no force changes, and what is left of the forces is noise: it is not measured against itself.
-pub(super) fn out_of_balance<const D: usize, const C: usize>(
+fn out_of_balance<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     forces: &[SVector<f64, C>],
     twist: &SVector<f64, D>,

@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::candidate::{Found, Verdict, admit, admit_sliding, out_of_balance};
+use super::candidate::{Found, Verdict, admit, admit_sliding};
 use super::newton::Arrived;
 use super::slack::{scene_force, span};
 use crate::formulation::{Law, Piece, PieceState, Problem, Returned, Slide, State, TwistInTwice, respond};
@@ -71,8 +71,11 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
                 {
                     (SLIDING, Some(Slide::new(&problem.sites[i], friction, 0.0)))
                 }
-                // Without friction force nothing says which way.
+                // Without friction force nothing says which way. At the apex of its cone a polygon calls open what is kept closed.
                 State::Sliding { .. } => (State::Rolling, None),
+                State::Open if problem.laws[i] != Law::Absent && !problem.may_open(i) => {
+                    (State::Rolling, None)
+                }
                 _ => (state, None),
             }
         };
@@ -86,7 +89,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
             let linear = self.linear(problem);
             let piece = Piece::new(&linear, &self.states);
             let [sharp, settled] = self.step(&linear, &piece);
-            let last = sharp || step == STEPS && settled && self.on_cones(problem);
+            let last = (sharp || step == STEPS && settled) && self.on_cones(problem);
             if last && let Some(found) = self.admitted(problem, &linear, &piece) {
                 return Some(found);
             }
@@ -108,7 +111,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
         problem.with_laws(self.slides.iter().enumerate().map(law).collect())
     }
 
-    /// Whether friction forces are as large as they can be wherever contacts slide.
+    /// Whether friction forces are as large as they can be wherever contacts slide; not so where a contact that is kept closed pulls.
     fn on_cones(&self, problem: &Problem<D, C>) -> bool {
         let largest = scene_force(problem, &self.forces, &self.twist.value());
         (0..problem.len()).filter(|&i| self.slides[i].is_some()).all(|i| {
@@ -144,7 +147,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
         let Self { states, slides, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
         // Steps leave only what no spring of the piece resists.
-        if !piece.resists(&problem.wrench) || out_of_balance(problem, &at.forces, &at.twist) > BALANCED {
+        if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
             return None;
         }
         if piece.free_motions().iter().any(|motion| self.turns(problem, motion)) {
@@ -222,4 +225,19 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
             _ => (state, None),
         }
     }
+}
+
+/// Whether forces balance the load. Without a load they may be noise, which is not measured against itself; with one a wild twist must not
+/// count as a force.
+fn balanced<const D: usize, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
+    let mut sum = problem.wrench;
+    let mut size = sum.norm();
+    if size == 0.0 {
+        size = scene_force(problem, &at.forces, &at.twist);
+    }
+    for (site, force) in problem.sites.iter().zip(&at.forces) {
+        sum += site.map * force;
+        size += force.norm();
+    }
+    sum.norm() <= BALANCED * size
 }
