@@ -68,7 +68,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
         let mut curve = Vec::new();
         for step in 0..=100 {
-            let fraction = reached * f64::from(step) / 100.0;
+            // In this order the last is `reached` itself.
+            let fraction = reached * (f64::from(step) / 100.0);
             let state = path.state_at(0, fraction).ok_or("on the way")?;
             curve.push((state.twist.rotation()[0].to_degrees(), 1.5 * fraction));
         }
