@@ -1,5 +1,9 @@
 //! Load paths whose every event can be written down.
 
+#[path = "../examples/support/paper.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod paper;
+
 mod common;
 
 use common::close::assert_close;
@@ -234,14 +238,7 @@ fn rings_have_one_event() {
 /// The paper's second grasp: onset and limit load coincide.
 #[test]
 fn the_paper_ends_at_its_onset() {
-    let finger = |side: f64| {
-        Contact::new([4.0 * side, 1.8], [-8.0 * side, -1.0])
-            .body_stiffness(10.0, 10.0)
-            .finger_stiffness(10.0, 10.0)
-            .friction(0.25)
-            .command([0.1, 0.0125 * side])
-    };
-    let grasp = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
+    let grasp = paper::two_fingers().unwrap();
     let (path, events) = run(&grasp, &[Leg::load_to(Wrench::force([0.0, -1.0]))]);
     assert!(events.is_empty());
     let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };

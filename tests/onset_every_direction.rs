@@ -1,5 +1,9 @@
 //! Onsets for every direction of a force: the region in which nothing slides, found from plain equilibria; symmetries; what lies beyond a limit.
 
+#[path = "../examples/support/paper.rs"]
+#[allow(dead_code, unreachable_pub)]
+mod paper;
+
 use std::f64::consts::TAU;
 
 use grasp_lcp::picture::SphereGrid;
@@ -7,17 +11,6 @@ use grasp_lcp::planar::{self, Contact, Grasp, Leg, PathEnd, Wrench};
 use grasp_lcp::{Settings, spatial};
 
 type Failure = Box<dyn std::error::Error>;
-
-fn paper() -> Result<Grasp, grasp_lcp::Error> {
-    let finger = |side: f64| {
-        Contact::new([4.0 * side, 1.8], [-8.0 * side, -1.0])
-            .body_stiffness(10.0, 10.0)
-            .finger_stiffness(10.0, 10.0)
-            .friction(0.25)
-            .command([0.1, 0.0125 * side])
-    };
-    Grasp::new([finger(-1.0), finger(1.0)])
-}
 
 /// A disc in evenly spaced fingers.
 fn ring(fingers: u32) -> Result<Grasp, grasp_lcp::Error> {
@@ -59,7 +52,7 @@ fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
 
 #[test]
 fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
-    for grasp in [paper()?, ring(3)?, ring(5)?] {
+    for grasp in [paper::two_fingers()?, ring(3)?, ring(5)?] {
         let rows = half_planes(&grasp)?;
         for angle in angles(360) {
             let rate = |g: &[f64; 2]| g[0] * angle.cos() + g[1] * angle.sin();
@@ -92,7 +85,7 @@ const MOST: f64 = 4.0;
 
 #[test]
 fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Failure> {
-    let grasp = paper()?;
+    let grasp = paper::two_fingers()?;
     let down = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
     assert!((down - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let mut limits = 0;
@@ -127,7 +120,7 @@ fn what_turns_into_itself_has_onsets_that_do() -> Result<(), Failure> {
 
 #[test]
 fn a_limit_is_no_less_than_the_onset_and_nothing_holds_beyond() -> Result<(), Failure> {
-    let grasp = paper()?;
+    let grasp = paper::two_fingers()?;
     let mut limits = 0;
     for angle in angles(120) {
         let end = end(&grasp, angle)?;

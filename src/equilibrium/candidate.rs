@@ -172,13 +172,22 @@ fn out_of_balance<const D: usize, const C: usize>(
     forces: &[SVector<f64, C>],
     twist: &SVector<f64, D>,
 ) -> f64 {
-    let mut sum = problem.wrench;
-    let mut size = scene_force(problem, forces, twist);
+    let (left, carried) = imbalance(problem, forces);
+    let size = scene_force(problem, forces, twist) + carried;
+    if size > 0.0 { left / size } else { 0.0 }
+}
+
+/// `|Σ G_i F_i + W|` and `Σ |F_i|`.
+pub(super) fn imbalance<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    forces: &[SVector<f64, C>],
+) -> (f64, f64) {
+    let (mut sum, mut carried) = (problem.wrench, 0.0);
     for (site, force) in problem.sites.iter().zip(forces) {
         sum += site.map * force;
-        size += force.norm();
+        carried += force.norm();
     }
-    if size > 0.0 { sum.norm() / size } else { 0.0 }
+    (sum.norm(), carried)
 }
 
 /// Values and sizes of all inequalities.

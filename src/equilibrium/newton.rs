@@ -18,7 +18,7 @@ const STEPS: usize = 20;
 const GAIN: f64 = 0.1;
 /// Shorter parts of a step than this are not tried.
 const SHORTEST: f64 = 1e-3;
-/// What is left out of balance where Newton's method ends, as a part of the forces: steps on the springs do the rest.
+/// What is left out of balance where Newton's method ends, as a part of the forces: steps on the pieces do the rest.
 const SETTLED: f64 = 1e-9;
 /// Nearer than this the tangent stiffness of the step before serves again, as long as each step leaves at most a part `FASTER`.
 const NEAR: f64 = 1e-7;

@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::candidate::{Found, Verdict, admit, admit_sliding};
+use super::candidate::{Found, Verdict, admit, admit_sliding, imbalance};
 use super::newton::Arrived;
 use super::slack::{scene_force, span};
 use crate::formulation::{Law, Piece, PieceState, Problem, Returned, Slide, State, TwistInTwice, respond};
@@ -120,7 +120,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
         })
     }
 
-    /// Solves the piece; whether every contact, and whether the forces taken together have settled.
+    /// Solves the piece; whether every force has settled to its last digit, and whether it has but for rounding of the largest.
     fn step(&mut self, linear: &Problem<D, C>, piece: &Piece<D, C>) -> [bool; 2] {
         let twist = self.twist.value();
         let largest = scene_force(linear, &self.forces, &twist);
@@ -175,6 +175,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
     }
 
     /// Leaves states that do not hold, and lets contacts slide on in the direction that belongs to their stretch; whether a state was left.
+    /// Open contacts close only if `closing`.
     fn leave_states(&mut self, problem: &Problem<D, C>, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = scene_force(problem, &self.forces, &twist);
@@ -230,14 +231,8 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
 /// Whether forces balance the load. Without a load they may be noise, which is not measured against itself; with one a wild twist must not
 /// count as a force.
 fn balanced<const D: usize, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
-    let mut sum = problem.wrench;
-    let mut size = sum.norm();
-    if size == 0.0 {
-        size = scene_force(problem, &at.forces, &at.twist);
-    }
-    for (site, force) in problem.sites.iter().zip(&at.forces) {
-        sum += site.map * force;
-        size += force.norm();
-    }
-    sum.norm() <= BALANCED * size
+    let (left, carried) = imbalance(problem, &at.forces);
+    let load = problem.wrench.norm();
+    let scale = if load > 0.0 { load } else { scene_force(problem, &at.forces, &at.twist) };
+    left <= BALANCED * (scale + carried)
 }

@@ -169,12 +169,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
     }
 
     /// The slip of a contact with this friction force: of a stiff one a small difference.
-    pub(crate) fn slip(
-        &self,
-        contact: usize,
-        friction: &SVector<f64, C>,
-        twist: &TwistInTwice<D>,
-    ) -> SVector<f64, C> {
+    fn slip(&self, contact: usize, friction: &SVector<f64, C>, twist: &TwistInTwice<D>) -> SVector<f64, C> {
         let site = &self.sites[contact];
         SVector::from_fn(|a, _| {
             if a == 0 {

@@ -27,8 +27,7 @@
 //! ```
 //!
 //! of the *sum* of compliances, pad and body included: soft pads make it small. In space, turn the [`tangent`](crate::grasp::Contact::tangent) to a
-//! principal axis of the tangential block, and only coupling with the normal is left. With ρ near 1 – a stiff pad on a finger that points along the
-//! bisector of normal and tangent – onsets of sliding are off by a comparable part.
+//! principal axis of the tangential block, and only coupling with the normal is left.
 //!
 //! Where the joints' torque is limited, `τ = Jᵀ F` of the answer's force says whether they reach it.
 //!
