@@ -1,0 +1,210 @@
+//! While everything rolls the minimum of the paper's program is the equilibrium: to 1e-12 whatever the stiffness ratios, by
+//! three roads that share no solver.
+//!
+//! * the minimum on orthogonal factors, against complementarity and against the orthogonal decomposition of
+//!   `crate::common::rolling`;
+//! * the program as printed, in all displacements, by Lemke's method on its optimality conditions;
+//! * the program as printed and the reduced one by an interior-point method of another library.
+
+use std::cell::Cell;
+
+use grasp_lcp::Settings;
+use grasp_lcp::energy::{MinimumOutcome, QpOutcome, Unknowns, Verdict};
+use grasp_lcp::grasp::{Contact, Grasp};
+use nalgebra::{DVector, SVector};
+use proptest::prelude::*;
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::rolling;
+use crate::common::scene::{Scene, displacement};
+use crate::interior_point::{Oracle, interior_point};
+
+const CASES: u32 = 1500;
+
+/// Random grasps with stiffnesses over so many decades that hardly slip: friction up to 3, loads of a small motion.
+fn grasps<const D: usize, const C: usize>(
+    count: std::ops::Range<usize>,
+    decades: f64,
+) -> impl Strategy<Value = Scene<D, C>> {
+    // Narrow stiffnesses are 10^(0 … 1.3).
+    scene::<D, C>(count, Spread::Narrow, 0.03).prop_map(move |mut scene| {
+        for datum in &mut scene.contacts {
+            datum.stiffness = datum.stiffness.map(|k| k.powf(decades / 1.3));
+            datum.friction *= 2.0;
+            datum.clearance = 0.0;
+        }
+        scene
+    })
+}
+
+/// With both springs of each contact: the series stiffness in a random share.
+fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<D, C> {
+    Grasp::new(scene.contacts.iter().enumerate().map(|(i, datum)| {
+        let share = 0.2 + 0.15 * (i % 5) as f64;
+        let contact: Contact<C> = datum.contact();
+        contact
+            .body_stiffness_axes(datum.stiffness / share)
+            .finger_stiffness_axes(datum.stiffness / (1.0 - share))
+    }))
+    .unwrap()
+}
+
+fn largest<const C: usize>(forces: &[SVector<f64, C>]) -> f64 {
+    forces.iter().map(SVector::norm).fold(0.0, f64::max)
+}
+
+fn apart<const C: usize>(a: &[SVector<f64, C>], b: &[SVector<f64, C>]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max)
+}
+
+/// Worst relative differences: complementarity, decomposition, forces and twist of the printed program.
+#[derive(Debug, Default)]
+struct Worst {
+    complementarity: Cell<f64>,
+    decomposition: Cell<f64>,
+    printed_force: Cell<f64>,
+    printed_motion: Cell<f64>,
+    compared: Cell<u32>,
+}
+
+fn raise(cell: &Cell<f64>, value: f64) {
+    cell.set(if value.is_nan() { f64::INFINITY } else { cell.get().max(value) });
+}
+
+fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades: f64) -> Worst {
+    let worst = Worst::default();
+    let settings = Settings::default();
+    for_all(file!(), CASES, &grasps::<D, C>(counts, decades), |scene| {
+        let grasp = with_both_springs(&scene);
+        let load = scene.wrench();
+        let comparison = grasp.compare_with_minimum_energy(&load).unwrap();
+        let MinimumOutcome::Minimum(minimum) = &comparison.minimum else { return Ok(()) };
+        if !minimum.binding.is_empty() {
+            return Ok(());
+        }
+        prop_assert_eq!(comparison.verdict, Verdict::Agree);
+        prop_assert_eq!(minimum.out_of_balance(), (0.0, 0.0));
+        let difference = comparison.difference.expect("both have an answer");
+        raise(&worst.complementarity, difference.relative());
+        let forces: Vec<_> = minimum.contacts.iter().map(|c| c.force).collect();
+        let truth = rolling::forces(&scene).expect("balances");
+        let size = largest(&truth);
+        raise(&worst.decomposition, apart(&forces, &truth) / size);
+
+        let printed = grasp.printed_qp(&load, &settings.cone).unwrap();
+        let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
+            return Err(TestCaseError::fail("the printed program has a minimum"));
+        };
+        let from_multipliers: Vec<_> =
+            (0..scene.contacts.len()).map(|i| printed.force_on_object(&qp.equality_multipliers, i)).collect();
+        raise(&worst.printed_force, apart(&from_multipliers, &truth) / size);
+        let mut motion = 0.0_f64;
+        for (i, datum) in scene.contacts.iter().enumerate() {
+            let u = printed.displacements(&qp.x, i).body_core;
+            let frame = datum.frame();
+            motion = motion.max((frame * u - minimum.contacts[i].body_core).norm());
+            let twisted = displacement(&datum.point, printed.twist(&qp.x).as_vector());
+            motion = motion.max((frame.tr_mul(&twisted) - u).norm());
+        }
+        raise(&worst.printed_motion, motion / difference.displacement_size);
+        worst.compared.set(worst.compared.get() + 1);
+        Ok(())
+    });
+    println!("D = {D}, 1e{decades}: {worst:?}");
+    worst
+}
+
+fn within(worst: &Worst, tolerance: f64, at_least: u32) {
+    assert!(worst.compared.get() >= at_least, "{worst:?}");
+    for cell in [&worst.complementarity, &worst.decomposition, &worst.printed_force, &worst.printed_motion] {
+        assert!(cell.get() <= tolerance, "{worst:?}");
+    }
+}
+
+#[test]
+fn planar_grasps_with_similar_springs() {
+    within(&agree::<3, 2>(2..6, 1.0), 1e-12, 300);
+}
+
+#[test]
+fn planar_grasps_with_springs_over_eight_decades() {
+    within(&agree::<3, 2>(2..6, 8.0), 1e-12, 100);
+}
+
+#[test]
+fn spatial_grasps_with_similar_springs() {
+    within(&agree::<6, 3>(3..6, 1.0), 1e-12, 100);
+}
+
+#[test]
+fn spatial_grasps_with_springs_over_eight_decades() {
+    within(&agree::<6, 3>(3..6, 8.0), 1e-12, 50);
+}
+
+/// Whether constraints bind or not, the minimum is that of the interior-point method, of the printed program and of the
+/// reduced ones.
+fn same_minimum<const D: usize, const C: usize>(counts: std::ops::Range<usize>, cases: u32) -> (u32, u32) {
+    let (rolling, binding, compared) = (Cell::new(0), Cell::new(0), Cell::new(0));
+    let settings = Settings::default();
+    for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.1), |scene| {
+        let grasp = with_both_springs(&scene);
+        let load = scene.wrench();
+        let outcome = grasp.minimum_energy(&load, &settings).unwrap();
+        let printed = grasp.printed_qp(&load, &settings.cone).unwrap();
+        let reduced = grasp.reduced_qp(&load, &settings.cone, Unknowns::TwistAndGaps).unwrap();
+        let twist_only = grasp.reduced_qp(&load, &settings.cone, Unknowns::Twist).unwrap();
+        let oracle = interior_point(&printed.program);
+        let MinimumOutcome::Minimum(minimum) = &outcome else {
+            prop_assert!(!matches!(oracle, Oracle::Minimum(..)), "{outcome:?}");
+            return Ok(());
+        };
+        prop_assert!(!matches!(oracle, Oracle::None));
+        let value = minimum.potential_energy;
+        let size = printed.constant + minimum.stored_energy + (value - minimum.stored_energy).abs();
+        let close = |x: &DVector<f64>, tolerance: f64, what: &str| {
+            let apart = (printed.program.value(x) + printed.constant - value).abs();
+            prop_assert!(apart <= tolerance * size, "{what}: energies {apart} of {size}");
+            for (i, (c, datum)) in minimum.contacts.iter().zip(&scene.contacts).enumerate() {
+                // Where the energy is ε above its minimum, ½ ΔF·K⁻¹ΔF <= ε.
+                let change = printed.force(x, i) - c.force;
+                let energy = 0.5 * change.component_div(&datum.stiffness).dot(&change);
+                prop_assert!(energy <= 4.0 * tolerance * size, "{what}, contact {i}: {energy} of {size}");
+            }
+            Ok(())
+        };
+        if let Oracle::Minimum(x, tolerance) = &oracle {
+            close(x, *tolerance, "interior point")?;
+            compared.set(compared.get() + 1);
+        }
+        let QpOutcome::Minimum(lemke) = printed.program.solve().unwrap() else {
+            return Err(TestCaseError::fail("Lemke's method finds the minimum of the printed program"));
+        };
+        close(&lemke.x, 1e-13, "Lemke")?;
+        let QpOutcome::Minimum(smaller) = reduced.program.solve().unwrap() else {
+            return Err(TestCaseError::fail("Lemke's method finds the minimum of the reduced program"));
+        };
+        prop_assert!((smaller.value + reduced.constant - value).abs() <= 1e-9 * size);
+        // Fewer unknowns never do better.
+        if let QpOutcome::Minimum(fewer) = twist_only.program.solve().unwrap() {
+            prop_assert!(fewer.value + twist_only.constant >= value - 1e-9 * size);
+        }
+        let counter = if minimum.binding.is_empty() { &rolling } else { &binding };
+        counter.set(counter.get() + 1);
+        Ok(())
+    });
+    println!("D = {D}: {} rolling, {} binding, {} compared", rolling.get(), binding.get(), compared.get());
+    assert!(10 * compared.get() >= 9 * (rolling.get() + binding.get()));
+    (rolling.get(), binding.get())
+}
+
+#[test]
+fn planar_minimum_by_an_interior_point_method() {
+    let (rolling, binding) = same_minimum::<3, 2>(1..6, 400);
+    assert!(rolling >= 50 && binding >= 50);
+}
+
+#[test]
+fn spatial_minimum_by_an_interior_point_method() {
+    let (rolling, binding) = same_minimum::<6, 3>(2..5, 150);
+    assert!(rolling >= 5 && binding >= 50);
+}

@@ -1,0 +1,117 @@
+//! The load at which a friction constraint of the paper's program first binds is the onset of sliding, on random ramps of
+//! loads and commands. The onset is found by a walk along rolling states, the binding load by Lemke's method with the load as
+//! parameter on the program's optimality conditions.
+
+use std::cell::Cell;
+
+use grasp_lcp::Settings;
+use grasp_lcp::energy::{Agreement, Verdict};
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::load_path::{Departure, Onset, OnsetEvent};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+use crate::common::ramps::ramps;
+use crate::common::random::{Spread, for_all};
+
+#[derive(Debug, Default)]
+struct Tally {
+    finite: Cell<u32>,
+    opens: Cell<u32>,
+    never: Cell<u32>,
+    not_rolling: Cell<u32>,
+    worst: Cell<f64>,
+}
+
+fn add(cell: &Cell<u32>) {
+    cell.set(cell.get() + 1);
+}
+
+fn same_onset<const D: usize, const C: usize>(
+    counts: std::ops::Range<usize>,
+    spread: Spread,
+    cases: u32,
+) -> Tally {
+    let tally = Tally::default();
+    // The program's friction constraints are those of the polygon.
+    let settings = Settings::default().on_the_polygon();
+    for_all(file!(), cases, &ramps::<D, C>(counts, spread), |(mut scene, change)| {
+        // Frictionless contacts may open without an end to the agreement: they have their own test.
+        for datum in &mut scene.contacts {
+            if datum.friction == 0.0 {
+                datum.friction = 0.3;
+            }
+        }
+        // The loads are made of forces on the edges of cones, many of which one contact carries alone on its very edge.
+        let size = scene.load.norm();
+        scene.load += SVector::<f64, D>::from_fn(|k, _| 0.013 * size * (1.7 * (k + 1) as f64).sin());
+        let grasp = scene.grasp();
+        let ramp = change.ramp(&scene);
+        // Where a contact carries nothing the object may stand in many places, and a contact with friction that hangs open is
+        // held by the program's rolling row: the question is about ramps that start from rolling.
+        let base = grasp.solve_with(&scene.wrench(), &settings).unwrap();
+        let rolls = base.equilibrium().is_some_and(|e| {
+            let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+            e.contacts.iter().all(|c| c.state == ContactState::Rolling && c.force[0] > 1e-9 * most)
+        });
+        if !rolls {
+            add(&tally.not_rolling);
+            return Ok(());
+        }
+        let onset = grasp.onset_on_polygon(&ramp, &settings).unwrap();
+        let agreement = grasp.agreement_with_minimum_energy(&ramp, &settings).unwrap();
+        let slides = |event: &OnsetEvent<D, C>| {
+            event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))
+        };
+        match (&onset, &agreement) {
+            // A contact opens through the apex of its cone. Held by its rolling row it may hang there without a force: then
+            // the minimum stays an equilibrium.
+            (Onset::At(event), _) if !slides(event) => {
+                add(&tally.opens);
+                prop_assert!(agreement.factor().is_some_and(|f| f >= event.factor * (1.0 - 1e-12)));
+            }
+            (Onset::At(event), Agreement::UpTo { factor, binding }) => {
+                add(&tally.finite);
+                // Relative to the whole load: at factor 1 the change is as large as the base.
+                let apart = (event.factor - factor).abs() / (1.0 + event.factor);
+                tally.worst.set(tally.worst.get().max(apart));
+                prop_assert!(apart <= 1e-12, "{} {}", event.factor, factor);
+                for leaving in &event.leaving {
+                    prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact));
+                }
+                // Just before they agree, just beyond they do not.
+                let at = |tau: f64| {
+                    let there = change.at(&scene, tau);
+                    there.grasp().compare_with_minimum_energy(&there.wrench()).unwrap().verdict
+                };
+                prop_assert_eq!(at(0.999 * factor), Verdict::Agree);
+                let beyond = at(1.001 * factor + 1e-9);
+                prop_assert!(!matches!(beyond, Verdict::Agree | Verdict::TwoEquilibria), "{beyond}");
+            }
+            (Onset::Never, Agreement::Always) => add(&tally.never),
+            (Onset::GivesWay { factor, .. }, Agreement::Unbounded) => prop_assert_eq!(*factor, 0.0),
+            _ => prop_assert!(false, "{onset:?}\n{agreement:?}"),
+        }
+        Ok(())
+    });
+    println!("{tally:?}");
+    tally
+}
+
+#[test]
+fn planar_ramps() {
+    let tally = same_onset::<3, 2>(2..6, Spread::Narrow, 1500);
+    assert!(tally.finite.get() >= 300, "{tally:?}");
+}
+
+#[test]
+fn planar_ramps_with_different_springs() {
+    let tally = same_onset::<3, 2>(2..6, Spread::Wide, 1500);
+    assert!(tally.finite.get() >= 100, "{tally:?}");
+}
+
+#[test]
+fn spatial_ramps() {
+    let tally = same_onset::<6, 3>(3..6, Spread::Narrow, 600);
+    assert!(tally.finite.get() >= 30, "{tally:?}");
+}

@@ -1,0 +1,274 @@
+//! Second derivatives of the energy against finite differences of the exact one; a grasp that tips over when squeezed too
+//! hard; equilibrium with the second-order displacement.
+
+use grasp_lcp::Settings;
+use grasp_lcp::energy::{SecondOrderOutcome, StabilityVerdict};
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::{Error, spatial};
+use nalgebra::{DMatrix, SVector};
+use proptest::prelude::*;
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::scene::{Scene, wrench};
+
+/// Displacement of a point under a translation and a finite rotation: exact in the plane and in space (Rodrigues).
+fn exact_displacement<const D: usize, const C: usize>(
+    point: &SVector<f64, C>,
+    q: &SVector<f64, D>,
+) -> SVector<f64, C> {
+    let mut u = SVector::<f64, C>::from_fn(|a, _| q[a]);
+    if C == 2 {
+        let (sin, half) = (q[2].sin(), (0.5 * q[2]).sin());
+        u[0] += -2.0 * half * half * point[0] - sin * point[1];
+        u[1] += sin * point[0] - 2.0 * half * half * point[1];
+        return u;
+    }
+    let theta = nalgebra::Vector3::new(q[3], q[4], q[5]);
+    let r = nalgebra::Vector3::new(point[0], point[1], point[2]);
+    let turned = nalgebra::Rotation3::new(theta) * r - r;
+    for a in 0..C {
+        u[a] += turned[a];
+    }
+    u
+}
+
+/// Energy of springs that carry `force` at q = 0, less the work of the load.
+fn energy<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    forces: &[SVector<f64, C>],
+    q: &SVector<f64, D>,
+) -> f64 {
+    let springs = scene.contacts.iter().zip(forces).map(|(datum, force)| {
+        let u = datum.frame().tr_mul(&exact_displacement(&datum.point, q));
+        let stretch = force.component_div(&datum.stiffness) - u;
+        0.5 * datum.stiffness.component_mul(&stretch).dot(&stretch)
+    });
+    springs.sum::<f64>() - scene.load.dot(q)
+}
+
+/// Central differences of fourth order: 8-point stencils of a polynomial-like function, error about h⁴.
+fn second_derivative<const D: usize>(f: impl Fn(&SVector<f64, D>) -> f64, i: usize, j: usize) -> f64 {
+    let at = |h: f64| {
+        let unit = |k: usize| SVector::<f64, D>::from_fn(|a, _| if a == k { h } else { 0.0 });
+        if i == j {
+            let e = unit(i);
+            return (f(&e) - 2.0 * f(&SVector::zeros()) + f(&-e)) / (h * h);
+        }
+        let (a, b) = (unit(i), unit(j));
+        (f(&(a + b)) - f(&(a - b)) - f(&(b - a)) + f(&-(a + b))) / (4.0 * h * h)
+    };
+    // Richardson: the error of each is c h² + O(h⁴).
+    let h = 4e-3;
+    (4.0 * at(h) - at(2.0 * h)) / 3.0
+}
+
+fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: std::ops::Range<usize>) {
+    for_all(file!(), 150, &scene::<D, C>(counts, Spread::Narrow, 0.03), |mut scene| {
+        for datum in &mut scene.contacts {
+            datum.clearance = 0.0;
+            datum.friction = 100.0;
+        }
+        let grasp = scene.grasp();
+        let outcome = grasp.solve(&scene.wrench()).unwrap();
+        let Some(state) = outcome.equilibrium() else { return Ok(()) };
+        if state.contacts.iter().any(|c| c.state != ContactState::Rolling) {
+            return Ok(());
+        }
+        let stability = grasp.stability(state);
+        let hessian = stability.hessian();
+        let forces: Vec<_> = state.contacts.iter().map(|c| c.force).collect();
+        let size = hessian.amax();
+        for i in 0..D {
+            for j in 0..D {
+                let difference = second_derivative(|q| energy(&scene, &forces, q), i, j);
+                let apart = (difference - hessian[(i, j)]).abs();
+                prop_assert!(apart <= 1e-6 * size, "({i}, {j}): {difference} {}", hessian[(i, j)]);
+            }
+        }
+        // The stiffness that the object feels: forces against a small motion, to first order without the geometric part.
+        let mut elastic = DMatrix::<f64>::zeros(D, D);
+        for datum in &scene.contacts {
+            for a in 0..C {
+                let w = wrench::<D, C>(&datum.point, &datum.frame().column(a).into_owned());
+                elastic += DMatrix::from_fn(D, D, |i, j| datum.stiffness[a] * w[i] * w[j]);
+            }
+        }
+        prop_assert!((stability.elastic - elastic).amax() <= 1e-13 * size);
+        // The softest motion is an eigenvector in the metric of the motions of the contacts' centroid and their spread.
+        let q = stability.softest.as_vector();
+        let curvature = q.dot(&(hessian * q));
+        prop_assert!((curvature - stability.least_curvature).abs() <= 1e-10 * size);
+        Ok(())
+    });
+}
+
+#[test]
+fn planar_hessian() {
+    hessian_is_that_of_the_exact_energy::<3, 2>(2..6);
+}
+
+#[test]
+fn spatial_hessian() {
+    hessian_is_that_of_the_exact_energy::<6, 3>(3..6);
+}
+
+/// Two fingers at ±r that press with N = k_n a: a turn by θ costs k_t r² θ² in the tangential springs and gains N r θ² from the
+/// normal forces. Stable up to N = k_t r, then the object tips over.
+fn squeezed(command: f64) -> Result<Grasp, Error> {
+    Grasp::new([-0.5, 0.5].map(|x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 10.0).friction(0.5).command([command, 0.0])
+    }))
+}
+
+#[test]
+fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
+    // k_t r = 5 N: 0.005 m of command.
+    for (command, verdict) in [
+        (0.001, StabilityVerdict::Stable),
+        (0.00499, StabilityVerdict::Stable),
+        (0.005, StabilityVerdict::Neutral),
+        (0.00501, StabilityVerdict::Unstable),
+        (0.02, StabilityVerdict::Unstable),
+    ] {
+        let grasp = squeezed(command).unwrap();
+        let state = grasp.solve(&Wrench::ZERO).unwrap();
+        let stability = grasp.stability(state.equilibrium().expect("holds"));
+        assert_eq!(stability.verdict, verdict, "{command}: {stability:?}");
+        // 2 k_t r² - 2 N r about the centre; r is the unit in which rotations are counted.
+        let curvature = 2.0 * 10.0 - 2.0 * (1000.0 * command) / 0.5;
+        let rotation = stability.hessian()[(2, 2)] / 0.25;
+        assert!((rotation - curvature).abs() < 1e-10, "{rotation} {curvature}");
+        assert!(stability.geometric[(2, 2)] < 0.0);
+        if verdict == StabilityVerdict::Unstable {
+            assert!((stability.least_curvature - curvature).abs() < 1e-10);
+            let motion = stability.softest;
+            assert!(motion.translation().iter().all(|x| x.abs() < 1e-12));
+            assert!((motion.rotation().abs() - 2.0).abs() < 1e-12, "1 / r");
+        }
+    }
+}
+
+/// The same in space: squeezed along x it tips about every axis across, and turns freely about x.
+#[test]
+fn the_same_grasp_in_space() {
+    let grasp = |command: f64| {
+        spatial::Grasp::new([-0.5, 0.5].map(|x: f64| {
+            spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+                .series_stiffness(1000.0, 10.0)
+                .friction(0.5)
+                .command([command, 0.0, 0.0])
+        }))
+        .unwrap()
+    };
+    let look = |command: f64| {
+        let grasp = grasp(command);
+        let state = grasp.solve(&spatial::Wrench::ZERO).unwrap();
+        grasp.stability(state.equilibrium().expect("holds"))
+    };
+    assert_eq!(look(0.001).verdict, StabilityVerdict::Neutral, "turns about x");
+    let stability = look(0.02);
+    assert_eq!(stability.verdict, StabilityVerdict::Unstable);
+    assert!(stability.softest.rotation()[0].abs() < 1e-9);
+}
+
+#[test]
+fn where_something_slides_energy_does_not_decide() {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(100.0, 50.0).friction(0.2);
+    let stop = Contact::new([-2.0, 0.0], [1.0, 0.0]).series_stiffness(10.0, 10.0);
+    let grasp = Grasp::new([foot(-1.0), foot(1.0), stop]).unwrap();
+    let state = grasp.solve(&Wrench::force([-1.0, -1.0])).unwrap();
+    let stability = grasp.stability(state.equilibrium().expect("slides and holds"));
+    assert_eq!(stability.verdict, StabilityVerdict::Sliding);
+}
+
+/// Energy with the displacement of equation 4.1, in the plane and in space.
+fn energy_to_second_order<const D: usize, const C: usize>(scene: &Scene<D, C>, q: &SVector<f64, D>) -> f64 {
+    let cross = |v: &SVector<f64, C>| {
+        let mut turn = *q;
+        turn.rows_range_mut(..C).fill(0.0);
+        crate::common::scene::displacement(v, &turn)
+    };
+    let springs = scene.contacts.iter().map(|datum| {
+        let first = crate::common::scene::displacement(&datum.point, q);
+        let u = first + cross(&cross(&datum.point)) * 0.5;
+        let stretch = datum.drive() - datum.frame().tr_mul(&u);
+        0.5 * datum.stiffness.component_mul(&stretch).dot(&stretch)
+    });
+    springs.sum::<f64>() - scene.load.dot(q)
+}
+
+fn second_order_equilibrium<const D: usize, const C: usize>(counts: std::ops::Range<usize>) {
+    let found = std::cell::Cell::new(0);
+    for_all(file!(), 200, &scene::<D, C>(counts, Spread::Narrow, 0.1), |mut scene| {
+        for datum in &mut scene.contacts {
+            datum.clearance = 0.0;
+            datum.friction = 100.0;
+            datum.command *= 0.2;
+        }
+        let grasp = scene.grasp();
+        let outcome = grasp.second_order_equilibrium(&scene.wrench(), &Settings::default()).unwrap();
+        let SecondOrderOutcome::Equilibrium(state) = outcome else { return Ok(()) };
+        if state.states.iter().any(|s| *s != ContactState::Rolling) {
+            return Ok(());
+        }
+        let q = state.twist.as_vector();
+        let size = state.forces.iter().map(SVector::norm).fold(scene.load.norm(), f64::max);
+        for k in 0..D {
+            let slope = |h: f64| {
+                let e = SVector::<f64, D>::from_fn(|a, _| if a == k { h } else { 0.0 });
+                (energy_to_second_order(&scene, &(q + e)) - energy_to_second_order(&scene, &(q - e)))
+                    / (2.0 * h)
+            };
+            let gradient = (4.0 * slope(1e-3) - slope(2e-3)) / 3.0;
+            prop_assert!(gradient.abs() <= 1e-9 * size, "{k}: {gradient} of {size}");
+        }
+        // What first order leaves out is of second order in the rotation.
+        let turn = q.rows_range(C..).norm();
+        let reach = scene.contacts.iter().map(|datum| datum.point.norm()).fold(0.0, f64::max);
+        prop_assert!(state.dropped_displacement <= 0.5 * turn * turn * reach * (1.0 + 1e-12));
+        prop_assert!(state.force_left_out >= 0.0 && state.displacement_left_out >= 0.0);
+        found.set(found.get() + 1);
+        Ok(())
+    });
+    println!("D = {D}: {}", found.get());
+    assert!(found.get() >= 50);
+}
+
+#[test]
+fn planar_second_order() {
+    second_order_equilibrium::<3, 2>(2..6);
+}
+
+#[test]
+fn spatial_second_order() {
+    second_order_equilibrium::<6, 3>(3..6);
+}
+
+/// A turn θ₁ of first order under a moment m: 2 k_t r² θ₁ = m. To second order the arms shorten and the squeeze turns it on:
+/// 2 (k_t r² - N r) θ = m (to first order in θ).
+#[test]
+fn squeezing_softens_the_grasp() {
+    let grasp = squeezed(0.002).unwrap();
+    let m = 1e-4;
+    let load = Wrench::new([0.0, 0.0], m);
+    let outcome = grasp.second_order_equilibrium(&load, &Settings::default()).unwrap();
+    let state = outcome.equilibrium().expect("stable");
+    let (first, second) = (m / (2.0 * 10.0 * 0.25), m / (2.0 * (10.0 * 0.25 - 2.0 * 0.5)));
+    assert!((state.first_order.twist.rotation() - first).abs() < 1e-15);
+    assert!((state.twist.rotation() - second).abs() < 1e-6 * second, "{} {second}", state.twist.rotation());
+    assert_eq!(state.stability.verdict, StabilityVerdict::Stable);
+    assert!(state.force_left_out > 0.0);
+    // Squeezed too hard it comes to rest turned: k_n (a - ½ θ² r) = k_t r.
+    let tipped = squeezed(0.02).unwrap();
+    let first = tipped.solve(&load).unwrap();
+    assert_eq!(tipped.stability(first.equilibrium().unwrap()).verdict, StabilityVerdict::Unstable);
+    let outcome = tipped.second_order_equilibrium(&load, &Settings::default()).unwrap();
+    let state = outcome.equilibrium().expect("turned");
+    assert!((state.twist.rotation() - 0.06_f64.sqrt()).abs() < 1e-4, "{}", state.twist.rotation());
+    assert_eq!(state.stability.verdict, StabilityVerdict::Stable);
+    assert!(state.displacement_left_out > 0.1);
+    assert!(
+        grasp.second_order_equilibrium(&Wrench::new([f64::NAN, 0.0], 0.0), &Settings::default()).is_err()
+    );
+}

@@ -1,0 +1,97 @@
+//! Bad questions to a valid grasp: loads, commands and settings that are broken, one at a time.
+//!
+//! Every fault must come back as a typed error that names what was given and what would have been allowed, message text
+//! included.
+
+use crate::common::valid::{MODERATE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
+use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::{Error, Field, Fit, PolygonCone, Settings, planar, spatial};
+use nalgebra::SVector;
+
+#[test]
+fn new_commands_are_not_finite_or_not_one_a_contact() {
+    let grasp = planar::Grasp::new(planar_contacts()).unwrap();
+    for given in [0, 2, 4] {
+        let error = grasp.clone().with_commands(&vec![SVector::from([0.1, 0.0]); given]).unwrap_err();
+        assert_eq!(error, Error::Size { what: "commands", given, expected: 3 });
+        assert_eq!(error.to_string(), format!("commands: {given} given, must be 3, one a contact"));
+    }
+    for value in NOT_MODERATE {
+        let commands = [[0.1, 0.0], [0.1, value], [0.1, 0.0]].map(SVector::from);
+        let error = grasp.clone().with_commands(&commands).unwrap_err();
+        assert_eq!(error.to_string(), format!("contact 1 (thumb): command is {value}, must be {MODERATE}"));
+        assert!(matches!(error, Error::Contact { field: Field::Command, .. }));
+    }
+}
+
+#[test]
+fn command_changes_are_not_finite_or_not_one_a_contact() {
+    let grasp = spatial::Grasp::new(spatial_contacts()).unwrap();
+    for given in [0, 2, 4] {
+        let change = vec![SVector::from([0.1, 0.0, 0.0]); given];
+        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change), &Settings::default()).unwrap_err();
+        assert_eq!(error, Error::Size { what: "command changes", given, expected: 3 });
+        assert_eq!(error.to_string(), format!("command changes: {given} given, must be 3, one a contact"));
+    }
+    for value in NOT_MODERATE {
+        let change = [[0.1, 0.0, 0.0], [0.1, 0.0, value], [0.0; 3]].map(SVector::from);
+        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change), &Settings::default()).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("contact 1 (thumb): change of command is {value}, must be {MODERATE}")
+        );
+        assert!(matches!(error, Error::Contact { field: Field::CommandChange, .. }));
+    }
+}
+
+/// Every question that takes a wrench names the wrench, the component and the value.
+fn wrench_refused<const D: usize, const C: usize>(grasp: &Grasp<D, C>) {
+    for value in NOT_MODERATE {
+        for component in 0..D {
+            let mut w = SVector::<f64, D>::zeros();
+            w[component] = value;
+            let (bad, settings) = (Wrench::from_vector(w), Settings::default());
+            let onset = |base, direction| grasp.onset_of_sliding(base, direction).unwrap_err();
+            for (what, error) in [
+                ("load", grasp.solve(&bad).unwrap_err()),
+                ("load", grasp.equilibria(&bad, &settings).unwrap_err()),
+                ("base load", onset(bad, Wrench::ZERO)),
+                ("load direction", onset(Wrench::ZERO, bad)),
+            ] {
+                let message = format!("{what}: component {component} is {value}, must be {MODERATE}");
+                assert_eq!(error.to_string(), message);
+                let Error::Wrench { what: named, component: at, value: shown } = error else {
+                    panic!("{error:?}")
+                };
+                assert!(named == what && at == component && equal_or_both_nan(shown, value));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_load_is_not_finite_or_absurd() {
+    wrench_refused(&planar::Grasp::new(planar_contacts()).unwrap());
+    wrench_refused(&spatial::Grasp::new(spatial_contacts()).unwrap());
+}
+
+#[test]
+fn a_friction_polygon_with_too_few_or_too_many_facets() {
+    let most = PolygonCone::MOST_FACETS;
+    for given in [0, 1, 2, most + 1, usize::MAX] {
+        let error = PolygonCone::new(given, Fit::Inscribed).unwrap_err();
+        assert_eq!(error, Error::Facets { given, most });
+        assert_eq!(error.to_string(), format!("friction cone: {given} facets, must be from 3 to {most}"));
+    }
+    assert_eq!(PolygonCone::new(3, Fit::Balanced).unwrap().facets(), 3);
+}
+
+#[test]
+fn too_many_combinations_to_list() {
+    let grasp = planar::Grasp::new(planar_contacts()).unwrap();
+    let error = grasp.equilibria(&Wrench::ZERO, &Settings::default().with_most_states(63)).unwrap_err();
+    assert_eq!(error, Error::TooManyStates { contacts: 3, combinations: 64.0, most: 63 });
+    assert_eq!(error.to_string(), "3 contacts have 6.4e1 combinations of states, at most 63 are tried");
+    assert!(grasp.equilibria(&Wrench::ZERO, &Settings::default().with_most_states(64)).is_ok());
+}

@@ -1,0 +1,315 @@
+//! The library and exact arithmetic say the same of planar grasps of two to four contacts.
+//!
+//! `crate::common::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
+//! must return an equilibrium, and it must be in the list; it may say "no equilibrium" only when the list is empty.
+//! Where all equilibria are isolated and none is a borderline case, the library's own list has the same length.
+//!
+//! The scenes are random. A lattice of small integers makes exact ties frequent; stiffness ratios to 1e6 with strong
+//! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
+//! is something to find.
+
+use crate::common::exact::{Census, Contact, Scene, State};
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{FileFailurePersistence, RngSeed, TestRunner};
+
+/// Forces and displacements agree to this, relative to the largest of the scene.
+const AGREEMENT: f64 = 1e-9;
+/// Scenes of each kind in the fixed sequences.
+const SCENES: usize = 2500;
+
+/// A whole number of `unit`s.
+fn grid(from: i32, to: i32, unit: f64) -> impl Strategy<Value = f64> {
+    (from..=to).prop_map(move |i| f64::from(i) * unit)
+}
+
+fn pythagorean() -> impl Strategy<Value = [i32; 2]> {
+    let turns = prop::sample::select(vec![[1, 0], [4, 3], [12, 5], [15, 8], [21, 20], [24, 7]]);
+    (turns, any::<[bool; 3]>()).prop_map(|([a, b], [swap, left, down])| {
+        let [x, y] = if swap { [b, a] } else { [a, b] };
+        [if left { -x } else { x }, if down { -y } else { y }]
+    })
+}
+
+/// Normals point at the origin rather than away from it in most contacts.
+fn facing_inward(mut contact: Contact, inward: bool) -> Contact {
+    let outward =
+        f64::from(contact.normal[0]) * contact.point[0] + f64::from(contact.normal[1]) * contact.point[1];
+    if inward && outward > 0.0 {
+        contact.normal = contact.normal.map(|c| -c);
+    }
+    contact
+}
+
+/// Small integers everywhere: symmetric, and full of ties.
+fn on_a_lattice() -> impl Strategy<Value = Contact> {
+    let axis = prop::sample::select(vec![[1, 0], [-1, 0], [0, 1], [0, -1]]);
+    let point = [grid(-2, 2, 1.0), grid(-2, 2, 1.0)];
+    let stiffness = [grid(1, 2, 1.0), grid(1, 2, 1.0)];
+    let friction = prop::sample::select(vec![0.0, 0.5, 1.0, 1.0, 2.0]);
+    let command = [grid(-1, 2, 0.5), grid(-1, 1, 0.5)];
+    let clearance = prop_oneof![4 => Just(0.0), 1 => grid(1, 2, 0.5)];
+    (point, axis, stiffness, friction, command, clearance, prop::bool::weighted(0.8)).prop_map(
+        |(point, normal, stiffness, friction, command, clearance, inward)| {
+            facing_inward(Contact { point, normal, stiffness, friction, command, clearance }, inward)
+        },
+    )
+}
+
+/// Nothing in common, stiffnesses from 1 to 20.
+fn ordinary() -> impl Strategy<Value = Contact> {
+    let point = [grid(-12, 12, 0.25), grid(-12, 12, 0.25)];
+    let stiffness = [grid(1, 20, 1.0), grid(1, 20, 1.0)];
+    let friction = prop::sample::select(vec![0.0, 1.0 / 1024.0, 0.1, 0.25, 0.3, 0.5, 1.0, 1.5, 2.0]);
+    let command = [grid(-4, 16, 0.0625), grid(-8, 8, 0.0625)];
+    let clearance = prop_oneof![4 => Just(0.0), 1 => grid(1, 8, 0.0625)];
+    (point, pythagorean(), stiffness, friction, command, clearance, prop::bool::weighted(0.8)).prop_map(
+        |(point, normal, stiffness, friction, command, clearance, inward)| {
+            facing_inward(Contact { point, normal, stiffness, friction, command, clearance }, inward)
+        },
+    )
+}
+
+/// Stiffness ratios to 1e6, strong friction.
+fn stiff() -> impl Strategy<Value = Contact> {
+    let stiffness =
+        || (1..10_i32, 0..6_u32).prop_map(|(digit, zeros)| f64::from(digit) * f64::from(10_i32.pow(zeros)));
+    let friction = prop::sample::select(vec![0.25, 0.5, 1.0, 1.5, 2.0]);
+    (ordinary(), [stiffness(), stiffness()], friction).prop_map(|(contact, stiffness, friction)| Contact {
+        stiffness,
+        friction,
+        ..contact
+    })
+}
+
+/// The load that the contacts balance at this twist, each by its own law; rounded, so balanced nearly, not exactly.
+fn balancing_load(contacts: &[Contact], [x, y, turn]: [f64; 3]) -> [f64; 3] {
+    contacts.iter().fold([0.0; 3], |load, c| {
+        let length = f64::from(c.normal[0]).hypot(f64::from(c.normal[1]));
+        let n = c.normal.map(|a| f64::from(a) / length);
+        let u = [x - turn * c.point[1], y + turn * c.point[0]];
+        let along = |axis: [f64; 2]| axis[0] * u[0] + axis[1] * u[1];
+        let t = [n[1], -n[0]];
+        let normal = (c.stiffness[0] * (c.command[0] - c.clearance - along(n))).max(0.0);
+        let edge = c.friction * normal;
+        let tangential = (c.stiffness[1] * (c.command[1] - along(t))).clamp(-edge, edge);
+        let f = [n[0] * normal + t[0] * tangential, n[1] * normal + t[1] * tangential];
+        [load[0] - f[0], load[1] - f[1], load[2] - (c.point[0] * f[1] - c.point[1] * f[0])]
+    })
+}
+
+fn scene_of(contact: impl Strategy<Value = Contact>, unit: f64) -> impl Strategy<Value = Scene> {
+    let contacts = prop::collection::vec(contact, 4);
+    let count = prop::sample::select(vec![2, 2, 3, 3, 4]);
+    let load = [grid(-4, 4, 1.0), grid(-4, 4, 1.0), grid(-4, 4, 1.0)];
+    let twist = [grid(-8, 8, unit), grid(-8, 8, unit), grid(-4, 4, unit)];
+    (contacts, count, load, twist, 0..8_u8).prop_map(|(mut contacts, count, load, twist, kind)| {
+        contacts.truncate(count);
+        let stiffest = contacts.iter().map(|c| c.stiffness[0]).fold(0.0, f64::max);
+        let load = match kind {
+            0 => [0.0; 3],
+            1..3 => load.map(|w| w * stiffest / 8.0),
+            3..5 => load,
+            _ => balancing_load(&contacts, twist),
+        };
+        Scene { contacts, load }
+    })
+}
+
+fn lattice_scene() -> impl Strategy<Value = Scene> {
+    scene_of(on_a_lattice(), 0.25)
+}
+
+fn ordinary_scene() -> impl Strategy<Value = Scene> {
+    scene_of(ordinary(), 0.0625)
+}
+
+fn stiff_scene() -> impl Strategy<Value = Scene> {
+    scene_of(stiff(), 0.0625)
+}
+
+/// What the scenes turned out to be, and how the library answered.
+#[derive(Debug, Clone, Default)]
+struct Tally {
+    /// Nothing borderline: no ties, no families, nothing that rounding could decide.
+    clear: usize,
+    /// With an equilibrium exactly on the edge between two combinations of states.
+    tied: usize,
+    /// With whole families of equilibria.
+    families: usize,
+    /// Where working precision cannot tell whether some condition holds.
+    narrow: usize,
+    without_equilibrium: usize,
+    without_by_trying_all: usize,
+    several_equilibria: usize,
+    everything_rolls: usize,
+    kinematic_form: usize,
+    force_form: usize,
+    enumeration: usize,
+    sliding: usize,
+    separated: usize,
+    undecided: usize,
+    /// The largest distance from the list.
+    worst: f64,
+}
+
+impl Tally {
+    /// Compares library and exact list on one scene.
+    fn check(&mut self, scene: &Scene) -> Result<(), String> {
+        let census = scene.census();
+        let (grasp, load) = (scene.plain().grasp(), scene.plain().wrench());
+        let outcome = grasp.solve(&load).expect("a finite load");
+        let clear = !(census.tied || census.narrow || census.families);
+        self.clear += usize::from(clear);
+        self.tied += usize::from(census.tied);
+        self.narrow += usize::from(census.narrow);
+        self.families += usize::from(census.families);
+        self.without_equilibrium += usize::from(census.entries.is_empty());
+        self.several_equilibria += usize::from(census.entries.len() > 1);
+        let complaint = |what: String| format!("{what}\n{scene:?}\n{outcome:?}\n{}", describe(&census));
+        match &outcome {
+            Outcome::Equilibrium(returned) => {
+                self.is_listed(&census, scene, returned).map_err(complaint)?;
+                self.count(returned);
+            }
+            Outcome::NoEquilibrium(none) => {
+                if !census.entries.is_empty() {
+                    return Err(complaint("there is an equilibrium, none was found".into()));
+                }
+                let tried = matches!(none.proof, Proof::EveryStateTried { .. });
+                self.without_by_trying_all += usize::from(tried);
+            }
+            _ if clear => return Err(complaint("undecided, and nothing is borderline".into())),
+            _ => self.undecided += 1,
+        }
+        let list = grasp.equilibria(&load, &Settings::default()).expect("few contacts");
+        if clear && list.len() != census.entries.len() {
+            return Err(complaint(format!(
+                "{} listed, there are {}: {list:?}",
+                list.len(),
+                census.entries.len()
+            )));
+        }
+        list.iter().try_for_each(|e| self.is_listed(&census, scene, e)).map_err(complaint)
+    }
+
+    /// In the exact list; where rounding decides whether it is, it must satisfy the conditions at least.
+    fn is_listed(&mut self, census: &Census, scene: &Scene, returned: &Equilibrium) -> Result<(), String> {
+        let distance = census.distance(scene, returned);
+        if distance <= AGREEMENT {
+            self.worst = self.worst.max(distance);
+            return Ok(());
+        }
+        let violation = scene.plain().violation(returned, 0);
+        if census.narrow && violation <= 1e-10 {
+            return Ok(());
+        }
+        Err(format!(
+            "not in the list: off by {distance:e}, violates conditions by {violation:e}\n{returned:?}"
+        ))
+    }
+
+    fn count(&mut self, returned: &Equilibrium) {
+        *match returned.rule {
+            Rung::EverythingRolls | Rung::EverythingTouchingRolls => &mut self.everything_rolls,
+            Rung::KinematicForm => &mut self.kinematic_form,
+            Rung::ForceForm => &mut self.force_form,
+            _ => &mut self.enumeration,
+        } += 1;
+        let any = |wanted: fn(&ContactState) -> bool| returned.contacts.iter().any(|c| wanted(&c.state));
+        self.sliding += usize::from(any(|s| matches!(s, ContactState::Sliding { .. })));
+        self.separated += usize::from(any(|s| *s == ContactState::Separated));
+    }
+
+    /// The same sequence of scenes on every run.
+    fn of(scenes: &impl Strategy<Value = Scene>) -> Self {
+        let mut runner = TestRunner::deterministic();
+        let mut tally = Self::default();
+        for _ in 0..SCENES {
+            let scene = scenes.new_tree(&mut runner).expect("nothing is filtered").current();
+            tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
+        }
+        println!("{tally:?}");
+        tally
+    }
+
+    /// Every kind of scene and every rung must have come up in at least this share of the scenes, in per cent.
+    fn assert_often_enough(&self, shares: &[(&str, usize, usize)]) {
+        for &(what, count, share) in shares {
+            assert!(100 * count >= share * SCENES, "only {count} of {SCENES} scenes: {what}\n{self:?}");
+        }
+    }
+
+    /// What all kinds of scenes have in common.
+    fn assert_varied(&self) {
+        self.assert_often_enough(&[
+            ("clear", self.clear, 45),
+            ("without an equilibrium", self.without_equilibrium, 20),
+            ("without, by trying all combinations", self.without_by_trying_all, 3),
+            ("several equilibria", self.several_equilibria, 15),
+            ("everything rolls", self.everything_rolls, 4),
+            ("kinematic form", self.kinematic_form, 15),
+            ("sliding", self.sliding, 20),
+            ("separated", self.separated, 20),
+        ]);
+        // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
+        assert!(self.force_form >= 5 && self.enumeration >= 2, "{self:?}");
+    }
+}
+
+fn describe(census: &Census) -> String {
+    let states: Vec<&Vec<State>> = census.entries.iter().map(|e| &e.states).collect();
+    let Census { tied, narrow, families, .. } = census;
+    format!("exact: tied {tied}, narrow {narrow}, families {families}, states {states:?}")
+}
+
+#[test]
+fn on_a_lattice_full_of_ties() {
+    let tally = Tally::of(&lattice_scene());
+    tally.assert_varied();
+    tally.assert_often_enough(&[("tied", tally.tied, 30), ("families", tally.families, 30)]);
+    assert_eq!(tally.undecided, 0);
+}
+
+#[test]
+fn with_ordinary_numbers() {
+    let tally = Tally::of(&ordinary_scene());
+    tally.assert_varied();
+    tally.assert_often_enough(&[("narrow", tally.narrow, 8)]);
+    assert_eq!(tally.undecided, 0);
+}
+
+#[test]
+fn stiff_with_strong_friction() {
+    let tally = Tally::of(&stiff_scene());
+    tally.assert_varied();
+    tally.assert_often_enough(&[("narrow", tally.narrow, 6)]);
+    assert_eq!(tally.undecided, 0);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 300,
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn other_lattice_scenes(scene in lattice_scene()) {
+        Tally::default().check(&scene).map_err(TestCaseError::fail)?;
+    }
+
+    #[test]
+    fn other_ordinary_scenes(scene in ordinary_scene()) {
+        Tally::default().check(&scene).map_err(TestCaseError::fail)?;
+    }
+
+    #[test]
+    fn other_stiff_scenes(scene in stiff_scene()) {
+        Tally::default().check(&scene).map_err(TestCaseError::fail)?;
+    }
+}

@@ -1,0 +1,147 @@
+//! Forces, displacements, states and error estimates against the same contact states solved in exact arithmetic.
+//!
+//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `crate::common::truth` takes every number of a scene for
+//! what it is and solves for the states that the library returned: what differs is the library's rounding alone.
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::scene::Scene;
+use crate::common::truth::{Errors, Truth};
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::{Accuracy, ContactState, Equilibrium};
+use proptest::prelude::*;
+use std::cell::RefCell;
+
+/// Errors below this part of the largest force or displacement are none.
+const NONE: f64 = 1e-18;
+
+/// What came up, and the worst of it.
+#[derive(Debug, Default)]
+struct Tally {
+    rolling: usize,
+    sliding: usize,
+    /// Without an equilibrium that was found.
+    none: usize,
+    /// The states leave a motion free, or two contacts slide against each other: no single exact answer.
+    not_determined: usize,
+    /// Some state could be another, as the answer says.
+    not_distinct: usize,
+    /// Force, component, motion.
+    worst_rolling: [f64; 3],
+    worst_sliding: [f64; 3],
+    /// Largest ratios of error and estimate: force, displacement.
+    underestimated: [f64; 2],
+    overestimated: f64,
+    worst_condition: f64,
+}
+
+impl Tally {
+    fn check<const D: usize, const C: usize>(&mut self, scene: &Scene<D, C>) -> Result<(), String> {
+        let grasp = scene.grasp();
+        let settings = Settings::default().with_most_states(2000);
+        let outcome = grasp.solve_with(&scene.wrench(), &settings).map_err(|e| e.to_string())?;
+        let Some(answer) = outcome.equilibrium() else {
+            self.none += 1;
+            return Ok(());
+        };
+        let Some(truth) = Truth::of(scene, &grasp, answer) else {
+            self.not_determined += 1;
+            return Ok(());
+        };
+        let errors = truth.errors(&grasp, answer);
+        let accuracy = answer.accuracy.ok_or("no accuracy")?;
+        Self::states(answer, &truth)?;
+        let distinct = answer.contacts.iter().all(|c| c.distinct);
+        self.estimates(errors, accuracy, &truth, distinct).map_err(|what| format!("{what}\n{answer:?}"))?;
+        self.not_distinct += usize::from(!distinct);
+        let slides = answer.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. }));
+        let (count, worst) = if slides {
+            (&mut self.sliding, &mut self.worst_sliding)
+        } else {
+            (&mut self.rolling, &mut self.worst_rolling)
+        };
+        *count += 1;
+        for (worst, error) in worst.iter_mut().zip([errors.force, errors.component, errors.motion]) {
+            *worst = worst.max(error);
+        }
+        Ok(())
+    }
+
+    /// A state is the true one wherever the answer says that it is told apart.
+    fn states<const D: usize, const C: usize>(
+        answer: &Equilibrium<D, C>,
+        truth: &Truth<C>,
+    ) -> Result<(), String> {
+        for condition in &truth.conditions {
+            let distinct = answer.contacts[condition.contact].distinct;
+            if condition.part <= 0.0 && distinct || condition.part < -1e-12 {
+                return Err(format!("{condition:?} fails, and distinct is {distinct}\n{answer:?}"));
+            }
+        }
+        Ok(())
+    }
+
+    fn estimates<const C: usize>(
+        &mut self,
+        errors: Errors,
+        accuracy: Accuracy,
+        truth: &Truth<C>,
+        distinct: bool,
+    ) -> Result<(), String> {
+        let ratio = |error: f64, estimate: f64, none: f64| if error <= none { 0.0 } else { error / estimate };
+        let force = ratio(errors.newtons, accuracy.force, NONE * truth.largest);
+        let motion = ratio(errors.metres, accuracy.displacement, NONE * truth.travel);
+        self.underestimated = [self.underestimated[0].max(force), self.underestimated[1].max(motion)];
+        // Below a unit in the last place an estimate may be anything.
+        let least = f64::EPSILON * truth.largest;
+        if distinct {
+            self.overestimated = self.overestimated.max(accuracy.force / errors.newtons.max(least));
+        }
+        self.worst_condition = self.worst_condition.max(accuracy.condition);
+        if force > 10.0 || motion > 10.0 || force.is_nan() || motion.is_nan() {
+            return Err(format!("errors {errors:?}, estimated {accuracy:?}"));
+        }
+        Ok(())
+    }
+}
+
+fn tally<const D: usize, const C: usize>(count: std::ops::Range<usize>, spread: Spread, cases: u32) -> Tally {
+    let tally = RefCell::new(Tally::default());
+    let scenes = (scene::<D, C>(count, spread, 0.3), -6.0..1.0_f64).prop_map(|(mut scene, decades)| {
+        // Loads that stiff contacts carry with ease, and some that they do not.
+        scene.load *= 10_f64.powf(decades);
+        scene
+    });
+    for_all(file!(), cases, &scenes, |scene| tally.borrow_mut().check(&scene).map_err(TestCaseError::fail));
+    println!("{:?}", tally.borrow());
+    tally.into_inner()
+}
+
+fn assert_accurate(tally: &Tally) {
+    assert!(tally.worst_rolling[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
+    // Of each component by itself, too.
+    assert!(tally.worst_rolling[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
+    assert!(tally.worst_rolling[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
+    assert!(tally.overestimated <= 3.0, "{tally:?}");
+}
+
+#[test]
+fn stiff_scenes_in_the_plane() {
+    let tally = tally::<3, 2>(2..7, Spread::Stiff, 8500);
+    assert_accurate(&tally);
+    assert!(tally.rolling > 300 && tally.sliding > 1000, "{tally:?}");
+}
+
+#[test]
+fn stiff_scenes_in_space() {
+    let tally = tally::<6, 3>(3..7, Spread::Stiff, 1500);
+    assert_accurate(&tally);
+    assert!(tally.rolling > 150 && tally.sliding > 900, "{tally:?}");
+}
+
+#[test]
+fn ordinary_scenes() {
+    for tally in [tally::<3, 2>(2..7, Spread::Narrow, 500), tally::<6, 3>(3..7, Spread::Narrow, 300)] {
+        assert_accurate(&tally);
+        assert!(tally.rolling > 10 && tally.sliding > 100, "{tally:?}");
+    }
+}

@@ -1,0 +1,327 @@
+//! What must not change an equilibrium: the order of the contacts, the coordinates, the units, and what is not felt.
+//!
+//! Where there is one equilibrium only, or where everything rolls (which is the one returned first), the grasp seen
+//! from another side must give the same forces and displacements. Splitting a contact into two of half the stiffness
+//! shares its force; more friction at a contact that rolls, or a contact far out of reach, is not felt. No expected
+//! numbers are needed: each scene is compared with its own image.
+
+use std::cell::Cell;
+use std::f64::consts::TAU;
+
+use crate::common::random::{self, Spread, for_all, scene};
+use crate::common::scene::{Datum, Scene};
+use crate::common::transform::Transform;
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Rung};
+use grasp_lcp::{Fit, PolygonCone, Settings};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+/// Forces and displacements agree to this, relative to the largest.
+const AGREEMENT: f64 = 1e-9;
+/// Scenes whose answer changes by more than `CHANGE` when their data change by `JITTER` are left out: there 1e-16 would
+/// show.
+const JITTER: f64 = 1e-12;
+const CHANGE: f64 = 1e-8;
+
+/// Three facets in space: few enough states to list. The round cone has a file of its own.
+fn settings() -> Settings {
+    Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
+}
+
+/// What is compared: forces and displacements of the body at the contacts, coordinate axes.
+type Picture<const C: usize> = Vec<(SVector<f64, C>, SVector<f64, C>)>;
+
+fn picture<const D: usize, const C: usize>(e: &Equilibrium<D, C>) -> Picture<C> {
+    e.contacts.iter().map(|c| (c.force_world, c.body_core)).collect()
+}
+
+/// How far apart, relative to the largest force and displacement of the scene that has `e`, in its units. Displacements
+/// count only where no free motion leaves them open.
+fn distance<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    e: &Equilibrium<D, C>,
+    other: &Picture<C>,
+) -> f64 {
+    let sizes = scene.sizes(e);
+    let mut worst = 0.0_f64;
+    for ((f, u), (g, v)) in picture(e).iter().zip(other) {
+        worst = worst.max((f - g).norm() / sizes.force);
+        if e.free_motions.is_empty() {
+            worst = worst.max((u - v).norm() / sizes.motion);
+        }
+    }
+    worst
+}
+
+/// The equilibrium of a scene if nothing but that one can be the answer, and if it is well-conditioned.
+fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibrium<D, C>> {
+    let grasp = scene.grasp();
+    let outcome = grasp.solve_with(&scene.wrench(), &settings()).expect("a finite load");
+    let e = outcome.equilibrium()?;
+    if e.rule != Rung::EverythingRolls {
+        let all = grasp.equilibria(&scene.wrench(), &settings()).ok()?;
+        if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
+            return None;
+        }
+    }
+    // A contact that touches without force may as well be open or slide, one that rolls on the very edge of its cone may
+    // as well slide: then the displacements are not unique.
+    let least = 1e-9 * scene.sizes(e).force;
+    let tied = |c: &ContactAnswer<C>| match c.state {
+        ContactState::Separated => false,
+        ContactState::Rolling => c.normal_force() <= least || c.margin <= least,
+        _ => c.normal_force() <= least,
+    };
+    if e.contacts.iter().any(tied) {
+        return None;
+    }
+    // The image of a scene has data rounded at 1e-16: that must not show at 1e-9.
+    let near = |phase| {
+        solve(&jittered(scene, phase)).is_ok_and(|near| distance(scene, e, &picture(&near)) <= CHANGE)
+    };
+    [0.0, 1.0, 2.0].into_iter().all(near).then(|| e.clone())
+}
+
+/// The same scene with its numbers changed a little.
+fn jittered<const D: usize, const C: usize>(scene: &Scene<D, C>, phase: f64) -> Scene<D, C> {
+    let mut seed = phase;
+    let mut jitter = |x: f64| {
+        seed += 1.0;
+        x * (1.0 + JITTER * (7.0 * seed).cos())
+    };
+    let mut near = scene.clone();
+    for datum in &mut near.contacts {
+        datum.point = datum.point.map(&mut jitter);
+        datum.normal = datum.normal.map(&mut jitter);
+        datum.command = datum.command.map(&mut jitter);
+        datum.stiffness = datum.stiffness.map(&mut jitter);
+    }
+    near.load = near.load.map(&mut jitter);
+    near
+}
+
+fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibrium<D, C>, TestCaseError> {
+    match scene.grasp().solve_with(&scene.wrench(), &settings()).expect("a finite load") {
+        Outcome::Equilibrium(e) => Ok(*e),
+        other => Err(TestCaseError::fail(format!("no equilibrium any more: {other:?}"))),
+    }
+}
+
+/// Scenes that were compared.
+#[derive(Debug, Default)]
+struct Tally {
+    compared: Cell<u32>,
+    sliding: Cell<u32>,
+    separated: Cell<u32>,
+}
+
+impl Tally {
+    fn count<const D: usize, const C: usize>(&self, e: &Equilibrium<D, C>) {
+        let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
+        add(&self.compared, true);
+        add(&self.sliding, e.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. })));
+        add(&self.separated, e.contacts.iter().any(|c| c.state == ContactState::Separated));
+    }
+
+    fn assert_at_least(&self, compared: u32, sliding: u32, separated: u32) {
+        println!("{self:?}");
+        let enough = self.compared.get() >= compared
+            && self.sliding.get() >= sliding
+            && self.separated.get() >= separated;
+        assert!(enough, "{self:?}");
+    }
+}
+
+/// The image of a scene has the image of its equilibrium.
+fn carried_along<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    transform: &Transform<C>,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let Some(e) = only(scene) else { return Ok(()) };
+    let image = solve(&transform.scene(scene))?;
+    let back: Picture<C> = picture(&image)
+        .iter()
+        .map(|(f, u)| (transform.force_back(f), transform.displacement_back(u)))
+        .collect();
+    let off = distance(scene, &e, &back);
+    prop_assert!(off <= AGREEMENT, "off by {off:e}\n{e:?}\n{image:?}");
+    tally.count(&e);
+    Ok(())
+}
+
+fn check_order<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    turn: usize,
+    swap: bool,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let Some(e) = only(scene) else { return Ok(()) };
+    let count = scene.contacts.len();
+    let at = |i: usize| if swap { count - 1 - (i + turn) % count } else { (i + turn) % count };
+    let mut image = scene.clone();
+    (0..count).for_each(|i| image.contacts[at(i)] = scene.contacts[i]);
+    let solved = picture(&solve(&image)?);
+    let back: Picture<C> = (0..count).map(|i| solved[at(i)]).collect();
+    let off = distance(scene, &e, &back);
+    prop_assert!(off <= AGREEMENT, "off by {off:e}\n{e:?}");
+    tally.count(&e);
+    Ok(())
+}
+
+/// Contact 0 becomes two of half the stiffness each, at the same place.
+fn check_split<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let Some(e) = only(scene) else { return Ok(()) };
+    let mut split = scene.clone();
+    split.contacts[0].stiffness *= 0.5;
+    split.contacts.push(split.contacts[0]);
+    let halves = picture(&solve(&split)?);
+    let last = halves[scene.contacts.len()];
+    let mut joined: Picture<C> = halves[..scene.contacts.len()].to_vec();
+    joined[0].0 += last.0;
+    let off = distance(scene, &e, &joined);
+    prop_assert!(off <= AGREEMENT, "off by {off:e}\n{e:?}\n{halves:?}");
+    tally.count(&e);
+    Ok(())
+}
+
+/// The grasp changed in a way that this equilibrium does not feel. The change may bring equilibria of its own; the old one
+/// must still be one of all, and must be returned where it is the only one or where everything that can touch rolls.
+fn not_felt<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    e: &Equilibrium<D, C>,
+    changed: &Scene<D, C>,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let off = |other: &Equilibrium<D, C>| distance(scene, e, &picture(other));
+    let mut alone = false;
+    if let Ok(all) = changed.grasp().equilibria(&changed.wrench(), &settings()) {
+        prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
+        alone = all.len() == 1;
+    }
+    if alone || e.rule == Rung::EverythingRolls {
+        let returned = solve(changed)?;
+        prop_assert!(off(&returned) <= AGREEMENT, "off by {:e}\n{e:?}\n{returned:?}", off(&returned));
+        tally.count(e);
+    }
+    Ok(())
+}
+
+fn check_friction<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    more: f64,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let Some(e) = only(scene) else { return Ok(()) };
+    let mut rougher = scene.clone();
+    for (datum, c) in rougher.contacts.iter_mut().zip(&e.contacts) {
+        if c.state == ContactState::Rolling {
+            datum.friction *= more;
+        }
+    }
+    not_felt(scene, &e, &rougher, tally)
+}
+
+fn check_out_of_reach<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    another: Datum<C>,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let Some(e) = only(scene) else { return Ok(()) };
+    let mut changed = scene.clone();
+    let away = 1e4 * scene.sizes(&e).motion;
+    changed.contacts.push(Datum { clearance: away, ..another });
+    not_felt(scene, &e, &changed, tally)
+}
+
+fn planar() -> impl Strategy<Value = Scene<3, 2>> {
+    scene::<3, 2>(2..5, Spread::Wide, 0.2)
+}
+
+fn spatial() -> impl Strategy<Value = Scene<6, 3>> {
+    scene::<6, 3>(3..5, Spread::Wide, 0.3)
+}
+
+fn angles() -> impl Strategy<Value = [f64; 3]> {
+    [0.0..TAU, 0.0..TAU, 0.0..TAU]
+}
+
+fn shift<const C: usize>() -> impl Strategy<Value = SVector<f64, C>> {
+    prop::collection::vec(-20.0..20.0_f64, C).prop_map(SVector::from_vec)
+}
+
+fn power_of_ten() -> impl Strategy<Value = f64> {
+    (-6..7_i32).prop_map(|e| 10_f64.powi(e))
+}
+
+const PLANAR: u32 = 2000;
+const SPATIAL: u32 = 400;
+
+macro_rules! in_plane_and_space {
+    ($($name:ident($scene:ident, $tally:ident, $other:ident in $strategy:expr) $body:block)*) => { $(
+        mod $name {
+            use super::*;
+
+            #[test]
+            fn in_the_plane() {
+                let $tally = Tally::default();
+                for_all(file!(), PLANAR, &(planar(), $strategy), |($scene, $other)| $body);
+                $tally.assert_at_least(PLANAR / 3, PLANAR / 10, PLANAR / 10);
+            }
+
+            #[test]
+            fn in_space() {
+                let $tally = Tally::default();
+                for_all(file!(), SPATIAL, &(spatial(), $strategy), |($scene, $other)| $body);
+                $tally.assert_at_least(SPATIAL / 6, SPATIAL / 20, SPATIAL / 50);
+            }
+        }
+    )* };
+}
+
+in_plane_and_space! {
+    turning(scene, tally, angles in angles()) {
+        carried_along(&scene, &Transform::turned(angles), &tally)
+    }
+    mirroring(scene, tally, _nothing in Just(())) {
+        carried_along(&scene, &Transform::mirrored(), &tally)
+    }
+    moving_the_reference_point(scene, tally, shift in shift()) {
+        carried_along(&scene, &Transform::moved(shift), &tally)
+    }
+    other_units(scene, tally, units in (power_of_ten(), power_of_ten())) {
+        carried_along(&scene, &Transform::in_units(units.0, units.1), &tally)
+    }
+    another_order(scene, tally, order in (0..4_usize, any::<bool>())) {
+        check_order(&scene, order.0, order.1, &tally)
+    }
+    splitting_a_contact(scene, tally, _nothing in Just(())) {
+        check_split(&scene, &tally)
+    }
+    more_friction_where_it_rolls(scene, tally, more in 1.0..100.0_f64) {
+        check_friction(&scene, more, &tally)
+    }
+}
+
+#[test]
+fn a_finger_out_of_reach_is_not_felt_in_the_plane() {
+    let tally = Tally::default();
+    let another = random::datum::<2>(Spread::Wide);
+    for_all(file!(), PLANAR, &(planar(), another), |(scene, another)| {
+        check_out_of_reach(&scene, another, &tally)
+    });
+    tally.assert_at_least(PLANAR / 3, PLANAR / 10, PLANAR / 10);
+}
+
+#[test]
+fn a_finger_out_of_reach_is_not_felt_in_space() {
+    let tally = Tally::default();
+    let another = random::datum::<3>(Spread::Wide);
+    for_all(file!(), SPATIAL, &(spatial(), another), |(scene, another)| {
+        check_out_of_reach(&scene, another, &tally)
+    });
+    tally.assert_at_least(SPATIAL / 6, SPATIAL / 20, SPATIAL / 50);
+}

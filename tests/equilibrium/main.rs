@@ -1,0 +1,20 @@
+//! The equilibrium of one grasp under one load.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod any_numbers;
+mod bad_contacts;
+mod bad_fingertips;
+mod bad_questions;
+mod closed_forms;
+mod condition;
+mod exact_equilibria;
+mod exact_states;
+mod frames;
+mod frictionless_sliding;
+mod invariance;
+mod properties_law;
+mod round_cone;
+mod soft_fingertip;
+mod soft_fingertip_torsion;

@@ -1,0 +1,227 @@
+//! Every equilibrium satisfies the conditions of the problem, and where everything rolls it is the minimum of energy.
+//!
+//! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and equilibrium are recomputed here from the data of
+//! the scene (`crate::common::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
+//! grasps, each contact with its own friction (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6, and
+//! symmetric grasps, in which several contacts reach the edge of their cone at once. Rolling grasps are compared
+//! with the linear least-squares problem they solve (`crate::common::rolling`).
+
+use std::cell::{Cell, RefCell};
+use std::f64::consts::PI;
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::rolling;
+use crate::common::scene::{Datum, Scene};
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Rung};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+/// Conditions hold to this, relative to the sizes of the scene.
+const LAW: f64 = 1e-10;
+const FACETS: usize = 8;
+
+/// What came up.
+#[derive(Debug, Clone, Default)]
+struct Tally {
+    equilibria: u32,
+    everything_rolls: u32,
+    sliding: u32,
+    separated: u32,
+    /// A rolling contact on the very edge of its cone, or a sliding or open one that just begins to.
+    tied: u32,
+    /// With motions that no contact resists.
+    free: u32,
+    several: u32,
+    no_equilibrium: u32,
+    undecided: u32,
+    worst: f64,
+}
+
+impl Tally {
+    fn count<const D: usize, const C: usize>(&mut self, e: &Equilibrium<D, C>) {
+        let size = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+        let any = |what: &dyn Fn(usize) -> bool| u32::from((0..e.contacts.len()).any(what));
+        self.equilibria += 1;
+        self.everything_rolls += u32::from(e.rule == Rung::EverythingRolls);
+        self.sliding += any(&|i| matches!(e.contacts[i].state, ContactState::Sliding { .. }));
+        self.separated += any(&|i| e.contacts[i].state == ContactState::Separated);
+        self.tied += any(&|i| {
+            let c = &e.contacts[i];
+            let still = c.gap.max(c.slip.norm()) <= 1e-12 * c.body_core.norm();
+            if c.state == ContactState::Rolling { c.margin.abs() <= 1e-12 * size } else { still }
+        });
+        self.free += u32::from(!e.free_motions.is_empty());
+    }
+
+    fn assert_at_least(&self, counts: &[(&str, u32, u32)]) {
+        println!("{self:?}");
+        for &(what, count, least) in counts {
+            assert!(count >= least, "{what}: only {count} of at least {least}: {self:?}");
+        }
+    }
+}
+
+/// Solves a scene and checks what comes back; with `list`, all equilibria.
+fn check<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    list: bool,
+    tally: &RefCell<Tally>,
+) -> Result<(), TestCaseError> {
+    let mut tally = tally.borrow_mut();
+    let grasp = scene.grasp();
+    let mut found = Vec::new();
+    match grasp.solve(&scene.wrench()).expect("a finite load") {
+        Outcome::Equilibrium(e) => {
+            tally.count(&e);
+            found.push(*e);
+        }
+        Outcome::NoEquilibrium(_) => tally.no_equilibrium += 1,
+        _ => tally.undecided += 1,
+    }
+    if list {
+        let all = grasp.equilibria(&scene.wrench(), &Settings::default()).expect("few contacts");
+        prop_assert!(all.is_empty() == found.is_empty(), "solved {found:?}, listed {all:?}");
+        tally.several += u32::from(all.len() > 1);
+        found.extend(all);
+    }
+    for e in &found {
+        let violation = scene.violation(e, FACETS);
+        prop_assert!(violation <= LAW, "{violation:e} in {e:?}");
+        tally.worst = tally.worst.max(violation);
+    }
+    Ok(())
+}
+
+/// Four contacts at the ends of a cross, one the mirror image of the other, numbers from a coarse grid.
+fn symmetric() -> impl Strategy<Value = Scene<3, 2>> {
+    let pair = (1..5_i32, 1..3_i32, 1..3_i32, 0..5_i32, 0..4_i32, -2..3_i32);
+    (pair.clone(), pair, -4..5_i32).prop_map(|(across, upright, load)| {
+        let mut contacts = Vec::new();
+        for ((at, kn, kt, mu, push, drag), axis) in [(across, [1.0, 0.0]), (upright, [0.0, 1.0])] {
+            for side in [1.0, -1.0] {
+                let [x, y] = axis;
+                contacts.push(Datum {
+                    point: SVector::from([side * x, side * y]) * f64::from(at) * 0.5,
+                    normal: SVector::from([-side * x, -side * y]),
+                    tangent: SVector::zeros(),
+                    stiffness: SVector::from([f64::from(kn), f64::from(kt)]),
+                    friction: f64::from(mu) * 0.25,
+                    // Dragging both sides of a pair the same way in space.
+                    command: SVector::from([f64::from(push) * 0.25, side * f64::from(drag) * 0.125]),
+                    clearance: 0.0,
+                });
+            }
+        }
+        Scene { contacts, load: SVector::from([0.0, f64::from(load) * 0.125, 0.0]) }
+    })
+}
+
+/// Everything rolls: the forces are those of the linear least-squares problem, and the energy is its minimum.
+fn check_minimum<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    rolling_scenes: &Cell<u32>,
+) -> Result<(), TestCaseError> {
+    let outcome = scene.grasp().solve(&scene.wrench()).expect("a finite load");
+    let expected = rolling::forces(scene);
+    if let (Outcome::NoEquilibrium(NoEquilibrium { proof: Proof::FreeMotion { .. }, .. }), None) =
+        (&outcome, &expected)
+    {
+        return Ok(());
+    }
+    let expected = expected.expect("the load works on a free motion, and the library did not notice");
+    // Where the forces cancel, what the softest spring would exert over the largest command.
+    let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
+    let command =
+        scene.contacts.iter().map(|datum| datum.command.norm() + datum.clearance).fold(0.0, f64::max);
+    let size = expected.iter().map(SVector::norm).fold(softest * command, f64::max);
+    // The polygon in space lies between the round cone and one narrower by cos(π/m); in the plane there is one cone.
+    let narrower = if C == 2 { 1.0 } else { (PI / FACETS as f64).cos() };
+    let slack = |part: f64| {
+        let of = |(datum, f): (&Datum<C>, &SVector<f64, C>)| {
+            let friction = f.rows_range(1..).norm();
+            let bounded = datum.friction > 0.0 && datum.friction.is_finite();
+            if bounded {
+                f[0].min((part * datum.friction * f[0] - friction) / (1.0 + datum.friction))
+            } else {
+                f[0]
+            }
+        };
+        scene.contacts.iter().zip(&expected).map(of).fold(f64::INFINITY, f64::min)
+    };
+    let e = outcome.equilibrium();
+    if slack(1.0) < -1e-9 * size {
+        prop_assert!(e.is_none_or(|e| e.rule != Rung::EverythingRolls), "not all contacts can roll");
+    }
+    if slack(narrower) < 1e-9 * size {
+        return Ok(());
+    }
+    prop_assert!(e.is_some(), "everything could roll: {outcome:?}");
+    let e = e.expect("just checked");
+    prop_assert_eq!(e.rule, Rung::EverythingRolls);
+    rolling_scenes.set(rolling_scenes.get() + 1);
+    let mut energy = 0.0;
+    for ((c, f), datum) in e.contacts.iter().zip(&expected).zip(&scene.contacts) {
+        prop_assert!((c.force - f).norm() <= 1e-10 * size, "{} instead of {f}", c.force);
+        energy += (0..datum.axes()).map(|a| 0.5 * f[a] * f[a] / datum.stiffness[a]).sum::<f64>();
+    }
+    prop_assert!((e.stored_energy - energy).abs() <= 1e-9 * energy);
+    Ok(())
+}
+
+#[test]
+fn the_law_holds_in_the_plane() {
+    let tally = RefCell::default();
+    for_all(file!(), 4000, &scene::<3, 2>(2..5, Spread::Wide, 0.2), |scene| check(&scene, true, &tally));
+    let t = tally.into_inner();
+    t.assert_at_least(&[("sliding", t.sliding, 1500), ("separated", t.separated, 700)]);
+    t.assert_at_least(&[("rolling", t.everything_rolls, 500), ("several equilibria", t.several, 500)]);
+    t.assert_at_least(&[("no equilibrium", t.no_equilibrium, 30), ("free motions", t.free, 50)]);
+    assert_eq!(t.undecided, 0);
+}
+
+#[test]
+fn the_law_holds_where_everything_is_symmetric() {
+    let tally = RefCell::default();
+    for_all(file!(), 4000, &symmetric(), |scene| check(&scene, true, &tally));
+    let t = tally.into_inner();
+    t.assert_at_least(&[("sliding", t.sliding, 800), ("separated", t.separated, 800)]);
+    t.assert_at_least(&[("rolling", t.everything_rolls, 1000), ("several equilibria", t.several, 150)]);
+    t.assert_at_least(&[("ties", t.tied, 250), ("free motions", t.free, 100)]);
+    assert_eq!(t.undecided, 0);
+}
+
+#[test]
+fn the_law_holds_with_more_contacts_than_can_be_listed() {
+    const CASES: u32 = 1000;
+    let tally = RefCell::default();
+    for_all(file!(), CASES, &scene::<3, 2>(8..30, Spread::Wide, 0.2), |scene| check(&scene, false, &tally));
+    let t = tally.into_inner();
+    t.assert_at_least(&[("sliding", t.sliding, 600), ("separated", t.separated, 600)]);
+    assert!(t.undecided <= CASES / 20, "{} of {CASES} undecided", t.undecided);
+}
+
+#[test]
+fn the_law_holds_in_space() {
+    const CASES: u32 = 2500;
+    let tally = RefCell::default();
+    for_all(file!(), CASES, &scene::<6, 3>(2..6, Spread::Wide, 0.2), |scene| check(&scene, false, &tally));
+    let t = tally.into_inner();
+    t.assert_at_least(&[("sliding", t.sliding, 800), ("separated", t.separated, 400)]);
+    t.assert_at_least(&[("rolling", t.everything_rolls, 200), ("free motions", t.free, 200)]);
+    assert!(t.undecided <= CASES / 20, "{} of {CASES} undecided", t.undecided);
+}
+
+#[test]
+fn rolling_is_the_minimum_of_energy_in_the_plane() {
+    let rolling = Cell::new(0);
+    for_all(file!(), 3000, &scene::<3, 2>(2..6, Spread::Wide, 0.03), |scene| check_minimum(&scene, &rolling));
+    assert!(rolling.get() > 300, "only {} scenes roll", rolling.get());
+}
+
+#[test]
+fn rolling_is_the_minimum_of_energy_in_space() {
+    let rolling = Cell::new(0);
+    for_all(file!(), 3000, &scene::<6, 3>(2..6, Spread::Wide, 0.03), |scene| check_minimum(&scene, &rolling));
+    assert!(rolling.get() > 300, "only {} scenes roll", rolling.get());
+}

@@ -1,0 +1,214 @@
+//! Equilibria in space on the round friction cone.
+//!
+//! The scenes are made backwards: a twist of the object is chosen, every contact answers with the force that Coulomb's law gives
+//! it (a return map of its own, by bisection), and the load is what balances them. An equilibrium therefore exists; the
+//! library has to find one, or say that it does not know, and whatever it finds has to satisfy the law. Where friction is
+//! weak enough for the equilibrium to be the only one, neither the tangents, the order, the frame nor a contact
+//! split in two may change it.
+
+use std::cell::Cell;
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::scene::{Datum, Scene, displacement, wrench};
+use crate::common::transform::Transform;
+use grasp_lcp::equilibrium::{Cone, ContactState, Equilibrium, Outcome};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+/// Coulomb's law at a stretch v: the friction force is `S v` with S = (K⁻¹ + λ)⁻¹, λ from its size by bisection.
+fn coulomb(datum: &Datum<3>, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
+    let mut force = datum.stiffness.component_mul(stretch);
+    if force[0] <= 0.0 {
+        return SVector::zeros();
+    }
+    let limit = datum.friction * force[0];
+    let at = |lambda: f64| [1, 2].map(|a| force[a] / (1.0 + lambda * datum.stiffness[a]));
+    let size = |lambda: f64| at(lambda)[0].hypot(at(lambda)[1]);
+    if size(0.0) > limit {
+        let (mut below, mut above) = (0.0, 1.0 / datum.stiffness.min());
+        while size(above) > limit {
+            above *= 2.0;
+        }
+        for _ in 0..200 {
+            let middle = 0.5 * (below + above);
+            *(if size(middle) > limit { &mut below } else { &mut above }) = middle;
+        }
+        [force[1], force[2]] = at(above);
+    }
+    force
+}
+
+/// The scene under the load that balances its contacts at a twist.
+fn balanced(mut scene: Scene<6, 3>, twist: &SVector<f64, 6>) -> Scene<6, 3> {
+    scene.load = scene.contacts.iter().fold(SVector::zeros(), |load, datum| {
+        let frame = datum.frame();
+        let stretch = datum.drive() - frame.tr_mul(&displacement(&datum.point, twist));
+        load - wrench::<6, 3>(&datum.point, &(frame * coulomb(datum, &stretch)))
+    });
+    scene
+}
+
+/// Solvable scenes, friction times a factor, with one tangential stiffness or two.
+fn solvable(
+    counts: std::ops::Range<usize>,
+    motion: f64,
+    friction: f64,
+    even_tangents: bool,
+) -> impl Strategy<Value = Scene<6, 3>> {
+    let twist = prop::collection::vec(-motion..motion, 6).prop_map(SVector::from_vec);
+    (scene::<6, 3>(counts, Spread::Narrow, 0.2), twist).prop_map(move |(mut scene, twist)| {
+        for datum in &mut scene.contacts {
+            datum.friction *= friction;
+            if even_tangents {
+                datum.stiffness[2] = datum.stiffness[1];
+            }
+        }
+        balanced(scene, &twist)
+    })
+}
+
+fn solve(scene: &Scene<6, 3>) -> Outcome<6, 3> {
+    scene.grasp().solve(&scene.wrench()).expect("a finite load")
+}
+
+fn slides(e: &Equilibrium<6, 3>) -> bool {
+    e.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. }))
+}
+
+#[test]
+fn solvable_scenes_are_solved() {
+    const CASES: u32 = 2000;
+    let (sliding, unresolved, worst) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64));
+    for_all(file!(), CASES, &solvable(3..21, 0.3, 1.0, false), |scene| {
+        match solve(&scene) {
+            Outcome::Equilibrium(e) => {
+                prop_assert_eq!(e.cone, Cone::Round);
+                let violation = scene.violation(&e, 8);
+                prop_assert!(violation <= 1e-12, "{violation:e} in {e:?}");
+                prop_assert!(e.residuals.worst() <= 1e-12);
+                worst.set(worst.get().max(violation));
+                sliding.set(sliding.get() + u32::from(slides(&e)));
+                prop_assert!(e.change_from_polygon.is_some() || !slides(&e));
+            }
+            Outcome::NoEquilibrium(proof) => prop_assert!(false, "wrong proof: {proof:?}"),
+            _ => unresolved.set(unresolved.get() + 1),
+        }
+        Ok(())
+    });
+    println!("{} slide, {} unresolved, worst violation {:e}", sliding.get(), unresolved.get(), worst.get());
+    assert!(sliding.get() >= CASES / 2);
+    assert!(unresolved.get() <= CASES / 1000, "{} unresolved", unresolved.get());
+}
+
+/// With weak friction the equilibrium is the only one and not sensitive: the images must agree.
+fn unchanged(image: impl Fn(&Scene<6, 3>) -> Vec<SVector<f64, 3>>, cases: u32) {
+    unchanged_of(&solvable(4..9, 0.2, 0.3, false), image, cases);
+}
+
+fn unchanged_of(
+    scenes: &impl Strategy<Value = Scene<6, 3>>,
+    image: impl Fn(&Scene<6, 3>) -> Vec<SVector<f64, 3>>,
+    cases: u32,
+) {
+    let compared = Cell::new(0);
+    for_all(file!(), cases, scenes, |scene| {
+        let Outcome::Equilibrium(e) = solve(&scene) else { return Ok(()) };
+        if !slides(&e) {
+            return Ok(());
+        }
+        let size = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+        for (c, f) in e.contacts.iter().zip(image(&scene)) {
+            let apart = (c.force_world - f).norm() / size;
+            prop_assert!(apart <= 1e-12, "{apart:e}: {} and {f}", c.force_world);
+        }
+        compared.set(compared.get() + 1);
+        Ok(())
+    });
+    assert!(compared.get() >= cases / 4, "{} compared", compared.get());
+}
+
+fn forces(scene: &Scene<6, 3>) -> Vec<SVector<f64, 3>> {
+    let outcome = solve(scene);
+    outcome.equilibrium().map_or(vec![SVector::repeat(f64::NAN); scene.contacts.len()], |e| {
+        e.contacts.iter().map(|c| c.force_world).collect()
+    })
+}
+
+/// A quarter turn of the tangents with the stiffnesses along them exchanged; any turn where both are the same.
+#[test]
+fn the_tangents_do_not_matter() {
+    unchanged(
+        |scene| {
+            let mut turned = scene.clone();
+            for datum in &mut turned.contacts {
+                datum.tangent = datum.frame().column(2).into_owned();
+                datum.stiffness.swap_rows(1, 2);
+                let [along, across] = [datum.command[2], -datum.command[1]];
+                (datum.command[1], datum.command[2]) = (along, across);
+            }
+            forces(&turned)
+        },
+        300,
+    );
+    unchanged_of(
+        &solvable(4..9, 0.2, 0.3, true),
+        |scene| {
+            let mut turned = scene.clone();
+            for (k, datum) in turned.contacts.iter_mut().enumerate() {
+                let (sin, cos) = (0.3 + 0.7 * k as f64).sin_cos();
+                datum.tangent = datum.frame() * SVector::from([0.0, cos, sin]);
+                let [along, across] = [datum.command[1], datum.command[2]];
+                datum.command[1] = cos * along + sin * across;
+                datum.command[2] = cos * across - sin * along;
+            }
+            forces(&turned)
+        },
+        300,
+    );
+}
+
+#[test]
+fn the_order_does_not_matter() {
+    unchanged(
+        |scene| {
+            let mut reversed = scene.clone();
+            reversed.contacts.reverse();
+            let mut found = forces(&reversed);
+            found.reverse();
+            found
+        },
+        300,
+    );
+}
+
+#[test]
+fn the_frame_does_not_matter() {
+    let transform = Transform::<3>::turned([0.4, 1.1, 2.3]);
+    unchanged(
+        |scene| {
+            let found = forces(&transform.scene(scene));
+            found.iter().map(|f| transform.force_back(f)).collect()
+        },
+        300,
+    );
+    let transform = Transform::<3>::moved(SVector::from([0.7, -1.3, 2.1]));
+    unchanged(|scene| forces(&transform.scene(scene)), 300);
+}
+
+/// A contact split in two of half the stiffness carries the same in both.
+#[test]
+fn a_contact_may_be_split() {
+    unchanged(
+        |scene| {
+            let mut split = scene.clone();
+            let half = Datum { stiffness: split.contacts[0].stiffness * 0.5, ..split.contacts[0] };
+            split.contacts[0] = half;
+            split.contacts.push(half);
+            let mut found = forces(&split);
+            let other = found.pop().expect("a contact was added");
+            found[0] += other;
+            found
+        },
+        300,
+    );
+}

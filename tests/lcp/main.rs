@@ -1,0 +1,13 @@
+//! The complementarity problem by itself.
+
+mod allocation;
+mod common;
+mod exact;
+mod fuzz;
+mod guaranteed;
+mod matrix_class;
+mod mixed;
+mod near_singular;
+mod parametric;
+mod published;
+mod scaling;

@@ -1,0 +1,306 @@
+//! Planar load paths that can be written down: wedges about their locking angle, a lost continuation, orders of loading
+//! that matter, no friction and infinite friction.
+//!
+//! Each test derives its numbers by hand in the comment above it, from the springs, Coulomb's law and equilibrium alone.
+
+use crate::story::{assert_close, assert_story, completed, story};
+use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::planar;
+
+/// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
+/// without them it may as well turn, one flank sliding and the other not, under the very same forces.
+fn wedge(mu: f64) -> planar::Grasp {
+    let (k, kt) = (100.0, 200.0);
+    let flank = |side: f64| {
+        planar::Contact::new([side, 0.0], [-4.0 * side, 3.0]).series_stiffness(k, kt).friction(mu)
+    };
+    let guide = |y: f64| planar::Contact::new([0.0, y], [1.0, 0.0]).series_stiffness(1e4, 1.0).kept_closed();
+    planar::Grasp::new([flank(1.0), flank(-1.0), guide(3.0), guide(-3.0)]).unwrap()
+}
+
+/// Wedge angle: tan α = s/c = 0.75. Sinking by y compresses each flank by k s y and drags it by kt c y: as
+/// kt c > μ k s it slides from the first moment, with N = k s y and load W = 2N(s + μc). On the way back it sticks while y
+/// falls by δ: N falls by k s δ, the upward friction T by kt c δ. It slides back when T = -μN, at δ* = 2μN₁/(kt c + μ k s),
+/// load W* = W₁ - 2δ*(k s² + kt c²) = 2N(s - μc): above zero below the locking angle μ = tan α, and below zero
+/// above it, where the unloaded wedge stays stuck and W* is what it takes to pull it out: a limit load.
+#[test]
+fn a_wedge_locks_at_its_angle() {
+    let (k, kt, s, c, w1) = (100.0, 200.0, 0.6, 0.8, 6.0);
+    let down = |w: f64| planar::Wrench::force([0.0, -w]);
+    let tan = 0.75_f64;
+    for mu in [0.25, 0.5, tan - 1e-6, tan + 1e-6, 0.9, 1.5] {
+        let n1 = w1 / (2.0 * (s + mu * c));
+        let back = 2.0 * mu * n1 / (kt * c + mu * k * s);
+        let pulls_out = w1 - 2.0 * back * (k * s * s + kt * c * c);
+        assert!((pulls_out > 0.0) == (mu < tan), "by hand");
+        let grasp = wedge(mu);
+        let mut path = grasp
+            .follow(down(0.0), &[planar::Leg::load_to(down(w1)), planar::Leg::load_to(down(0.0))])
+            .unwrap();
+        let mut events = path.run();
+        assert!(completed(path.end()), "{mu}: {:?}", path.end());
+        let sinks = path.state_at(0, 1.0).unwrap();
+        for contact in &sinks.contacts[..2] {
+            assert_close!(contact.normal_force(), n1);
+            assert_close!(contact.friction_force(), mu * n1);
+            assert_close!(contact.slip.norm(), c * n1 / (k * s) - mu * n1 / kt);
+        }
+        assert_close!(sinks.twist.translation()[1], -n1 / (k * s));
+        let rest = path.state_at(1, 1.0).unwrap();
+        let mut expected =
+            vec![(0, 0.0, vec![(0, "slides"), (1, "slides")]), (1, 0.0, vec![(0, "sticks"), (1, "sticks")])];
+        if mu < tan {
+            expected.push((1, 1.0 - pulls_out / w1, vec![(0, "slides"), (1, "slides")]));
+            let left = rest.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+            // Near the locking angle a rounding of the load is a force larger by the inverse of the distance.
+            assert!(left < 1e-14 * w1 / (tan - mu), "{mu}: it comes out by itself, {left}");
+        } else {
+            // W = 0: N s + T c = 0 after the whole of W₁ has been taken back at the sticking stiffness.
+            let n = n1 - k * s * w1 / (2.0 * (k * s * s + kt * c * c));
+            for contact in &rest.contacts[..2] {
+                assert_close!(contact.normal_force(), n);
+                assert_close!(contact.friction_force(), n * tan);
+                assert_eq!(contact.state, planar::ContactState::Rolling);
+            }
+            path.continue_with(&[planar::Leg::load_to(down(2.0 * pulls_out))]).unwrap();
+            events.extend(path.run());
+            let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{mu}: {:?}", path.end()) };
+            assert_eq!((loss.leg, &loss.contacts[..]), (2, &[0, 1][..]));
+            // A rounding of W₁ moves the small load that pulls it out by its inverse part.
+            assert!((loss.fraction - 0.5).abs() < 1e-14 * w1 / pulls_out.abs(), "{mu}: {}", loss.fraction);
+            let [x, y] = loss.motion.expect("a motion").translation();
+            assert!(y > 0.99 && x.abs() < 1e-9, "it comes out: {x} {y}");
+        }
+        if mu >= tan {
+            assert_story(&events, &expected);
+        } else {
+            // Free of force at last, it may also be said to open there, at the very end.
+            assert_story(&events[..3], &expected);
+            assert!(events[3..].iter().all(|e| e.fraction > 1.0 - 1e-12), "{:?}", story(&events));
+        }
+    }
+}
+
+/// Exactly at the locking angle the wedge stays until the load is gone, and then any pull takes it out. The locked forces
+/// are those of the sticking state, N = N₁ - k s δ with T = -μN to rounding: pressed again, it is back where it was.
+#[test]
+fn a_wedge_at_its_locking_angle() {
+    let down = |w: f64| planar::Wrench::force([0.0, -w]);
+    let (k, kt, s, c, mu, w1) = (100.0, 200.0, 0.6, 0.8, 0.75, 6.0);
+    let n1 = w1 / (2.0 * (s + mu * c));
+    let n = n1 - k * s * w1 / (2.0 * (k * s * s + kt * c * c));
+    let grasp = wedge(mu);
+    for (then, holds) in [(w1, true), (-1.0, false)] {
+        let legs = [w1, 0.0, then].map(|w| planar::Leg::load_to(down(w)));
+        let mut path = grasp.follow(down(0.0), &legs).unwrap();
+        let events = path.run();
+        let unloaded = path.state_at(1, 1.0 - 1e-13).expect("held until the load is gone");
+        for contact in &unloaded.contacts[..2] {
+            assert_close!(contact.normal_force(), n);
+            assert_close!(contact.friction_force(), mu * n);
+        }
+        if holds {
+            assert!(completed(path.end()), "{:?}", path.end());
+            assert_close!(path.position().unwrap().2.twist.translation()[1], -n1 / (k * s));
+        } else {
+            let Some(PathEnd::LimitLoad(loss)) = path.end() else {
+                panic!("{:?} {:?}", path.end(), story(&events))
+            };
+            assert!(
+                (f64::from(u32::try_from(loss.leg).unwrap()) + loss.fraction - 2.0).abs() < 1e-12,
+                "{loss:?}"
+            );
+        }
+    }
+}
+
+/// A body on two oblique bonded springs with one frictional foot beneath (normal y, k = 13, kt = 14, μ = 3/2, pressed by
+/// a = 24/13). The springs, stiffness 13 along (3,4)/5 and 1/2 across at (±1, 0), add up to S = [10 12; 12 17] and do not turn
+/// the body. Unloaded: u = (-1/2, 1), N = 11, T = 7. Pulled by (-τ, 0) and stuck: (S + K)u = (-τ, 24), so
+/// N = 11 - 13τ/48, T = 7 + 35τ/48, and T = 3/2 N at τ* = 912/109, N* = 952/109.
+///
+/// Sliding there, S u' = N'(3/2, 1) + (-1, 0) with N' = -13u_y' has the determinant 10·30 - 12·31.5 = -78 < 0 and gives
+/// u' = (30, -12)/78, N' = 2, T' = 3: slip s' = -T'/14 - u_x' = -3/14 - 5/13 < 0 against the friction. So this equilibrium ends.
+/// Open, u = τ(-17, 12)/26 clears the foot when u_y > 24/13, τ > 4: the body snaps off (sliding the other way needs τ < 4).
+#[test]
+fn a_continuation_lost_by_snapping() {
+    let spring = |x: f64| planar::Contact::new([x, 0.0], [3.0, 4.0]).series_stiffness(13.0, 0.5).bonded();
+    let foot = |k: f64| {
+        planar::Contact::new([0.0, 0.0], [0.0, 1.0])
+            .series_stiffness(k, 14.0)
+            .friction(1.5)
+            .command([24.0 / k, 0.0])
+    };
+    let pull = |tau: f64| planar::Wrench::force([-tau, 0.0]);
+    let grasp = planar::Grasp::new([foot(13.0), spring(-1.0), spring(1.0)]).unwrap();
+    let mut path = grasp.follow(pull(0.0), &[planar::Leg::load_to(pull(10.0))]).unwrap();
+    assert!(path.run().is_empty());
+    let Some(PathEnd::Snap(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let snap = 912.0 / 109.0;
+    assert_close!(loss.fraction, snap / 10.0);
+    assert_eq!(loss.contacts, [0]);
+    let (_, _, last) = path.position().unwrap();
+    assert_close!(last.contacts[0].normal_force(), 952.0 / 109.0);
+    assert_close!(last.contacts[0].force_world[0], 1428.0 / 109.0);
+    // It goes the way the friction gives way: u' reversed, (-30, 12).
+    let [x, y] = loss.motion.expect("a motion").translation();
+    assert_close!(y / x, -0.4);
+    assert!(x < 0.0);
+    assert!(path.energies()[0].residual().abs() < 1e-13);
+    // By listing all: stuck, sliding (which meets it at τ*) and open before, only open after.
+    let all = |tau: f64| grasp.equilibria(&pull(tau), &grasp_lcp::Settings::default()).unwrap();
+    assert_eq!((all(snap * 0.999).len(), all(snap * 1.001).len()), (3, 1));
+    let open = all(snap * 1.001).remove(0);
+    assert_close!(open.twist.translation()[1], snap * 1.001 * 12.0 / 26.0);
+    // A softer foot, k = 3 with the same force at rest: 26 + k(10 - 12μ) = 2 > 0, it slides on and opens.
+    // Stuck: [24 12; 12 20]u = (-τ, 24): N = 24 - 3u_y, u_y = 12(τ + 48)/336, T = 14(20τ + 288)/336.
+    // Sliding: [10 16.5; 12 20]u = (36 - τ, 24), determinant 2: u_y = (240 - 12(36 - τ))/2 = 6τ - 96, N = 24 - 18τ + 288.
+    let soft = planar::Grasp::new([foot(3.0), spring(-1.0), spring(1.0)]).unwrap();
+    let mut path = soft.follow(pull(0.0), &[planar::Leg::load_to(pull(40.0))]).unwrap();
+    let events = path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    // T = 3/2 N: (20τ + 288)/24 = 36 - 4.5(τ + 48)/28.
+    let slides = (36.0 - 4.5 * 48.0 / 28.0 - 12.0) / (20.0 / 24.0 + 4.5 / 28.0);
+    let opens = 312.0 / 18.0;
+    assert_story(&events, &[(0, slides / 40.0, vec![(0, "slides")]), (0, opens / 40.0, vec![(0, "opens")])]);
+}
+
+/// Two fingers squeeze (N = k a) and one frictionless guide of stiffness kg carries along with them. Stuck, a weight w sinks the
+/// object by y = w/(2kt + kg), T = kt y. First squeeze a₁, then load: T = kt w/(2kt + kg). First load at a₀: it slides
+/// at kt y = μka₀ and T stays there, y = (w - 2μka₀)/kg; squeezing then adds nothing to T. Squeezed, loaded
+/// and let go to a₀: it slides from N = T/μ on and ends like the second, which squeezing again does not undo.
+#[test]
+fn the_order_of_loading_matters() {
+    let (k, kt, kg, mu, w) = (40.0, 6.0, 8.0, 0.5, 1.2);
+    let (loose, tight) = (0.01, 0.1);
+    let finger = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([loose, 0.0])
+    };
+    let guide =
+        |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(kg / 2.0, 1.0).kept_closed();
+    let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), guide(2.0), guide(-2.0)]).unwrap();
+    let squeeze = |a: f64| {
+        planar::Leg::commands_to(vec![[a, 0.0].into(), [a, 0.0].into(), [0.0; 2].into(), [0.0; 2].into()])
+    };
+    let load = || planar::Leg::load_to(planar::Wrench::force([0.0, -w]));
+    let both = |what| vec![(0, what), (1, what)];
+    let (stuck, slid) = (kt * w / (2.0 * kt + kg), mu * k * loose);
+    let slides_at = slid * (2.0 * kt + kg) / (kt * w);
+    let lets_go = (tight - stuck / (mu * k)) / (tight - loose);
+    let orders = [
+        (vec![squeeze(tight), load()], vec![], stuck),
+        (vec![load(), squeeze(tight)], vec![(0, slides_at, both("slides")), (1, 0.0, both("sticks"))], slid),
+        (
+            vec![squeeze(tight), load(), squeeze(loose), squeeze(tight)],
+            vec![(2, lets_go, both("slides")), (3, 0.0, both("sticks"))],
+            slid,
+        ),
+    ];
+    for (legs, expected, friction) in orders {
+        let mut path = grasp.follow(planar::Wrench::ZERO, &legs).unwrap();
+        assert_story(&path.run(), &expected);
+        assert!(completed(path.end()));
+        let end = path.position().unwrap().2;
+        for finger in &end.contacts[..2] {
+            assert_close!(finger.normal_force(), k * tight);
+            assert_close!(finger.force_world[1], friction);
+        }
+        assert_close!(end.twist.translation()[1], -(w - 2.0 * friction) / kg);
+    }
+}
+
+/// Without friction there is nothing to remember: a plank on n supports of stiffness k, loaded off centre. With the supports
+/// i >= m closed (m gone), Σ F = w and Σ F x = w e give F_m = 0 at e = mean + variance/(mean - x_m) of those left, as
+/// F_i = w/n' (1 + (x_i - mean)(e - mean)/variance). Each opens there on the way out and closes there on the way back.
+#[test]
+fn frictionless_supports_open_one_by_one_and_close_again() {
+    let (n, w, k) = (6_u32, 3.0, 50.0);
+    let at = |i: u32| f64::from(i) - 2.5;
+    let support = |i: u32| planar::Contact::new([at(i), 0.0], [0.0, 1.0]).series_stiffness(k, k);
+    let guide = planar::Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(k, k).kept_closed();
+    let plank = planar::Grasp::new((0..n).map(support).chain([guide])).unwrap();
+    let load = |e: f64| planar::Wrench::force_at([0.0, -w], [e, 0.0]);
+    let reach = 2.4;
+    let mut path = plank
+        .follow(load(0.0), &[planar::Leg::load_to(load(reach)), planar::Leg::load_to(load(0.0))])
+        .unwrap();
+    let events = path.run();
+    assert!(completed(path.end()));
+    let mut out = Vec::new();
+    for m in 0..n - 1 {
+        let left: Vec<f64> = (m..n).map(at).collect();
+        let count = f64::from(n - m);
+        let mean = left.iter().sum::<f64>() / count;
+        let variance = left.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / count;
+        let e = mean + variance / (mean - at(m));
+        if e < reach {
+            out.push((m as usize, e / reach));
+        }
+    }
+    assert_eq!(out.len(), 4, "all but the last two let go");
+    let mut expected: Vec<_> = out.iter().map(|&(m, f)| (0, f, vec![(m, "opens")])).collect();
+    expected.extend(out.iter().rev().map(|&(m, f)| (1, 1.0 - f, vec![(m, "closes")])));
+    assert_story(&events, &expected);
+    assert!(path.energies().iter().all(|e| e.dissipated == 0.0));
+    for support in &path.position().unwrap().2.contacts[..n as usize] {
+        assert_close!(support.normal_force(), w / f64::from(n));
+    }
+}
+
+/// Infinite friction: a foot (k, kt, pressed by a) beside bonded springs, together kb both ways. Sheared it never slides. Lifted it
+/// opens at y = a, λ = kb a; sheared by P while it is open it moves to x = P/kb; lowered it closes at y = a again, where it
+/// sticks with F_t = 0; and when the shear is gone it pulls back: x = P/kb · kt/(kt + kb), F_t = kb x.
+#[test]
+fn infinite_friction_never_slides() {
+    let (k, kt, kb, a, p) = (30.0, 20.0, 10.0, 0.1, 2.0);
+    let foot = planar::Contact::new([0.0, 0.0], [0.0, 1.0])
+        .series_stiffness(k, kt)
+        .friction(f64::INFINITY)
+        .command([a, 0.0]);
+    let spring =
+        |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(kb / 2.0, kb / 2.0).bonded();
+    let grasp = planar::Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
+    let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
+    let start = planar::Wrench::ZERO;
+    // Any shear at all: nothing happens.
+    let mut path = grasp.follow(start, &[load(1e6, 0.0), load(-1e6, 0.0), load(0.0, 0.0)]).unwrap();
+    assert!(path.run().is_empty() && completed(path.end()));
+    // Lifted without shear: it opens at y = a, when λ = kb a, closes there, and sticks with F_t = 0 where it closes.
+    let lift = 2.0 * kb * a;
+    let legs = [load(0.0, lift), load(p, lift), load(p, 0.0), load(0.0, 0.0)];
+    let mut path = grasp.follow(start, &legs).unwrap();
+    assert_story(&path.run(), &[(0, 0.5, vec![(0, "opens")]), (2, 0.5, vec![(0, "closes")])]);
+    assert!(completed(path.end()));
+    let closed = path.state_at(2, 1.0).unwrap();
+    assert_close!(closed.contacts[0].force_world[0], 0.0);
+    assert_close!(closed.twist.translation()[0], p / kb);
+    // Unsheared: it sticks at x = P/kb and now pulls back there with kt(P/kb - x) = kb x.
+    let x = p / kb * kt / (kt + kb);
+    assert_close!(path.position().unwrap().2.twist.translation()[0], x);
+    assert_close!(path.position().unwrap().2.contacts[0].force_world[0], kb * x);
+}
+
+/// It would open with a tangential force in hand: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and
+/// lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there.
+/// With no normal force left it has to let go of that at once: rid of it, S u = (40, 80f) has u_y = (800f - 480)/26 < a, through the finger.
+/// No motion goes on from there without a jump: the path ends, as a snap.
+#[test]
+fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
+    let a = 24.0 / 13.0;
+    let foot = planar::Contact::new([0.0, 0.0], [0.0, 1.0])
+        .series_stiffness(13.0, 14.0)
+        .friction(f64::INFINITY)
+        .command([a, 0.0]);
+    let spring = |x: f64| planar::Contact::new([x, 0.0], [3.0, 4.0]).series_stiffness(13.0, 0.5).bonded();
+    let grasp = planar::Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
+    let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
+    let mut path = grasp.follow(planar::Wrench::ZERO, &[load(40.0, 0.0), load(40.0, 80.0)]).unwrap();
+    assert!(path.run().is_empty());
+    let Some(PathEnd::Snap(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0][..]));
+    assert_close!(loss.fraction, 131.0 / 260.0);
+    let (_, _, last) = path.position().unwrap();
+    assert_close!(last.contacts[0].force[0], 0.0);
+    assert_close!(last.contacts[0].force[1], -406.0 / 39.0);
+    assert_close!(last.twist.translation()[1], a);
+}

@@ -1,0 +1,144 @@
+//! Cutting the legs of a load program changes nothing, not even at an event: the same events at the same loads, once each, the same
+//! states, the same end, whether the pieces are followed in one go or one after the other. Random paths in the plane and in space.
+
+use crate::programs::draw::{over, planar_scenes, spatial_scenes};
+use crate::programs::tally::Tally;
+use crate::programs::{Scene, same_state};
+use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
+use proptest::prelude::*;
+
+/// The program with its legs cut at these places (leg, fraction), and which leg it was and between which fractions.
+fn cut<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    places: &[(usize, f64)],
+) -> (Scene<D, C>, Vec<(usize, [f64; 2])>) {
+    let (mut goals, mut legs) = (vec![scene.goals[0].clone()], Vec::new());
+    for (leg, to) in scene.goals[1..].iter().enumerate() {
+        let from = &scene.goals[leg];
+        let mut done = 0.0;
+        for &(_, f) in places.iter().filter(|(at, _)| *at == leg) {
+            let mut middle = to.clone();
+            middle.load = from.load + (to.load - from.load) * f;
+            for (m, (a, b)) in middle.commands.iter_mut().zip(from.commands.iter().zip(&to.commands)) {
+                *m = a + (b - a) * f;
+            }
+            goals.push(middle);
+            legs.push((leg, [done, f]));
+            done = f;
+        }
+        goals.push(to.clone());
+        legs.push((leg, [done, 1.0]));
+    }
+    (Scene { goals, ..scene.clone() }, legs)
+}
+
+/// The same path in pieces, followed in one go or continued leg by leg: the same events at the same loads, the same end.
+fn same_in_pieces<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    path: &LoadPath<'_, D, C>,
+    events: &[Event<D, C>],
+    places: &[(usize, f64)],
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let (more, legs) = cut(scene, places);
+    let program = more.legs();
+    let mut pieces = grasp.follow_with(more.start(), &program, &crate::programs::polygon()).unwrap();
+    let again = pieces.run();
+    let mut continued = grasp.follow_with(more.start(), &[], &crate::programs::polygon()).unwrap();
+    let mut later = continued.run();
+    for leg in &program {
+        continued.continue_with(std::slice::from_ref(leg)).unwrap();
+        later.extend(continued.run());
+    }
+    let story = |events: &[Event<D, C>]| {
+        format!("{:?}", events.iter().map(|e| (e.leg, e.fraction, &e.changes)).collect::<Vec<_>>())
+    };
+    prop_assert_eq!(story(&again), story(&later));
+    prop_assert_eq!(events.len(), again.len(), "{} against {}", story(events), story(&again));
+    let place = |leg: usize, f: f64| {
+        let (leg, [from, to]) = legs[leg];
+        leg as f64 + from + f * (to - from)
+    };
+    for (a, b) in events.iter().zip(&again) {
+        let apart = a.leg as f64 + a.fraction - place(b.leg, b.fraction);
+        prop_assert!(apart.abs() <= 1e-9, "{} against {}", story(events), story(&again));
+        let what = |e: &Event<D, C>| {
+            e.changes.iter().map(|(i, c)| (*i, std::mem::discriminant(c))).collect::<Vec<_>>()
+        };
+        prop_assert_eq!(what(a), what(b));
+        same_state(scene, &a.state, &b.state, 1e-9)?;
+    }
+    let ends = [path, &pieces, &continued].map(|path| path.end().map(std::mem::discriminant));
+    prop_assert_eq!(ends[0], ends[1], "{:?} against {:?}", path.end(), pieces.end());
+    prop_assert_eq!(ends[1], ends[2]);
+    if let (Some((_, _, a)), Some((_, _, b))) = (path.position(), pieces.position()) {
+        same_state(scene, &a, &b, 1e-9)?;
+    }
+    Ok(())
+}
+
+/// Each leg cut somewhere.
+fn legs_may_be_cut<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    at: f64,
+    tally: &mut Tally,
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
+    same_in_pieces(scene, &path, &events, &places)?;
+    tally.checked += usize::from(path.position().is_some());
+    Ok(())
+}
+
+/// Each leg cut at every event, and where the path is lost.
+fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    tally: &mut Tally,
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));
+    let mut places: Vec<_> = events.iter().map(|e| (e.leg, e.fraction)).chain(lost).collect();
+    places.retain(|(_, f)| (1e-9..1.0 - 1e-9).contains(f));
+    places.dedup();
+    if !places.is_empty() {
+        same_in_pieces(scene, &path, &events, &places)?;
+        tally.checked += places.len();
+    }
+    Ok(())
+}
+
+#[test]
+fn cutting_planar_legs_changes_nothing() {
+    let cases = (planar_scenes(), 0.05..0.95_f64);
+    let t = over(600, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    println!("{t:?}");
+    assert!(t.checked > 350 && t.events > 700, "{t:?}");
+}
+
+#[test]
+fn cutting_spatial_legs_changes_nothing() {
+    let cases = (spatial_scenes(), 0.05..0.95_f64);
+    let t = over(120, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    println!("{t:?}");
+    assert!(t.checked > 50 && t.events > 150, "{t:?}");
+}
+
+#[test]
+fn cutting_planar_legs_at_events_changes_nothing() {
+    let t = over(600, &planar_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 600 && t.limits + t.snaps > 80, "{t:?}");
+}
+
+#[test]
+fn cutting_spatial_legs_at_events_changes_nothing() {
+    let t = over(120, &spatial_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 60 && t.turns > 60, "{t:?}");
+}

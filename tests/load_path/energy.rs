@@ -1,0 +1,75 @@
+//! On every leg of every load path the energies balance: work of load and fingers = stored + dissipated. Works and heat are
+//! integrated here from sampled states of random paths in the plane and in space.
+
+use crate::programs::Scene;
+use crate::programs::draw::{over, planar_scenes, spatial_scenes};
+use crate::programs::tally::Tally;
+use proptest::prelude::*;
+
+/// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
+/// there: the balance closes, and leg by leg it is what the path says.
+fn energy_balances<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    tally: &mut Tally,
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    let Some((last_leg, last, _)) = path.position() else { return Ok(()) };
+    for leg in 0..=last_leg {
+        let mut marks = vec![0.0];
+        marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));
+        marks.push(if leg < last_leg { 1.0 } else { last });
+        let states: Vec<_> = marks.iter().filter_map(|&f| path.state_at(leg, f).map(|s| (f, s))).collect();
+        let (mut load_work, mut finger_work, mut heat, mut turnover) = (0.0, 0.0, 0.0, 0.0);
+        for pair in states.windows(2) {
+            let ((f, a), (g, b)) = (&pair[0], &pair[1]);
+            let mean = (a.load.as_vector() + b.load.as_vector()) * 0.5;
+            let work = mean.dot(&(b.twist.as_vector() - a.twist.as_vector()));
+            let (from, to) = (scene.at(leg, *f).1, scene.at(leg, *g).1);
+            load_work += work;
+            turnover += work.abs();
+            for (i, (x, y)) in a.contacts.iter().zip(&b.contacts).enumerate() {
+                let force = (x.force + y.force) * 0.5;
+                let (pushed, lost) = (force.dot(&(to[i] - from[i])), force.dot(&(y.slip - x.slip)));
+                finger_work += pushed;
+                heat += lost;
+                turnover += pushed.abs() + lost.abs();
+            }
+        }
+        let (Some(first), Some(end)) = (states.first(), states.last()) else { continue };
+        let stored = end.1.stored_energy - first.1.stored_energy;
+        turnover += end.1.stored_energy + first.1.stored_energy;
+        let excess = load_work + finger_work - stored - heat;
+        prop_assert!(excess.abs() <= 1e-12 * turnover, "leg {leg}: {excess:e} of {turnover}");
+        let told = path.energies()[leg];
+        prop_assert!(told.residual().abs() <= 1e-12, "leg {leg}: {told:?}");
+        prop_assert!(told.dissipated >= -1e-12 * turnover, "leg {leg}: {told:?}");
+        let pairs = [
+            (told.load_work, load_work),
+            (told.finger_work, finger_work),
+            (told.stored, stored),
+            (told.dissipated, heat),
+        ];
+        for (told, here) in pairs {
+            prop_assert!((told - here).abs() <= 1e-11 * turnover, "leg {leg}: {told} against {here}");
+        }
+        tally.checked += usize::from(heat > 1e-6 * turnover);
+    }
+    Ok(())
+}
+
+#[test]
+fn planar_energies_balance() {
+    let t = over(2000, &planar_scenes(), |scene, tally| energy_balances(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 1000 && t.opens > 300 && t.closes > 150, "{t:?}");
+}
+
+#[test]
+fn spatial_energies_balance() {
+    let t = over(400, &spatial_scenes(), |scene, tally| energy_balances(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 100 && t.turns > 50, "{t:?}");
+}

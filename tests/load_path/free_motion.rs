@@ -1,0 +1,222 @@
+//! Motions that nothing resists any more, from the middle of a path on: they are named with the event, the forces stay what statics
+//! says, the path goes on without moving along them as long as no load works there, and gives way in their direction when
+//! one does. Planar and in space, by hand.
+
+use crate::story::{assert_close, assert_story, completed};
+use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::{planar, spatial};
+
+/// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
+/// body by as much; unloaded, it touches without force; lowered further it parts from the body, which stays where it is.
+/// Guides at y = ±1 carry a side load P at the origin and a moment M with (P ± M)/2 each, whatever the height.
+#[test]
+fn a_foot_that_parts_leaves_the_height_free() {
+    let (k, w, a, b, p, m) = (40.0, 1.2, 0.05, 0.3, 0.7, 0.2);
+    let foot = planar::Contact::new([0.0, -1.0], [0.0, 1.0])
+        .series_stiffness(k, 0.6 * k)
+        .friction(0.5)
+        .command([a, 0.0]);
+    let guide = |y: f64| planar::Contact::new([0.0, y], [1.0, 0.0]).series_stiffness(90.0, 1.0).kept_closed();
+    let grasp = planar::Grasp::new([foot, guide(1.0), guide(-1.0)]).unwrap();
+    let load = |x: f64, y: f64, m: f64| planar::Leg::load_to(planar::Wrench::new([x, y], m));
+    let command = |a: f64| planar::Leg::commands_to(vec![[a, 0.0].into(), [0.0; 2].into(), [0.0; 2].into()]);
+    let start = planar::Wrench::force([0.0, -w]);
+    let away = [command(a - b), load(0.0, 0.0, 0.0), command(a - 2.0 * b), load(p, 0.0, m)];
+    for (last, way) in [
+        (load(p, 1.0, m), Some(1.0)),
+        // The foot is below, but b away: until then nothing resists.
+        (load(p, -1.0, m), Some(-1.0)),
+        (load(-p, 0.0, 2.0 * m), None),
+    ] {
+        let mut path = grasp.follow(start, &away).unwrap();
+        let events = path.run();
+        assert_story(&events, &[(2, 0.0, vec![(0, "opens")])]);
+        let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
+        assert_close!(free.translation()[1].abs(), 1.0);
+        assert!(free.translation()[0].abs() + free.rotation().abs() < 1e-14);
+        assert_close!(path.state_at(0, 1.0).unwrap().twist.translation()[1], a - b - w / k);
+        for (leg, fraction) in [(1, 1.0), (2, 0.5), (2, 1.0), (3, 0.5), (3, 1.0)] {
+            let state = path.state_at(leg, fraction).unwrap();
+            assert_close!(state.twist.translation()[1], a - b);
+            assert_eq!(state.free_motions.len(), usize::from(leg > 1));
+            let share = if leg == 3 { 0.5 * fraction } else { 0.0 };
+            assert_close!(state.contacts[0].force[0], 0.0);
+            assert_close!(state.contacts[1].force[0], -share * (p - m));
+            assert_close!(state.contacts[2].force[0], -share * (p + m));
+        }
+        path.continue_with(&[last]).unwrap();
+        assert!(path.run().is_empty());
+        match (path.end(), way) {
+            (Some(PathEnd::GivesWay { leg: 4, fraction, motion }), Some(way)) => {
+                assert_eq!(*fraction, 0.0);
+                assert_close!(motion.translation()[1], way);
+                assert!(motion.translation()[0].abs() + motion.rotation().abs() < 1e-14, "{motion:?}");
+            }
+            (Some(PathEnd::Completed), None) => {
+                let end = path.position().unwrap().2;
+                assert_close!(end.twist.translation()[1], a - b);
+                assert_close!(end.contacts[1].force[0], 0.5 * p + m);
+                assert_close!(end.contacts[2].force[0], 0.5 * p - m);
+            }
+            (end, way) => panic!("{end:?}, expected {way:?}"),
+        }
+    }
+    // The foot comes back: it touches where it left, and from there takes the body, which weighs nothing, along.
+    let mut path = grasp.follow(start, &away).unwrap();
+    path.run();
+    path.continue_with(&[command(a)]).unwrap();
+    let events = path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    assert_eq!(events.len(), 1, "{events:?}");
+    assert_close!(events[0].fraction, 0.5);
+    let end = path.position().unwrap().2;
+    assert_close!(end.twist.translation()[1], a);
+    assert_close!(end.contacts[0].gap, 0.0);
+    assert_close!(end.contacts[0].force[0], 0.0);
+    // And carries it again when it does: no event but that it holds.
+    path.continue_with(&[load(0.0, -w, 0.0)]).unwrap();
+    path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    let end = path.position().unwrap().2;
+    assert_close!(end.contacts[0].force[0], w);
+    assert_close!(end.twist.translation()[1], a - w / k);
+}
+
+/// Two pairs of fingers on the same two spots, pressed with N = k a each; one pair is dragged up, the other down, by b each: at
+/// kt b = μN all four slide at once. Nothing then resists going up and down nor turning, yet all forces are known, ±μN, and the body stays.
+/// A load -w lets the lower pair stick again while the upper pair slips on: y = -w/(2 kt), until the lower pair has gone
+/// from -μN to μN each, w = 4μN, the limit load.
+#[test]
+fn fingers_dragged_both_ways_hold_all_the_same() {
+    let (k, kt, mu, a) = (50.0, 20.0, 0.35, 0.1);
+    let n = k * a;
+    let finger = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0])
+    };
+    let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), finger(1.0), finger(-1.0)]).unwrap();
+    let edge = mu * n / kt;
+    // t is up at x = 1 and down at x = -1.
+    let drag =
+        |b: f64| planar::Leg::commands_to(vec![[a, b].into(), [a, -b].into(), [a, -b].into(), [a, b].into()]);
+    let down = |w: f64| planar::Leg::load_to(planar::Wrench::force([0.0, -w]));
+    let up = |state: &planar::Equilibrium| {
+        state.contacts.iter().map(|c| c.force_world[1] / (mu * n)).collect::<Vec<_>>()
+    };
+    let mut path = grasp.follow(planar::Wrench::ZERO, &[drag(2.0 * edge), down(6.0 * mu * n)]).unwrap();
+    let events = path.run();
+    let all = (0..4).map(|i| (i, "slides")).collect();
+    assert_story(&events, &[(0, 0.5, all), (1, 0.0, vec![(2, "sticks"), (3, "sticks")])]);
+    assert_eq!(events[0].free_motions.len(), 2, "up and down, and turning");
+    for v in &events[0].free_motions {
+        assert!(v.translation()[0].abs() < 1e-14, "{v:?}");
+    }
+    let dragged = path.state_at(0, 1.0).unwrap();
+    for (got, want) in up(&dragged).into_iter().zip([1.0, 1.0, -1.0, -1.0]) {
+        assert_close!(got, want);
+    }
+    assert!(dragged.twist.as_vector().norm() < 1e-14, "it stays: {:?}", dragged.twist);
+    for c in &dragged.contacts {
+        assert_close!(c.slip[1].abs(), edge);
+    }
+    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_eq!(loss.leg, 1);
+    assert_close!(loss.fraction, 4.0 / 6.0);
+    assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
+    let half = path.state_at(1, 2.0 / 6.0).unwrap();
+    for (got, want) in up(&half).into_iter().zip([1.0, 1.0, 0.0, 0.0]) {
+        assert_close!(got, want);
+    }
+    assert_close!(half.twist.translation()[1], -2.0 * mu * n / (2.0 * kt));
+    assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13 && e.dissipated > 0.0));
+}
+
+const K: f64 = 45.0;
+const KT: f64 = 30.0;
+const A: f64 = 0.1;
+
+/// Two fingers pinch a body along x, a third presses from below, with command A: N₃ = k(A - y) = 2 kt y at rest.
+fn three_fingers(mu: f64) -> spatial::Grasp {
+    let finger = |point: [f64; 3], normal: [f64; 3]| {
+        spatial::Contact::new(point, normal)
+            .tangent([0.0, 0.0, 1.0])
+            .series_stiffness(K, KT)
+            .friction(mu)
+            .command([A, 0.0, 0.0])
+    };
+    let pinch = |x: f64| finger([x, 0.0, 0.0], [-x, 0.0, 0.0]);
+    spatial::Grasp::new([pinch(1.0), pinch(-1.0), finger([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])]).unwrap()
+}
+
+fn third(a: f64) -> spatial::Leg {
+    spatial::Leg::commands_to(vec![[A, 0.0, 0.0].into(), [A, 0.0, 0.0].into(), [a, 0.0, 0.0].into()])
+}
+
+/// The third finger goes away, parts at a = 0, and the body may turn about the line between the two. Any force through that line and any
+/// moment across it are held, with f/2 and ∓M/2 each; a moment about it, or a force beside it, turns the body that way.
+#[test]
+fn a_pinch_may_turn_about_its_line() {
+    let grasp = three_fingers(0.8);
+    let away = third(-A);
+    let (force, moment) = ([0.4, -0.9, 0.6], [0.0, 0.3, -0.5]);
+    let held = spatial::Leg::load_to(spatial::Wrench::new(force, moment));
+    let cases = [
+        (spatial::Wrench::new([0.0; 3], [0.1, 0.0, 0.0]), Some(1.0)),
+        (spatial::Wrench::new([0.0; 3], [-0.1, 0.0, 0.0]), Some(-1.0)),
+        (spatial::Wrench::force_at([0.0, 0.0, 0.2], [0.3, 0.5, 0.0]), Some(1.0)),
+        (spatial::Wrench::force_at([0.0, 0.2, 0.0], [0.3, 0.0, 0.5]), Some(-1.0)),
+        (spatial::Wrench::force_at([0.2, 0.2, -0.1], [0.3, 0.0, 0.0]), None),
+    ];
+    for (more, way) in cases {
+        let legs = [away.clone(), held.clone(), spatial::Leg::load_by(more)];
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &legs).unwrap();
+        let events = path.run();
+        assert_story(&events, &[(0, 0.5, vec![(2, "opens")])]);
+        let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
+        let turns = free.rotation();
+        assert!(turns[0].abs() > 0.1 && turns[1].abs() + turns[2].abs() < 1e-14, "{free:?}");
+        assert!(free.translation().iter().all(|x| x.abs() < 1e-14), "{free:?}");
+        let rest = path.state_at(0, 0.0).unwrap();
+        assert_close!(rest.contacts[2].normal_force(), K * A * 2.0 * KT / (2.0 * KT + K));
+        let open = path.state_at(1, 1.0).unwrap();
+        assert_close!(open.contacts[2].gap, A + open.twist.translation()[1]);
+        for (i, side) in [(0, 1.0), (1, -1.0)] {
+            let f = open.contacts[i].force_world;
+            assert_close!(f[0], -side * K * A - force[0] / 2.0);
+            // Moments about y and z: Σ x F_z = M_y, Σ x F_y = -M_z.
+            assert_close!(f[1], -force[1] / 2.0 - side * moment[2] / 2.0);
+            assert_close!(f[2], -force[2] / 2.0 + side * moment[1] / 2.0);
+        }
+        match (path.end(), way) {
+            (Some(PathEnd::GivesWay { leg: 2, fraction, motion }), Some(way)) => {
+                assert_eq!(*fraction, 0.0);
+                let [x, y, z] = motion.rotation();
+                assert!(x * way > 0.1 && y.abs() + z.abs() < 1e-13, "{motion:?}");
+                assert!(motion.translation().iter().all(|x| x.abs() < 1e-13), "{motion:?}");
+            }
+            (Some(PathEnd::Completed), None) => {}
+            (end, way) => panic!("{end:?}, expected {way:?}"),
+        }
+    }
+}
+
+/// The same with a moment m about the line, which only the third finger can take, with T₃ = m at its arm 1, on a corner of its
+/// polygon. It goes away: N₃ = N₀(1 - 2f), and is lost at μN₃ = m, before it parts.
+#[test]
+fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
+    let (mu, m) = (0.8, 0.6);
+    let grasp = three_fingers(mu);
+    let n0 = K * A * 2.0 * KT / (2.0 * KT + K);
+    for side in [1.0, -1.0] {
+        let turn = spatial::Leg::load_to(spatial::Wrench::new([0.0; 3], [side * m, 0.0, 0.0]));
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
+        assert!(path.run().is_empty());
+        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        assert_eq!((loss.leg, &loss.contacts[..]), (1, &[2][..]));
+        assert_close!(loss.fraction, 0.5 * (1.0 - m / (mu * n0)));
+        let motion = loss.motion.expect("a motion");
+        assert!(motion.rotation()[0] * side > 0.1, "{motion:?}");
+        let end = path.position().unwrap().2;
+        assert_close!(end.contacts[2].force_world[2], side * m);
+        assert_close!(end.contacts[2].normal_force(), m / mu);
+    }
+}

@@ -1,0 +1,197 @@
+//! Load paths in space that can be written down: Masing's rule in torsion, fingers that drag a body to and fro, a table that lifts its
+//! feet and tips, and weights in a grip. Friction forces lie on corners of the polygon, where it is the round cone itself.
+
+use std::f64::consts::TAU;
+
+use crate::story::{assert_close, assert_story, completed};
+use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+
+const K: f64 = 40.0;
+const KT: f64 = 16.0;
+const A: f64 = 0.05;
+/// Force with which each finger presses.
+const N: f64 = K * A;
+/// Stiffness of the elastic base about the axis.
+const BASE: f64 = 6.0;
+
+/// n fingers on the unit circle about z, first tangents along z and second tangents along the circle, with these frictions; an elastic base about
+/// the axis, and guides that let nothing else move.
+fn grip(frictions: &[f64]) -> Grasp {
+    let n = frictions.len();
+    let at = |i: usize, of: usize| (TAU * i as f64 / of as f64).sin_cos();
+    let finger = |i: usize| {
+        let (s, c) = at(i, n);
+        Contact::new([c, s, 0.0], [-c, -s, 0.0])
+            .tangent([0.0, 0.0, 1.0])
+            .series_stiffness(K, KT)
+            .friction(frictions[i])
+            .command([A, 0.0, 0.0])
+    };
+    let stop = |i: usize| {
+        let (s, c) = at(i, 4);
+        Contact::new([c, s, 0.0], [-s, c, 0.0]).series_stiffness(BASE / 4.0, 1.0).kept_closed()
+    };
+    Grasp::new((0..n).map(finger).chain((0..4).map(stop))).unwrap()
+}
+
+fn turn(moment: f64) -> Leg {
+    Leg::load_to(Wrench::new([0.0; 3], [0.0, 0.0, moment]))
+}
+
+/// Two pairs of opposite fingers of strengths f = μN, 1/2 and 1/4 of their normal force. First loading: M = V(θ) = 2 min(kt θ, f₁) + 2 min(kt θ, f₂) + B θ.
+/// From a turning point (θ₁, M₁) on the way back is the same curve twice as large, M = M₁ - 2 V((θ₁ - θ)/2): the weaker pair slides back
+/// at θ₁ - 2 f₂/kt, the stronger at θ₁ - 2 f₁/kt. A full cycle costs Σ 4 f (θ₁ - f/kt); a smaller loop inside closes where it began.
+#[test]
+fn torsion_follows_masing() {
+    let strengths = [0.5 * N, 0.25 * N];
+    let grasp = grip(&[0.5, 0.25, 0.5, 0.25]);
+    let virgin = |t: f64| BASE * t + strengths.iter().map(|f| 2.0 * f.min(KT * t)).sum::<f64>();
+    let most = 1.75 * strengths[0] / KT;
+    let m1 = virgin(most);
+    let inside = m1 - 2.0 * virgin(0.6 * strengths[0] / KT);
+    let mut path =
+        grasp.follow(Wrench::ZERO, &[turn(m1), turn(-m1), turn(m1), turn(inside), turn(m1)]).unwrap();
+    let events = path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    let (strong, weak) = (strengths[0] / KT, strengths[1] / KT);
+    let pair = |first: usize, what| vec![(first, what), (first + 2, what)];
+    let all = |what| (0..4).map(|i| (i, what)).collect::<Vec<_>>();
+    let back = |x: f64| virgin(x) / m1;
+    let part = |x: f64| 2.0 * virgin(x) / (m1 - inside);
+    let mut expected =
+        vec![(0, virgin(weak) / m1, pair(1, "slides")), (0, virgin(strong) / m1, pair(0, "slides"))];
+    for leg in [1, 2] {
+        expected.push((leg, 0.0, all("sticks")));
+        expected.push((leg, back(weak), pair(1, "slides")));
+        expected.push((leg, back(strong), pair(0, "slides")));
+    }
+    // The weak pair alone goes round the small loop; at its end the next loading would take both again.
+    expected.extend([(3, 0.0, all("sticks")), (3, part(weak), pair(1, "slides"))]);
+    expected.extend([(4, 0.0, pair(1, "sticks")), (4, part(weak), pair(1, "slides"))]);
+    assert_story(&events, &expected);
+    for (leg, from, sign) in [(1, m1, 1.0), (2, -m1, -1.0), (3, m1, 1.0)] {
+        for step in 1..=16 {
+            let state = path.state_at(leg, f64::from(step) / 16.0).unwrap();
+            let gone = sign * (sign * most - state.twist.rotation()[2]);
+            let moment = state.load.as_vector()[5];
+            assert_close!(sign * (from - moment), 2.0 * virgin(gone / 2.0));
+        }
+    }
+    let cycle: f64 = path.energies()[1..3].iter().map(|e| e.dissipated).sum();
+    let area = |x: f64| strengths.iter().map(|f| 2.0 * 4.0 * f * (x - f / KT).max(0.0)).sum::<f64>();
+    assert_close!(cycle, area(most));
+    let small: f64 = path.energies()[3..5].iter().map(|e| e.load_work).sum();
+    assert_close!(small, area(0.6 * strong));
+    let end = path.position().unwrap().2;
+    assert_close!(end.twist.rotation()[2], most);
+    for (i, c) in end.contacts[..4].iter().enumerate() {
+        assert_close!(c.force[2], -strengths[i % 2]);
+    }
+}
+
+/// Six fingers (f = μN each) drag the body about its axis against its base by c and back to -c: they carry it to θ* = 6f/B, where they slide, at
+/// c* = θ* + f/kt, and back when they have moved by 2c*. Each cycle costs the fingers 6·4 f (c - c*), all of it heat.
+#[test]
+fn fingers_drag_the_body_to_and_fro() {
+    let mu = 0.3;
+    let (f, grasp) = (mu * N, grip(&[mu; 6]));
+    let carried = 6.0 * f / BASE;
+    let slides = carried + f / KT;
+    let c = 2.5 * slides;
+    let drag = |c: f64| {
+        let still = std::iter::repeat_n([0.0; 3].into(), 4);
+        Leg::commands_to(std::iter::repeat_n([A, 0.0, c].into(), 6).chain(still).collect::<Vec<_>>())
+    };
+    let mut path = grasp.follow(Wrench::ZERO, &[drag(c), drag(-c), drag(c)]).unwrap();
+    let events = path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    let all = |what| (0..6).map(|i| (i, what)).collect::<Vec<_>>();
+    let mut expected = vec![(0, slides / c, all("slides"))];
+    for leg in [1, 2] {
+        expected.extend([(leg, 0.0, all("sticks")), (leg, slides / c, all("slides"))]);
+    }
+    assert_story(&events, &expected);
+    for (leg, sign) in [(0, 1.0), (1, -1.0), (2, 1.0)] {
+        assert_close!(path.state_at(leg, 1.0).unwrap().twist.rotation()[2], sign * carried);
+    }
+    let heat: f64 = path.energies()[1..3].iter().map(|e| e.dissipated).sum();
+    let work: f64 = path.energies()[1..3].iter().map(|e| e.finger_work).sum();
+    assert_close!(heat, 24.0 * f * (c - slides));
+    assert_close!(work, heat);
+    assert!(path.energies().iter().all(|e| e.load_work == 0.0 && e.residual().abs() < 1e-13));
+}
+
+/// A table on four frictionless feet at (±1, ±1), with a weight w at (e, e). F = w/4 (1 + e (x + y)): the far foot lifts at e = 1/2. Then three carry it,
+/// w e near the weight and w (1 - e)/2 each beside: those two lift together at e = 1, and beyond, the near foot alone
+/// does not hold it. Back from before that it comes down on its far foot where it left it.
+#[test]
+fn a_table_lifts_its_feet_and_tips() {
+    let (k, w) = (70.0, 5.0);
+    let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
+    let foot = |[x, y]: [f64; 2]| Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(k, 1.0);
+    let guide =
+        |x: f64, normal: [f64; 3]| Contact::new([x, 0.0, 0.0], normal).series_stiffness(k, 1.0).kept_closed();
+    let guides = [guide(0.0, [1.0, 0.0, 0.0]), guide(1.0, [0.0, 1.0, 0.0]), guide(-1.0, [0.0, 1.0, 0.0])];
+    let table = Grasp::new(corners.map(foot).into_iter().chain(guides)).unwrap();
+    let at = |e: f64| Leg::load_to(Wrench::force_at([0.0, 0.0, -w], [e, e, 0.0]));
+    let start = Wrench::force([0.0, 0.0, -w]);
+    let mut path = table.follow(start, &[at(0.8), at(0.0), at(1.25)]).unwrap();
+    let events = path.run();
+    assert_story(
+        &events,
+        &[
+            (0, 0.5 / 0.8, vec![(2, "opens")]),
+            (1, 1.0 - 0.5 / 0.8, vec![(2, "closes")]),
+            (2, 0.5 / 1.25, vec![(2, "opens")]),
+        ],
+    );
+    let three = path.state_at(0, 1.0).unwrap();
+    for (c, expected) in three.contacts.iter().zip([0.8 * w, 0.1 * w, 0.0, 0.1 * w]) {
+        assert_close!(c.normal_force(), expected);
+    }
+    // The plane through the three tops: opposite corners sink alike, so the fourth rises to 2·(0.1 w) - 0.8 w over k.
+    assert_close!(three.contacts[2].gap, (0.8 * w - 0.2 * w) / k);
+    for c in &path.state_at(1, 1.0).unwrap().contacts[..4] {
+        assert_close!(c.normal_force(), w / 4.0);
+    }
+    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_eq!((loss.leg, &loss.contacts[..]), (2, &[1, 3][..]));
+    assert_close!(loss.fraction, 1.0 / 1.25);
+    let work: f64 = path.energies()[..2].iter().map(|e| e.load_work).sum();
+    assert!(work.abs() < 1e-13, "no friction, no loss: {work}");
+}
+
+/// A weight along the axis of a grip. Fingers of one friction all slide at once: onset and limit are w = n μN. With frictions of their own they slide one
+/// pair after the other as the weight sinks, at kt z = μ_i N, and the limit is Σ μ_i N, beyond the onset. Up to eight fingers that
+/// is proved.
+#[test]
+fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
+    let cases: [(&[f64], &[f64]); 5] = [
+        (&[0.4; 3], &[]),
+        (&[0.4; 5], &[]),
+        (&[0.4; 8], &[]),
+        (&[0.2, 0.5, 0.2, 0.5], &[0.2]),
+        (&[0.2, 0.5, 0.3, 0.2, 0.5, 0.3], &[0.2, 0.3]),
+    ];
+    for (frictions, before) in cases {
+        let grasp = grip(frictions);
+        let limit: f64 = frictions.iter().map(|mu| mu * N).sum();
+        let pull = Leg::load_to(Wrench::force([0.0, 0.0, -1.6 * limit]));
+        let mut path = grasp.follow(Wrench::ZERO, &[pull]).unwrap();
+        let events = path.run();
+        let carried = |z: f64| frictions.iter().map(|mu| (mu * N).min(KT * z)).sum::<f64>();
+        let expected: Vec<_> = before
+            .iter()
+            .map(|mu| {
+                let who = (0..frictions.len()).filter(|&i| frictions[i] == *mu);
+                (0, carried(mu * N / KT) / (1.6 * limit), who.map(|i| (i, "slides")).collect())
+            })
+            .collect();
+        assert_story(&events, &expected);
+        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        assert_close!(loss.fraction, 1.0 / 1.6);
+        assert_eq!(loss.contacts, (0..frictions.len()).collect::<Vec<_>>());
+        assert!(loss.motion.expect("a motion").translation()[2] < -0.9);
+    }
+}

@@ -1,0 +1,105 @@
+//! On every load path the contact law holds at every sampled fraction, and slip dissipates: random grasps and programs in
+//! the plane and in space, the law written out from points, normals and springs in [`common_path`]. What came up is counted
+//! and must be plenty, and no path may end undecided.
+
+use crate::programs::draw::{over, planar_scenes, spatial_scenes};
+use crate::programs::tally::Tally;
+use crate::programs::{Scene, brief, corners, sizes, tangential};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium};
+use grasp_lcp::load_path::{Event, LoadPath};
+use proptest::prelude::*;
+
+/// States along a path: the ends of its straight pieces (first and last, continuous from one piece to the next) and inside.
+fn samples<const D: usize, const C: usize>(
+    path: &LoadPath<'_, D, C>,
+    events: &[Event<D, C>],
+) -> Vec<Vec<(usize, f64, Equilibrium<D, C>)>> {
+    let Some((last_leg, last, _)) = path.position() else { return Vec::new() };
+    let mut pieces = Vec::new();
+    for leg in 0..=last_leg {
+        let end = if leg < last_leg { 1.0 } else { last };
+        let mut marks = vec![0.0];
+        marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));
+        marks.push(end);
+        for ends in marks.windows(2) {
+            // Shorter pieces say nothing, and their slips drown in rounding.
+            if ends[1] - ends[0] > 1e-6 {
+                let at = |x: f64| ends[0] + (ends[1] - ends[0]) * x;
+                let here = |f: f64| path.state_at(leg, f).map(|state| (leg, f, state));
+                pieces.push([0.001, 0.3, 0.7, 0.999].into_iter().filter_map(|x| here(at(x))).collect());
+            }
+        }
+    }
+    pieces
+}
+
+/// At every sample the law holds; within a piece a rolling contact keeps its slip, and a sliding one slips so that friction takes
+/// as much as it can: (F_t - p)·Δs >= 0 for every corner p of the cone, which makes F_t·Δs >= 0.
+fn law_holds<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    tally: &mut Tally,
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    for event in &events {
+        let breach = scene.breach(event.leg, event.fraction, &event.state);
+        prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
+    }
+    for piece in samples(&path, &events) {
+        for (leg, fraction, state) in &piece {
+            let breach = scene.breach(*leg, *fraction, state);
+            prop_assert!(breach <= 1e-12, "{breach:e} at {leg} {fraction}: {}", brief(state));
+        }
+        for pair in piece.windows(2) {
+            let ((leg, fraction, a), (_, _, b)) = (&pair[0], &pair[1]);
+            let (force, motion) = sizes(a);
+            for (i, (x, y)) in a.contacts.iter().zip(&b.contacts).enumerate() {
+                let slip = y.slip - x.slip;
+                let same = std::mem::discriminant(&x.state) == std::mem::discriminant(&y.state);
+                prop_assert!(same, "contact {i} changes without an event after {leg} {fraction}");
+                match x.state {
+                    ContactState::Rolling => {
+                        prop_assert!(slip.norm() <= 1e-12 * motion, "contact {i} slips: {slip}");
+                    }
+                    ContactState::Sliding { .. } => {
+                        for (f, p) in
+                            [x, y].iter().flat_map(|c| corners::<C>().into_iter().map(|p| (c.force, p)))
+                        {
+                            let lost = (tangential(&f) - p * (scene.spots[i].mu * f[0])).dot(&slip);
+                            let size = (1.0 + scene.spots[i].mu) * force * motion;
+                            prop_assert!(
+                                lost >= -1e-12 * size,
+                                "contact {i} gains {lost:e} after {leg} {fraction}"
+                            );
+                        }
+                        tally.checked += 1;
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn planar_states_satisfy_the_law_and_slip_dissipates() {
+    let t = over(3000, &planar_scenes(), |scene, tally| law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(
+        t.slides > 1500 && t.sticks > 800 && t.opens > 400 && t.closes > 200 && t.checked > 8000,
+        "{t:?}"
+    );
+    assert!(t.completed > 1000 && t.limits > 200 && t.snaps > 100, "{t:?}");
+    assert_eq!(t.undecided, 0, "{t:?}");
+}
+
+#[test]
+fn spatial_states_satisfy_the_law_and_slip_dissipates() {
+    let t = over(600, &spatial_scenes(), |scene, tally| law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(t.slides > 100 && t.sticks > 50 && t.turns > 100 && t.opens > 20 && t.checked > 1500, "{t:?}");
+    assert_eq!(t.undecided, 0, "{t:?}");
+}

@@ -1,0 +1,23 @@
+//! Load programs, followed with the memory of slip.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod closed_forms;
+mod cut;
+mod energy;
+mod free_motion;
+mod in_space;
+mod invariance;
+mod law;
+mod leg_ends;
+mod memory;
+mod on_facets;
+mod partial_slip;
+mod programs;
+mod recontact;
+mod rings;
+mod round_cone;
+mod sliding_arcs;
+mod small_steps;
+mod story;

@@ -1,0 +1,66 @@
+//! Where a path forgets nothing and where it has nothing to remember: without sticking again it ends at the one-shot
+//! equilibrium, and without events it can be reversed. Random paths in the plane.
+
+use crate::programs::draw::{over, planar_scenes};
+use crate::programs::same_state;
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::{Change, PathEnd};
+use proptest::prelude::*;
+
+/// Where nothing sticks again, closes or reverses, the slips all point along the friction there: the end is an equilibrium of the one-shot
+/// law, and where that has only one (all are listed), it is that one.
+#[test]
+fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
+    let t = over(3000, &planar_scenes(), |scene, tally| {
+        let grasp = scene.grasp();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+        let events = path.run();
+        tally.count(&events, &path);
+        let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
+        if !matches!(path.end(), Some(PathEnd::Completed))
+            || !events.iter().flat_map(|e| &e.changes).all(|(_, c)| monotone(c))
+        {
+            return Ok(());
+        }
+        let end = scene.goals.last().unwrap();
+        let there = scene.grasp().with_commands(&end.commands).unwrap();
+        let list = there.equilibria(&Wrench::from_vector(end.load), &Settings::default()).unwrap();
+        prop_assert!(!list.is_empty(), "the path found one");
+        if list.len() == 1 {
+            same_state(&scene, &list[0], &path.position().unwrap().2, 1e-9)?;
+            tally.checked += usize::from(!events.is_empty());
+        }
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked > 200, "{t:?}");
+}
+
+/// There and back the same way with nothing changing on the way there: nothing changes on the way back either, and the end
+/// is the start, up to rounding.
+#[test]
+fn a_path_without_events_can_be_reversed() {
+    let t = over(2000, &planar_scenes(), |mut scene, tally| {
+        let there = scene.goals.len();
+        scene.goals.extend(scene.goals.clone().into_iter().rev().skip(1));
+        let grasp = scene.grasp();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+        let events = path.run();
+        tally.count(&events, &path);
+        let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };
+        let quiet = start.contacts.iter().all(|c| !matches!(c.state, ContactState::Sliding { .. }));
+        let reached =
+            path.position().is_some_and(|(leg, f, _)| leg + 2 > there || (leg + 2 == there && f == 1.0));
+        if quiet && reached && events.iter().all(|e| e.leg + 1 >= there) {
+            prop_assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+            prop_assert!(events.is_empty(), "{:?}", events[0].changes);
+            same_state(&scene, &start, &path.position().unwrap().2, 1e-13)?;
+            tally.checked += 1;
+        }
+        Ok(())
+    });
+    println!("{t:?}");
+    assert!(t.checked > 100, "{t:?}");
+}

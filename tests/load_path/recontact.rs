@@ -1,0 +1,143 @@
+//! A contact that loses its force and takes it up again: it reverses, sticks or opens at the apex of its cone, and what
+//! has opened closes without tangential force, wherever its finger now is. Planar, by hand.
+//!
+//! One foot (k, kt, μ) on a body that two bonded springs carry, together kb both ways; nothing turns. With the foot's command
+//! (a, b) and the body at (x, y): N = k (a - y) and T = kt (b - x - s) on the body, kb x = T, kb y = N. Closed it gives
+//! N = c a, c = k kb/(k + kb), and stuck T changes by e Δb, e = kt kb/(kt + kb).
+
+use crate::story::{assert_close, assert_story, completed};
+use grasp_lcp::load_path::{Change, PathEnd};
+use grasp_lcp::planar::{Contact, ContactState, Grasp, Leg, LoadPath, Wrench};
+
+const K: f64 = 30.0;
+const KT: f64 = 20.0;
+const KB: f64 = 10.0;
+const MU: f64 = 0.4;
+const C: f64 = K * KB / (K + KB);
+const E: f64 = KT * KB / (KT + KB);
+
+fn body(mu: f64) -> Grasp {
+    let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, KT).friction(mu);
+    let spring = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(KB / 2.0, KB / 2.0).bonded();
+    Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap()
+}
+
+/// The foot's command goes to (a, b).
+fn to(a: f64, b: f64) -> Leg {
+    Leg::commands_to(vec![[a, b].into(), [0.0; 2].into(), [0.0; 2].into()])
+}
+
+fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::planar::Event>) {
+    let mut path = grasp.follow(Wrench::ZERO, legs).unwrap();
+    let events = path.run();
+    assert!(completed(path.end()), "{:?}", path.end());
+    (path, events)
+}
+
+/// Pressed and dragged along from no force at all (e b > μ c a) the foot slides from the first moment. Let go while it is dragged on
+/// it slides until N = 0 at the very end of the leg. Pressed and dragged back from there it slides the other way at once: it
+/// reverses where all its forces vanish, which is the only place where it can. Friction takes ∫ μN |ds|, with
+/// s = b - μN/e: on a leg with N from 0 to N₁ (or back) and b over L it is μN₁ L/2 ∓ (μN₁)²/(2e).
+#[test]
+fn it_reverses_where_its_force_vanishes() {
+    let (a, l) = (0.2, 0.5);
+    let grasp = body(MU);
+    let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, l), to(0.0, l)]);
+    let n = C * a;
+    // Last leg: it sticks as it is let go, T = -μN₁ there, and slides on when N has nothing more to hold it: at once.
+    assert_story(&events[..2], &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "reverses")])]);
+    let [(0, Change::Reverses { direction })] = events[1].changes[..] else { panic!() };
+    // Tangents are clockwise of the normal: t = (1, 0). It is dragged back to -x.
+    assert_close!(direction[0], -1.0);
+    assert_eq!(events[1].other_continuations, Some(0));
+    for (leg, sign) in [(0, 1.0), (2, -1.0)] {
+        let state = path.state_at(leg, 1.0).unwrap();
+        assert_close!(state.contacts[0].force[0], n);
+        assert_close!(state.contacts[0].force[1], sign * MU * n);
+        assert_close!(state.contacts[0].slip[1], l - sign * MU * n / E);
+    }
+    let loss = |sign: f64| MU * n * l / 2.0 - sign * (MU * n).powi(2) / (2.0 * E);
+    for (leg, heat) in [(0, loss(1.0)), (1, loss(-1.0)), (2, loss(1.0))] {
+        assert_close!(path.energies()[leg].dissipated, heat);
+        assert!(path.energies()[leg].residual().abs() < 1e-13);
+    }
+}
+
+/// The same, but pressed straight where N = 0: it sticks with T = 0, and keeps the slip it has.
+#[test]
+fn it_sticks_where_its_force_vanishes() {
+    let (a, l) = (0.2, 0.5);
+    let grasp = body(MU);
+    let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, 2.0 * l)]);
+    assert_story(&events, &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "sticks")])]);
+    let end = path.position().unwrap().2;
+    assert_close!(end.contacts[0].force[0], C * a);
+    assert_close!(end.contacts[0].force[1], 0.0);
+    assert_close!(end.contacts[0].slip[1], 2.0 * l);
+    assert_eq!(end.contacts[0].state, ContactState::Rolling);
+}
+
+/// Lifted past N = 0 (after μN has shrunk to its T, it slides: T = e b = μ c a there), it opens, travels, comes down elsewhere: pressed and
+/// dragged by enough (e Δb > μ c Δa from the closing on) it closes sliding, else it closes and sticks, T = e (b - b₀) from
+/// where it closes.
+#[test]
+fn it_closes_without_tangential_force() {
+    let (a, b) = (0.2, 0.03);
+    let stuck = E * b;
+    assert!(stuck < MU * C * a, "by hand: it sticks");
+    let slides = 1.0 - stuck / (MU * C * a);
+    for (drag, how) in [(0.05, "closes"), (0.3, "closes sliding")] {
+        let grasp = body(MU);
+        // The first leg leads straight from rest: stuck. Then up to a = -a, along, and down while it is dragged.
+        let legs = [to(a, b), to(-a, b), to(-a, 1.0), to(a, 1.0 + 2.0 * drag)];
+        let (path, events) = follow(&grasp, &legs);
+        // Up, a(1 - 2f): it slides when μ c a(1 - 2f) = e b and opens at f = ½.
+        assert_story(
+            &events,
+            &[(1, slides / 2.0, vec![(0, "slides")]), (1, 0.5, vec![(0, "opens")]), (3, 0.5, vec![(0, how)])],
+        );
+        let open = path.state_at(2, 1.0).unwrap();
+        assert_close!(open.contacts[0].gap, a);
+        assert_close!(open.twist.translation()[0], 0.0);
+        let end = path.position().unwrap().2;
+        let friction = if how == "closes" { E * drag } else { MU * C * a };
+        assert_close!(end.contacts[0].force[1], friction);
+        assert_close!(end.contacts[0].slip[1], 1.0 + 2.0 * drag - friction / E);
+        assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13));
+    }
+}
+
+/// With a clearance the finger comes from afar: closed at a = clearance, and N = c (a - clearance) from there.
+#[test]
+fn a_clearance_is_travelled_first() {
+    let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, KT).friction(MU).clearance(0.3);
+    let spring = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(KB / 2.0, KB / 2.0).bonded();
+    let grasp = Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
+    let (path, events) = follow(&grasp, &[to(0.4, 0.0), to(0.4, 0.02), to(0.0, 0.02)]);
+    // Back: stuck T = e·0.02; N = c (0.1 - 0.4f) = T/μ, then N = 0 at f = ¼.
+    let slides = 0.25 - E * 0.02 / (MU * C * 0.4);
+    assert_story(
+        &events,
+        &[(0, 0.75, vec![(0, "closes")]), (2, slides, vec![(0, "slides")]), (2, 0.25, vec![(0, "opens")])],
+    );
+    assert_close!(path.state_at(1, 0.0).unwrap().contacts[0].force[0], C * 0.1);
+    assert_close!(path.position().unwrap().2.contacts[0].gap, 0.3);
+}
+
+/// Two fingers pinch a body (N = k a each) that weighs w and let go until 2μN = w. No load changes, the commands alone lose it: a
+/// limit load all the same, and it falls.
+#[test]
+fn letting_go_drops_the_body() {
+    let (k, kt, mu, w, a) = (40.0, 6.0, 0.5, 1.2, 0.1);
+    let finger =
+        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0]);
+    let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
+    let let_go = Leg::commands_to(vec![[0.0, 0.0].into(), [0.0, 0.0].into()]);
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();
+    assert!(path.run().is_empty());
+    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0, 1][..]));
+    assert_close!(loss.fraction, 1.0 - w / (2.0 * mu * k * a));
+    assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
+    assert_close!(path.position().unwrap().2.twist.translation()[1], -w / (2.0 * kt));
+}

@@ -1,0 +1,92 @@
+//! Every event of a path lies where small implicit steps find it, and where a path is lost they find nothing near.
+//!
+//! The steps ([`crate::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
+//! contact law with the slip so far is solved by trying all combinations of states. At every step that has no event in it or
+//! in the one before, both must agree on what each contact does and on the forces.
+
+use crate::programs::draw::{few_planar_contacts, over};
+use crate::programs::steps::Step;
+use crate::programs::tally::Tally;
+use crate::programs::{Scene, sizes};
+use grasp_lcp::load_path::PathEnd;
+use proptest::prelude::*;
+
+/// Steps a leg.
+const STEPS: usize = 100;
+/// A step in which something changes is taken in halves, so many times: events are found to 1/25600 of a leg.
+const HALVINGS: usize = 8;
+/// Forces agree to this part of the largest one: the slip of a contact that changes within a step is off by that much.
+const FORCES: f64 = 5e-4;
+/// A step this long leads beyond where a path is lost.
+const AHEAD: f64 = 1e-6;
+/// A state this far from the last one (relative forces and motion) does not continue it.
+const JUMP: f64 = 1e-3;
+
+fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };
+    let (last_leg, last, end) = path.position().unwrap();
+    let width = 1.0 / STEPS as f64;
+    let mut step = scene.first_step(&start);
+    for leg in 0..=last_leg {
+        for k in 1..=STEPS {
+            let (from, to) = ((k - 1) as f64 * width, k as f64 * width);
+            if leg == last_leg && to > last {
+                break;
+            }
+            // From where the continuation is not unique the two may go different ways.
+            let before = |e: &&grasp_lcp::planar::Event| (e.leg, e.fraction) <= (leg, to);
+            if events.iter().filter(before).any(|e| e.other_continuations != Some(0)) {
+                return Ok(());
+            }
+            let Some(mut next) = scene.advance(leg, [from, to], &step, HALVINGS) else {
+                return Err(TestCaseError::fail(format!("no step to {leg} {to}, but {:?}", path.end())));
+            };
+            let exact = path.state_at(leg, to).unwrap();
+            let states = scene.does(&exact);
+            // Where a contact stands on an edge and stays there several states say the same.
+            if next.does != states {
+                let tied = |other: &Step| other.does == states && next.apart(other) <= 1e-9;
+                next = scene.steps_to(leg, to, &next).into_iter().find(tied).unwrap_or(next);
+            }
+            let near = |f: f64| f > from - width + 1e-9 && f < to + 1e-9;
+            if !events.iter().any(|e| e.leg == leg && near(e.fraction)) {
+                prop_assert!(next.does == states, "{leg} {to}: {:?} against {states:?}", next.does);
+                let forces: Vec<_> = exact.contacts.iter().map(|c| c.force).collect();
+                let (off, most) = (next.distance(&forces), sizes(&exact).0.max(scene.press()));
+                prop_assert!(off <= FORCES * most, "{leg} {to}: forces off by {off:e} of {most}");
+                tally.checked += 1;
+            }
+            step = next;
+        }
+    }
+    if let Some(loss) = path.end().and_then(PathEnd::loss)
+        && events.iter().all(|e| e.other_continuations == Some(0))
+    {
+        let end = scene.first_step(&end);
+        let near = |last: &Step, ahead: f64| -> Vec<Step> {
+            let steps = scene.steps_to(loss.leg, loss.fraction + ahead, last).into_iter();
+            steps.take_while(|next| last.apart(next) <= JUMP).collect()
+        };
+        // And a longer one after it: in the step in which a contact closes it has no friction yet, and where its friction is infinite
+        // that step may exist though the force it gains is lost again while it sticks.
+        for next in near(&end, AHEAD) {
+            let after = near(&next, 30.0 * AHEAD);
+            prop_assert!(after.is_empty(), "{:?}, but {next:?} and {:?}", path.end(), after[0]);
+        }
+        let beyond = scene.steps_to(loss.leg, loss.fraction + AHEAD, &end);
+        tally.nothing_beyond += usize::from(beyond.is_empty());
+    }
+    Ok(())
+}
+
+#[test]
+fn events_lie_where_small_steps_find_them() {
+    let t = over(2000, &few_planar_contacts(), |scene, tally| follows(&scene, tally));
+    println!("{t:?}");
+    assert!(t.slides > 800 && t.sticks > 500 && t.opens > 150 && t.closes > 80, "{t:?}");
+    assert!(t.checked > 100_000 && t.nothing_beyond > 300, "{t:?}");
+}

@@ -1,0 +1,37 @@
+//! What tests of load paths that can be written down share: closeness, and the story a path tells.
+#![allow(dead_code)]
+
+use grasp_lcp::load_path::{Change, Event, PathEnd};
+
+pub(crate) use crate::common::close::assert_close;
+
+pub(crate) fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> bool {
+    matches!(end, Some(PathEnd::Completed))
+}
+
+/// Leg, fraction, and what the contacts do.
+pub(crate) type Line = (usize, f64, Vec<(usize, &'static str)>);
+
+/// Leg, fraction and what changes, without directions.
+pub(crate) fn story<const D: usize, const C: usize>(events: &[Event<D, C>]) -> Vec<Line> {
+    let word = |change: &Change<C>| match change {
+        Change::Slides { .. } => "slides",
+        Change::Sticks => "sticks",
+        Change::Reverses { .. } => "reverses",
+        Change::Turns { .. } => "turns",
+        Change::Opens => "opens",
+        Change::Closes => "closes",
+        Change::ClosesSliding { .. } => "closes sliding",
+    };
+    let all = |e: &Event<D, C>| e.changes.iter().map(|(i, change)| (*i, word(change))).collect();
+    events.iter().map(|e| (e.leg, e.fraction, all(e))).collect()
+}
+
+pub(crate) fn assert_story<const D: usize, const C: usize>(events: &[Event<D, C>], expected: &[Line]) {
+    let got = story(events);
+    assert_eq!(got.len(), expected.len(), "{got:#?}");
+    for (got, want) in got.iter().zip(expected) {
+        assert_eq!((got.0, &got.2), (want.0, &want.2), "{got:?}");
+        assert_close!(got.1, want.1);
+    }
+}

@@ -1,0 +1,341 @@
+//! Screening against `Grasp::onset`, which finds the onset on its own way: by settling the base and walking along the ramp.
+//!
+//! Contacts of every kind: without, with, and with infinite friction, kept closed and bonded, with a clearance; in the plane and in space,
+//! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;
+//! every lane of a batch, full or not, answers as the grasp on its own, to the last bit.
+
+use crate::common::random::{Spread, datum, for_all};
+use crate::common::scene::Datum;
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::{Onset, Ramp};
+use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
+use grasp_lcp::sweep::onsets_of_batch;
+use grasp_lcp::{Settings, planar, spatial};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+/// How often each verdict came.
+type Tally = std::cell::RefCell<std::collections::BTreeMap<String, usize>>;
+
+/// Contacts from data, with one tangential stiffness each; some are held in other ways.
+fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> [Contact<C>; N] {
+    std::array::from_fn(|i| {
+        let mut datum = data[i];
+        datum.stiffness[C - 1] = datum.stiffness[1];
+        if C == 3 && datum.friction < 10.0 {
+            // Fewer slide at once.
+            datum.normal -= 2.0 * datum.point;
+            datum.friction *= 2.0;
+            datum.command.rows_range_mut(1..).fill(0.0);
+        }
+        match holds[i] {
+            0 => datum.contact().kept_closed(),
+            1 => datum.contact().bonded(),
+            _ => datum.contact(),
+        }
+    })
+}
+
+/// What screening says, checked against the onset; factors to this part.
+fn check<const D: usize, const C: usize, const N: usize>(
+    contacts: &[Contact<C>; N],
+    [base, direction]: [Wrench<D>; 2],
+    close: f64,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
+    let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
+    let onset = grasp.onset(&Ramp::load(base, direction), &Settings::default()).unwrap();
+    *tally.borrow_mut().entry(format!("{:?}", screened.verdict())).or_default() += 1;
+    if matches!(onset, Onset::Undecided(_)) {
+        *tally.borrow_mut().entry("whole undecided".to_owned()).or_default() += 1;
+    }
+    match (screened.verdict(), &onset) {
+        (Verdict::Leaves, Onset::At(event)) => {
+            let factor = screened.factor().unwrap();
+            prop_assert!((factor - event.factor).abs() <= close * event.factor, "{factor} {}", event.factor);
+            prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
+            // Those of the first that the walk saw leave; at a tie the rates may let some stay.
+            for leaving in &event.leaving {
+                prop_assert!(screened.leaving().any(|i| i == leaving.contact), "{leaving:?} {screened:?}");
+            }
+        }
+        (Verdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),
+        (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
+        | (Verdict::NotRolling, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (Verdict::NotRolling | Verdict::Unclear, Onset::Undecided(_)) => {}
+        // A contact that is open at the base may well close on the way.
+        (Verdict::NotRolling, onset) => {
+            let state = grasp.solve(&base).unwrap();
+            let open = state
+                .equilibrium()
+                .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));
+            prop_assert!(open, "{onset:?}");
+        }
+        // The edge itself, or extreme numbers: counted by the callers.
+        (Verdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
+        (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
+    }
+    Ok(())
+}
+
+fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Spread, tally: &Tally) {
+    let wrench = || prop::collection::vec(-1.0..1.0_f64, D).prop_map(SVector::<f64, D>::from_vec);
+    let question = (
+        prop::collection::vec(datum::<C>(spread), N),
+        prop::collection::vec(0..12_u8, N),
+        prop_oneof![Just(SVector::zeros()), wrench()],
+        wrench(),
+    );
+    let close = if spread == Spread::Narrow { 1e-10 } else { 1e-8 };
+    for_all(file!(), cases, &question, |(data, holds, base, direction)| {
+        check::<D, C, N>(&contacts(&data, &holds), [base, direction].map(Wrench::from_vector), close, tally)
+    });
+}
+
+#[test]
+fn agrees_in_the_plane() {
+    let tally = Tally::default();
+    random::<3, 2, 2>(4000, Spread::Narrow, &tally);
+    random::<3, 2, 3>(1500, Spread::Narrow, &tally);
+    random::<3, 2, 4>(500, Spread::Narrow, &tally);
+    random::<3, 2, 5>(500, Spread::Narrow, &tally);
+    let counts = tally.borrow();
+    assert!(counts["Leaves"] > 1000 && counts["Never"] > 20 && counts["NotRolling"] > 1000, "{counts:?}");
+    assert!(counts.get("Unclear").is_none_or(|&n| n <= 5), "{counts:?}");
+}
+
+#[test]
+fn agrees_in_space() {
+    let tally = Tally::default();
+    random::<6, 3, 2>(100, Spread::Narrow, &tally);
+    random::<6, 3, 3>(300, Spread::Narrow, &tally);
+    random::<6, 3, 4>(200, Spread::Narrow, &tally);
+    random::<6, 3, 5>(100, Spread::Narrow, &tally);
+    let counts = tally.borrow();
+    assert!(counts["Leaves"] > 100 && counts["GivesWay"] > 20, "{counts:?}");
+    assert!(counts.get("Unclear").is_none_or(|&n| n <= 5), "{counts:?}");
+}
+
+/// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
+#[test]
+fn agrees_on_wide_ranges() {
+    let tally = Tally::default();
+    random::<3, 2, 2>(2000, Spread::Wide, &tally);
+    random::<3, 2, 3>(1000, Spread::Wide, &tally);
+    random::<6, 3, 3>(150, Spread::Wide, &tally);
+    random::<6, 3, 5>(50, Spread::Wide, &tally);
+    let counts = tally.borrow();
+    assert!(counts["Leaves"] > 200, "{counts:?}");
+    assert!(counts.get("Unclear").is_none_or(|&n| 2 * n < counts["Leaves"]), "{counts:?}");
+}
+
+/// A pair pressed along its line by N each and pulled across by w: it holds w = 2 μ N, whatever the stiffnesses; a load along the line
+/// takes half of w from one contact and opens it at w = 2 N if the springs are alike.
+#[test]
+fn a_pinched_pair() {
+    for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9)] {
+        let jaw = |side: f64| {
+            planar::Contact::new([side, 0.0], [-side, 0.0])
+                .series_stiffness(k, kt)
+                .friction(0.3)
+                .command([5.0 / k, 0.0])
+        };
+        let fingers = planar::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
+        let pull = |x, y| planar::Pull::new(&planar::Wrench::ZERO, &planar::Wrench::force([x, y])).unwrap();
+        let across = fingers.onset(&pull(0.0, -1.0));
+        assert!((across.factor().unwrap() - 3.0).abs() < 1e-14, "{across:?}");
+        assert!(across.leaving().eq([0, 1]));
+        let along = fingers.onset(&pull(1.0, 0.0));
+        assert!((along.factor().unwrap() - 10.0).abs() < 1e-14, "{along:?}");
+        assert!(along.leaving().eq([0]));
+    }
+}
+
+/// A finger pressed far in through a soft normal spring, with tangential springs ten decades stiffer: a press along a slanted normal must not
+/// become a tangential force by rounding, for what another finger holds may be five decades smaller.
+#[test]
+fn far_pressed_fingers_with_stiff_tangents() {
+    let tally = Tally::default();
+    for angle in [0.0_f64, 0.3, 1.0, 2.0] {
+        let contacts: [planar::Contact; 5] = std::array::from_fn(|i| {
+            let (sin, cos) = (angle + std::f64::consts::TAU * i as f64 / 5.0).sin_cos();
+            let press = if i == 2 { 5e-4 } else { 116.8 };
+            let contact = planar::Contact::new([2e-3 * cos, 2e-3 * sin], [-cos, -sin])
+                .series_stiffness(2.7e-3, 8.6e7)
+                .friction(0.64)
+                .command([press, 0.0]);
+            if i == 0 { contact.bonded() } else { contact }
+        });
+        let direction = planar::Wrench::new([0.53, -0.46], -7e-4);
+        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], 1e-8, &tally).unwrap();
+    }
+    assert_eq!(tally.borrow()["Leaves"], 4);
+}
+
+/// Two contacts of which one has no friction and its normal along the line through both: the object turns about the other one, however the normal
+/// is rounded. The nearly singular balance must not be taken for one that holds.
+#[test]
+fn a_pair_with_a_slippery_jaw_opposite() {
+    for turn in [0.0, 1.3e-16, -1e-14, 1e-10] {
+        let jaw = |side: f64, turn: f64| {
+            planar::Contact::new([side, 0.0], [-side, turn]).series_stiffness(1.0, 1.0).command([0.4, 0.0])
+        };
+        let contacts = [jaw(1.0, 0.0).bonded(), jaw(-1.0, turn)];
+        let pull = Pull::new(&Wrench::ZERO, &planar::Wrench::new([0.2, 1.0], 0.5)).unwrap();
+        let screened = planar::Fingers::new(&contacts).unwrap().onset(&pull);
+        assert_eq!(screened.verdict(), Verdict::Unclear, "{turn:e}");
+    }
+}
+
+/// In space the way out of the cone is found from squares of forces times rates. In units in which they underflow there is no factor rather than a
+/// wrong one; in all others it is the same.
+#[test]
+fn units_in_space() {
+    let onset = |exponent: i32| {
+        let unit = 2.0_f64.powi(exponent);
+        let fingers: [spatial::Contact; 3] = std::array::from_fn(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / 3.0 + 0.1).sin_cos();
+            spatial::Contact::new([unit * cos, unit * sin, 0.1 * unit * sin], [-cos, -sin, 0.05])
+                .series_stiffness(900.0 * unit, 600.0 * unit)
+                .friction(0.6)
+                .command([6e-3 * unit, 0.0, 0.0])
+        });
+        let force = unit * unit;
+        let direction = spatial::Wrench::new(
+            [0.3, -0.2, -1.0].map(|f| f * force),
+            [0.1, 0.0, 0.2].map(|m| m * force * unit),
+        );
+        let pull = Pull::new(&Wrench::ZERO, &direction).unwrap();
+        spatial::Fingers::new(&fingers).unwrap().onset(&pull)
+    };
+    let factor = onset(0).factor().unwrap();
+    for exponent in [-100, -30, 30, 50] {
+        assert!((onset(exponent).factor().unwrap() / factor - 1.0).abs() < 1e-12, "{exponent}");
+    }
+    for exponent in [-130, -140, -150] {
+        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+    }
+}
+
+/// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
+#[test]
+fn a_pinch_in_space_gives_way() {
+    let jaw = |side: f64| {
+        spatial::Contact::new([side, 0.3, 0.0], [-side, 0.0, 0.0])
+            .series_stiffness(1e3, 8e2)
+            .friction(0.3)
+            .command([0.01, 0.0, 0.0])
+    };
+    let fingers = spatial::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
+    let onset = |force, moment| {
+        let direction = spatial::Wrench::new(force, moment);
+        fingers.onset(&spatial::Pull::new(&spatial::Wrench::ZERO, &direction).unwrap())
+    };
+    assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), Verdict::GivesWay);
+    // A force through the line; the same force through the origin also turns.
+    let held = onset([0.0, 0.0, -1.0], [-0.3, 0.0, 0.0]);
+    assert!((held.factor().unwrap() - 6.0).abs() < 1e-13, "{held:?}");
+    assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), Verdict::GivesWay);
+}
+
+/// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
+#[test]
+fn a_batch_gives_the_same_bits() {
+    fn bits(screened: &Screened) -> (Option<u64>, Verdict, Vec<usize>) {
+        (screened.factor().map(f64::to_bits), screened.verdict(), screened.leaving().collect())
+    }
+    fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
+        let pull = {
+            let direction = SVector::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][k]);
+            Pull::new(&Wrench::from_vector(direction * 0.01), &Wrench::from_vector(direction)).unwrap()
+        };
+        let alone = std::cell::RefCell::new(Vec::new());
+        let batch = std::cell::RefCell::new(Batch::<D, C, N>::default());
+        for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
+            let fingers = Fingers::new(&contacts(&data, &[9; N])).unwrap();
+            alone.borrow_mut().push(fingers.onset(&pull));
+            batch.borrow_mut().push(&fingers);
+            Ok(())
+        });
+        let (alone, batch) = (alone.into_inner(), batch.into_inner());
+        let mut together = vec![];
+        batch.onsets_into(&[pull], &mut together);
+        let other = Pull::new(&Wrench::ZERO, &Wrench::from_vector(SVector::from_element(-1.0))).unwrap();
+        let mut of_both = vec![];
+        batch.onsets_into(&[other, pull], &mut of_both);
+        let mut in_parallel = vec![];
+        onsets_of_batch(&batch, &[pull], &mut in_parallel);
+        assert_eq!(batch.len(), 331);
+        let alone: Vec<_> = alone.iter().map(bits).collect();
+        assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);
+        assert_eq!(in_parallel.iter().map(bits).collect::<Vec<_>>(), alone);
+        let second = of_both.iter().skip(1).step_by(2);
+        assert_eq!(second.map(bits).collect::<Vec<_>>(), alone);
+        assert_eq!(of_both.len(), 2 * alone.len());
+        assert!(alone.iter().filter(|(factor, ..)| factor.is_some()).count() > 10);
+    }
+    grasps::<3, 2, 2>(Spread::Narrow);
+    grasps::<3, 2, 4>(Spread::Narrow);
+    grasps::<6, 3, 3>(Spread::Narrow);
+    grasps::<6, 3, 5>(Spread::Narrow);
+}
+
+#[test]
+fn malformed_questions_are_refused() {
+    let jaw = planar::Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1.0, 1.0).name("thumb");
+    let bad = planar::Fingers::new(&[jaw.clone(), jaw.clone().friction(-1.0)]).unwrap_err();
+    assert_eq!(
+        bad.to_string(),
+        "contact 1 (thumb): friction coefficient is -1, must be from 0 to 1e50, or infinite"
+    );
+    let nan = planar::Wrench::new([0.0, f64::NAN], 0.0);
+    let bad = planar::Pull::new(&planar::Wrench::ZERO, &nan).unwrap_err();
+    assert!(bad.to_string().contains("load direction: component 1 is NaN"), "{bad}");
+    let uneven = spatial::Contact::new([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0])
+        .series_stiffness_axes([1.0, 2.0, 3.0])
+        .friction(1.0);
+    let bad = spatial::Fingers::new(&[uneven.clone(), uneven]).unwrap_err();
+    assert!(bad.to_string().contains("series stiffness is 3, must be the same along both tangents"), "{bad}");
+}
+
+#[test]
+fn nothing_is_allocated() {
+    let jaw = |side: f64| {
+        spatial::Contact::new([side, 0.3, 0.0], [-side, 0.1, 0.2]).series_stiffness(1e3, 8e2).friction(0.3)
+    };
+    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector([0.0, 0.0, -1.0, 0.0, 0.0, 0.0])).unwrap();
+    let fingers = Fingers::new(&[jaw(-1.0), jaw(1.0), jaw(0.5)]).unwrap();
+    let mut batch = Batch::with_capacity(100);
+    let mut answers = Vec::with_capacity(100);
+    let counted = allocation_counter::measure(|| {
+        for _ in 0..100 {
+            batch.push(&fingers);
+        }
+        batch.onsets_into(&[pull], &mut answers);
+        batch.clear();
+        assert_eq!(fingers.onset(&pull).factor(), answers[99].factor());
+    });
+    assert_eq!(counted.count_total, 0);
+}
+
+/// A tangent that the user turned round, with the command turned round, is the same contact.
+#[test]
+fn tangents_turned_round() {
+    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector([0.3, -1.0, 0.1])).unwrap();
+    let jaw = |side: f64, slant: f64| {
+        planar::Contact::new([side, 0.1], [-side, slant]).series_stiffness(1e3, 8e2).friction(0.7)
+    };
+    let plain = [jaw(-1.0, 0.1).command([0.01, 0.002]), jaw(1.0, 0.2).command([0.01, -0.001])];
+    // t = (n_y, -n_x) of the second is (0.2, 1) apart from its length.
+    let turned = [plain[0].clone(), jaw(1.0, 0.2).tangent([-0.2, -1.0]).command([0.01, 0.001])];
+    let factor = |contacts: &[planar::Contact; 2]| {
+        Fingers::<3, 2, 2>::new(contacts).unwrap().onset(&pull).factor().unwrap()
+    };
+    assert_eq!(factor(&plain), factor(&turned));
+    let grasp = Grasp::new(turned.clone()).unwrap();
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::from_vector([0.3, -1.0, 0.1]));
+    let whole = grasp.onset(&ramp, &Settings::default()).unwrap().factor().unwrap();
+    assert!((factor(&plain) / whole - 1.0).abs() < 1e-13);
+}

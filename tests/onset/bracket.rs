@@ -1,0 +1,151 @@
+//! The polygon inside the round cone and the one around it have the onset of sliding between them, and the spread of their answers
+//! is that of a sliding foot by hand.
+
+use std::cell::Cell;
+use std::f64::consts::{PI, TAU};
+
+use crate::common::close::assert_close;
+use crate::common::ramps::{Change, Tally, for_both};
+use crate::common::scene::Scene;
+use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
+use grasp_lcp::{Fit, PolygonCone, Settings, planar};
+use proptest::prelude::*;
+
+fn polygon(facets: usize, fit: Fit) -> Settings {
+    // Rolling states need no search through all combinations.
+    Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
+}
+
+/// Everything that touches rolls. These two rules look at the cone only to accept or to refuse what they propose; by others a
+/// smaller cone may come to rest on fewer contacts, which then roll for longer.
+fn rolls(outcome: &Outcome) -> bool {
+    let rule = outcome.equilibrium().map(|e| e.rule);
+    matches!(rule, Some(Rung::EverythingRolls | Rung::EverythingTouchingRolls))
+}
+
+/// Factors of a bracket are in order up to rounding, each from a base that rolls on the smaller cone. An onset may stay undecided
+/// where contacts touch without force; `undecided` counts those.
+fn check_order(
+    scene: &Scene<6, 3>,
+    change: &Change<6, 3>,
+    tally: &Tally,
+    undecided: &Cell<u32>,
+) -> Result<(), TestCaseError> {
+    let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
+    let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
+    if !rolls(&grasp.solve_with(&scene.wrench(), &on_circumscribed).unwrap()) {
+        return Ok(());
+    }
+    let round = grasp.onset(&ramp, &on_circumscribed).unwrap();
+    for facets in [3, 8] {
+        let on = |fit| grasp.onset_on_polygon(&ramp, &polygon(facets, fit)).unwrap();
+        let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
+        let base = grasp.bracket(&scene.wrench(), &polygon(facets, Fit::Inscribed)).unwrap();
+        for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
+            if !rolls(base) {
+                continue;
+            }
+            if matches!(less, Onset::Undecided(_)) || matches!(more, Onset::Undecided(_)) {
+                undecided.set(undecided.get() + 1);
+                continue;
+            }
+            tally.count(more);
+            let factors = less.factor().zip(more.factor());
+            let ordered = factors.is_some_and(|(less, more)| less <= more * (1.0 + 1e-12));
+            prop_assert!(ordered, "{facets} facets: {factors:?}, {less:?}, {more:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn polygons_bracket_the_onset() {
+    let undecided = Cell::new(0);
+    let tally = for_both::<6, 3>(file!(), &(1..6), |s, c, t| check_order(s, c, t, &undecided));
+    tally.assert_at_least(800, 100, 800);
+    println!("{} undecided", undecided.get());
+    assert!(undecided.get() <= 10, "{} undecided", undecided.get());
+}
+
+/// If everything rolls on the inscribed polygon the three answers are one, and the inscribed polygon rolls only where the
+/// others do.
+fn check_rolling(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
+    let bracket = scene.grasp().bracket(&scene.wrench(), &polygon(5, Fit::Balanced)).unwrap();
+    let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(rolls);
+    prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
+    if inside {
+        let spread = bracket.spread.expect("three equilibria");
+        prop_assert!(spread.force == 0.0 && spread.displacement == 0.0, "{spread:?}");
+        tally.never.set(tally.never.get() + 1);
+    } else {
+        tally.slides.set(tally.slides.get() + 1);
+    }
+    Ok(())
+}
+
+#[test]
+fn where_everything_rolls_the_cone_does_not_matter() {
+    for_both::<6, 3>(file!(), &(1..6), check_rolling).assert_at_least(500, 0, 500);
+}
+
+/// A foot pressed by N onto the floor, its block held by a tether of stiffness c in all directions, both at the origin, drawn
+/// sideways by a force W along e. With friction f the block moves by u = (W e + f) / c. On the round cone f = -μN e by
+/// symmetry. On the inscribed polygon f = -μN d with the corner d nearest to e (on the circumscribed one 1/cos(π/m) longer) as
+/// long as the slip W e + f - (c/k) |f| d over the floor points less than π/m to the side of d.
+#[test]
+fn the_spread_of_a_sliding_foot() {
+    let (mu, normal, c, k, w) = (0.5, 20.0, 300.0, 5000.0, 200.0);
+    let foot = Contact::new([0.0; 3], [0.0, 0.0, 1.0]).tangent([1.0, 0.0, 0.0]);
+    let grasp = Grasp::new([
+        foot.clone().series_stiffness(1e4, k).friction(mu).command([normal / 1e4, 0.0, 0.0]),
+        foot.series_stiffness(c, c).bonded(),
+    ])
+    .unwrap();
+    for angle in [0.3_f64, 1.9, 4.4] {
+        // The floor pulls the other way: friction is along -e, and so is the corner.
+        let e = [angle.cos(), angle.sin()];
+        let load = Wrench::force([w * e[0], w * e[1], -normal]);
+        let mut before = f64::INFINITY;
+        for m in [8_u32, 16, 32, 64, 128] {
+            let step = TAU / f64::from(m);
+            let nearest = ((angle + PI) / step).round() * step - PI;
+            let (off, longer) = ((nearest - angle).abs(), 1.0 / (0.5 * step).cos());
+            let f = [mu * normal, mu * normal * longer];
+            for f in f {
+                let side = (w * off.sin()).atan2(w * off.cos() - f * (1.0 + c / k));
+                assert!(side < 0.5 * step, "by hand: {m} facets, {angle}");
+            }
+            let from_round = |f: f64| {
+                let along = f * off.cos() - mu * normal;
+                along.hypot(f * off.sin())
+            };
+            let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
+            let settings = polygon(m as usize, Fit::Inscribed);
+            let spread = grasp.bracket(&load, &settings).unwrap().spread.expect("three equilibria");
+            assert_close!(spread.force / w, force / w);
+            assert_close!(spread.displacement * c / w, force / w);
+            let most = mu * normal * step;
+            assert!(force <= most && most < before, "{m}: {force} beyond {most}");
+            before = most;
+        }
+    }
+}
+
+/// The planar cone is a polygon by nature.
+#[test]
+fn in_the_plane_there_is_nothing_to_bracket() {
+    let finger = |side: f64| {
+        planar::Contact::new([side, 0.0], [-side, 0.0])
+            .series_stiffness(100.0, 80.0)
+            .friction(0.5)
+            .command([0.1, 0.02 * side])
+    };
+    let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
+    for load in [1.0, 20.0] {
+        let bracket = grasp.bracket(&planar::Wrench::force([0.0, -load]), &Settings::default()).unwrap();
+        let holds = load < 10.0;
+        assert_eq!(bracket.spread.map(|s| (s.force, s.displacement)), holds.then_some((0.0, 0.0)));
+        assert_eq!(bracket.round.equilibrium().is_some(), holds);
+    }
+}

@@ -1,0 +1,243 @@
+//! Load paths whose every event can be written down.
+
+use crate::common::close::assert_close;
+use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
+
+fn pull(force: f64) -> Wrench {
+    Wrench::force([force, 0.0])
+}
+
+/// Feet in a row under a block that a stiff bilateral guide keeps from rising: foot i is pressed by N_i, sticks with
+/// stiffness kt and slides at μ_i N_i. Pulled sideways it is a chain of Jenkins elements in parallel.
+fn row_of_feet(limits: &[f64], kt: f64) -> Grasp {
+    let (k, press) = (10.0, 0.1);
+    let feet = limits.iter().map(|limit| {
+        // All at the same place, so that nothing turns and N_i = k press.
+        Contact::new([0.0, 0.0], [0.0, 1.0])
+            .series_stiffness(k, kt)
+            .friction(limit / (k * press))
+            .command([press, 0.0])
+    });
+    // Two frictionless guides from above hold the block down and keep it level: they are pressed by the feet.
+    let stiff = 1e6;
+    let n = f64::from(u32::try_from(limits.len()).unwrap());
+    let guides = [-1.0, 1.0].map(|x| {
+        let push = n * k * press / 2.0 / stiff;
+        Contact::new([x, 0.0], [0.0, -1.0]).series_stiffness(stiff, 1.0).command([push, 0.0])
+    });
+    Grasp::new(feet.chain(guides)).unwrap()
+}
+
+fn run<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<Event>) {
+    let mut path = grasp.follow(Wrench::ZERO, legs).unwrap();
+    let events = path.run();
+    (path, events)
+}
+
+/// Limits 1, 2, 4 N with kt = 8 N/m each: foot 1 slides at x = 1/8, load 3; foot 2 at x = 2/8 when the load is 1 + 2 + 2 = 5;
+/// foot 3 at x = 4/8 with 1 + 2 + 4 = 7, which is the limit load.
+#[test]
+fn feet_slide_one_after_the_other_up_to_the_limit_load() {
+    let grasp = row_of_feet(&[1.0, 2.0, 4.0], 8.0);
+    let (path, events) = run(&grasp, &[Leg::load_to(pull(10.0))]);
+    let expected = [(0, 3.0, 0.125), (1, 5.0, 0.25)];
+    assert_eq!(events.len(), 2, "{events:?}");
+    for (event, (contact, load, x)) in events.iter().zip(expected) {
+        assert_close!(event.fraction, load / 10.0);
+        assert_close!(event.state.twist.translation()[0], x);
+        let [(at, Change::Slides { direction })] = event.changes[..] else { panic!("{:?}", event.changes) };
+        assert_eq!(at, contact);
+        // The body goes to +x, the foot slips over it to -x.
+        assert_close!(direction[0], -1.0);
+        assert_eq!(event.other_continuations, Some(0));
+    }
+    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_close!(loss.fraction, 0.7);
+    assert_eq!(loss.contacts, [0, 1, 2]);
+    let motion = loss.motion.expect("a ray");
+    assert_close!(motion.translation()[0].abs(), 1.0);
+    assert!(motion.translation()[0] > 0.0, "it leaves the way it is pulled");
+    for energy in path.energies() {
+        assert!(energy.residual().abs() < 1e-13, "{energy:?}");
+    }
+}
+
+/// Leg, displacement, and what the contacts do.
+type Line = (usize, f64, Vec<(usize, &'static str)>);
+
+/// Masing: limits 1 and 2, kt = 8, an elastic third foot that never slides (limit 1000). Load to x₁ = 0.5 (forces 1, 2, 4: 7 N),
+/// unload to -7 N and reload to 7 N. On the way down the feet stick at once, slide back at x₁ - 2·1/8 and x₁ - 2·2/8, and the
+/// loop closes: in each full cycle friction takes 4 f (X - f/kt) at amplitude X = 0.5: 4·1·(0.375) + 4·2·(0.25) = 3.5 J.
+#[test]
+fn a_hysteresis_loop_with_its_area() {
+    let grasp = row_of_feet(&[1.0, 2.0, 1000.0], 8.0);
+    let there = Leg::load_to(pull(7.0));
+    let back = Leg::load_to(pull(-7.0));
+    let (path, events) = run(&grasp, &[there.clone(), back.clone(), there.clone(), back, there]);
+    assert!(matches!(path.end(), Some(PathEnd::Completed)));
+    let story: Vec<Line> = events
+        .iter()
+        .map(|e| {
+            let words = e.changes.iter().map(|(i, change)| {
+                let word = match change {
+                    Change::Slides { direction } if direction[0] < 0.0 => "slides -",
+                    Change::Slides { .. } => "slides +",
+                    Change::Sticks => "sticks",
+                    _ => "?",
+                };
+                (*i, word)
+            });
+            (e.leg, e.state.twist.translation()[0], words.collect())
+        })
+        .collect();
+    let mut expected: Vec<Line> = vec![(0, 0.125, vec![(0, "slides -")]), (0, 0.25, vec![(1, "slides -")])];
+    for leg in 1..5 {
+        let (s, word) = if leg % 2 == 1 { (1.0, "slides +") } else { (-1.0, "slides -") };
+        expected.push((leg, s * 0.5, vec![(0, "sticks"), (1, "sticks")]));
+        expected.push((leg, s * 0.25, vec![(0, word)]));
+        expected.push((leg, 0.0, vec![(1, word)]));
+    }
+    assert_eq!(story.len(), expected.len(), "{story:#?}");
+    for (got, want) in story.iter().zip(&expected) {
+        assert_eq!((got.0, &got.2), (want.0, &want.2));
+        assert_close!(got.1, want.1);
+    }
+    let heat: f64 = path.energies()[1..3].iter().map(|e| e.dissipated).sum();
+    assert_close!(heat, 3.5);
+    let work: f64 = path.energies()[1..3].iter().map(|e| e.load_work).sum();
+    assert_close!(work, 3.5);
+    for energy in path.energies() {
+        assert!(energy.residual().abs() < 1e-13 && energy.dissipated >= 0.0, "{energy:?}");
+    }
+    // The forces along the way, without solving again: halfway down leg 1 (load 0) x = ?: elastic part 24 N/m until 0.25.
+    let state = path.state_at(1, 0.5).expect("passed");
+    assert_close!(state.load.as_vector()[0], 0.0);
+    // From x = 0.5 down: 7 - 24·0.25 = 1 N at x = 0.25; then 16 N/m: 1 N more is 1/16.
+    assert_close!(state.twist.translation()[0], 0.25 - 1.0 / 16.0);
+    assert!(state.residuals.worst() < 1e-13, "{:?}", state.residuals);
+    assert!(path.state_at(5, 0.0).is_none());
+}
+
+/// Unloading completely leaves residual forces: limits 1 and 1000, pulled to 5 N (x = 0.5, forces 1 and 4) and back to 0: the
+/// first foot sticks, x falls by 5/16 to 3/16, forces 1 - 2.5 → it slides back at -1: x = 0.25 with load 1; then 8 N/m: x = 1/8.
+#[test]
+fn residual_forces_after_unloading() {
+    let grasp = row_of_feet(&[1.0, 1000.0], 8.0);
+    let (path, events) = run(&grasp, &[Leg::load_to(pull(5.0)), Leg::load_to(pull(0.0))]);
+    assert_eq!(events.len(), 3);
+    assert_close!(events[0].fraction, 0.4);
+    assert_close!(events[1].fraction, 0.0);
+    assert_close!(events[2].fraction, 0.8);
+    let (leg, fraction, state) = path.position().expect("followed");
+    assert_eq!((leg, fraction), (1, 1.0));
+    assert_close!(state.twist.translation()[0], 0.125);
+    assert_close!(state.contacts[0].force_world[0], 1.0);
+    assert_close!(state.contacts[1].force_world[0], -1.0);
+    assert!(matches!(state.contacts[0].state, ContactState::Sliding { .. }));
+    // Reloading: it sticks, slides on at x = 0.375 with load 1·… = 8·0.375 + 1.
+    let mut path = path;
+    path.continue_with(&[Leg::load_by(pull(5.0))]).unwrap();
+    let events = path.run();
+    assert_eq!(events.len(), 2, "{events:#?}");
+    assert_eq!(events[0].changes, [(0, Change::Sticks)]);
+    assert_close!(events[1].state.twist.translation()[0], 0.375);
+    assert_close!(events[1].fraction, 4.0 / 5.0);
+}
+
+/// Separation and exact recovery: the bar on three frictionless supports, loaded past e = 2/3 and back.
+#[test]
+fn a_support_lets_go_and_takes_hold_again() {
+    let (k, w) = (80.0, 6.0);
+    let support = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(k, k);
+    let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(k, k).kept_closed();
+    let bar = Grasp::new([support(-1.0), support(0.0), support(1.0), guide]).unwrap();
+    let load = |e: f64| Wrench::force_at([0.0, -w], [e, 0.0]);
+    let mut path = bar.follow(load(0.0), &[Leg::load_to(load(0.9)), Leg::load_to(load(0.0))]).unwrap();
+    let events = path.run();
+    assert_eq!(events.len(), 2);
+    assert_close!(events[0].fraction, 2.0 / 2.7);
+    assert_eq!(events[0].changes, [(0, Change::Opens)]);
+    assert_close!(events[1].fraction, 1.0 - 2.0 / 2.7);
+    assert_eq!(events[1].changes, [(0, Change::Closes)]);
+    let (_, _, end) = path.position().unwrap();
+    for contact in &end.contacts[..3] {
+        assert_close!(contact.normal_force(), w / 3.0);
+    }
+    let total: f64 = path.energies().iter().map(|e| e.load_work).sum();
+    assert!(total.abs() < 1e-13, "no friction, no loss: {total}");
+}
+
+/// A finger that pulls back, moves sideways and presses again starts with F_t = 0: its slip follows the surfaces.
+#[test]
+fn regrasping_starts_without_tangential_force() {
+    let (k, kt, mu) = (10.0, 6.0, 0.5);
+    let side =
+        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([0.1, 0.0]);
+    // Two pairs of fingers on top of each other: one pair holds while the other regrasps.
+    let grasp = Grasp::new([side(-1.0), side(1.0), side(-1.0), side(1.0)]).unwrap();
+    let w = 0.4;
+    let (hold, away) = ([0.1, 0.0], [-0.1, 0.0]);
+    let commands = |pair: [f64; 2]| vec![hold.into(), hold.into(), pair.into(), pair.into()];
+    let legs = [
+        Leg::load_to(Wrench::force([0.0, -w])),
+        Leg::commands_to(commands(away)),
+        Leg::commands_to(commands(hold)),
+    ];
+    let (path, events) = run(&grasp, &legs);
+    assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+    // Four share the load (0.1 each); letting go, the second pair slides when 0.5 N = T, opens at N = 0, closes at N = 0.
+    let kinds: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
+    assert_eq!(kinds.first(), Some(&(1, 2)), "{events:#?}");
+    let (_, _, end) = path.position().unwrap();
+    for c in &end.contacts[..2] {
+        assert_close!(c.force_world[1], w / 2.0);
+    }
+    for c in &end.contacts[2..] {
+        assert_close!(c.normal_force(), 1.0);
+        assert_close!(c.force_world[1], 0.0);
+        assert_eq!(c.state, ContactState::Rolling);
+    }
+    for energy in path.energies() {
+        assert!(energy.residual().abs() < 1e-13, "{energy:?}");
+    }
+}
+
+/// Ring of n identical contacts under a torque: all leave at one load, and that is the limit.
+#[test]
+fn rings_have_one_event() {
+    for n in [2_u32, 3, 5, 8, 17, 64] {
+        let finger = |i: u32| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
+            Contact::new([cos, sin], [-cos, -sin])
+                .series_stiffness(10.0, 4.0)
+                .friction(0.3)
+                .command([0.1, 0.0])
+        };
+        // An elastic stop about the axis takes over when friction is exhausted.
+        let stop = Contact::new([1.0, 0.0], [0.0, -1.0]).series_stiffness(0.5, 1.0).kept_closed();
+        let counter = Contact::new([-1.0, 0.0], [0.0, 1.0]).series_stiffness(0.5, 1.0).kept_closed();
+        let ring = Grasp::new((0..n).map(finger).chain([stop, counter])).unwrap();
+        let torque = |m: f64| Leg::load_to(Wrench::new([0.0, 0.0], m));
+        let size = f64::from(n);
+        let (path, events) = run(&ring, &[torque(size), torque(-size), torque(size)]);
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
+        let sizes: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
+        let all = n as usize;
+        assert_eq!(sizes, [(0, all), (1, all), (1, all), (2, all), (2, all)], "{n}");
+        // All slide when the turn times kt is μ N: with the stop the torque is n · 0.3 · (1 + 1.0/(4 n)).
+        assert_close!(events[0].fraction * size, size * 0.3 + 0.3 / 4.0);
+    }
+}
+
+/// The paper's second grasp: onset and limit load coincide.
+#[test]
+fn the_paper_ends_at_its_onset() {
+    let grasp = crate::paper::two_fingers().unwrap();
+    let (path, events) = run(&grasp, &[Leg::load_to(Wrench::force([0.0, -1.0]))]);
+    assert!(events.is_empty());
+    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert_close!(loss.fraction, 65f64.sqrt() / 66.0);
+    assert_eq!(loss.contacts, [0, 1]);
+    let motion = loss.motion.expect("a ray");
+    assert!(motion.translation()[1] < -0.99, "{motion:?}");
+}

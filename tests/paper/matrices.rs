@@ -1,0 +1,225 @@
+//! The paper's matrices for its two-finger example, entry by entry: as printed, with the last diagonal entry of H corrected
+//! and A filled in.
+
+use grasp_lcp::energy::{Equality, Inequality, Unknowns};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::{Error, Field, PolygonCone, spatial};
+use nalgebra::{DMatrix, DVector};
+
+/// k_nb, k_tb, k_nf, k_tf all different, so that every entry shows which stiffness it is made of.
+const SPRINGS: [f64; 4] = [10.0, 8.0, 6.0, 4.0];
+const MU: f64 = 0.25;
+const COMMANDS: [[f64; 2]; 2] = [[0.1, -0.0125], [0.2, 0.025]];
+
+fn grasp(springs: [f64; 4]) -> Grasp {
+    let [nb, tb, nf, tf] = springs;
+    Grasp::new([-1.0, 1.0].into_iter().zip(COMMANDS).map(|(side, command): (f64, _)| {
+        Contact::new([4.0 * side, 1.8], [-8.0 * side, -1.0])
+            .body_stiffness(nb, tb)
+            .finger_stiffness(nf, tf)
+            .friction(MU)
+            .command(command)
+    }))
+    .unwrap()
+}
+
+fn rows<const N: usize>(list: &[[f64; N]]) -> DMatrix<f64> {
+    DMatrix::from_fn(list.len(), N, |i, j| list[i][j])
+}
+
+fn put(into: &mut DMatrix<f64>, at: (usize, usize), block: &DMatrix<f64>) {
+    into.view_mut(at, block.shape()).copy_from(block);
+}
+
+#[test]
+fn two_fingers_as_printed() {
+    let [nb, tb, nf, tf] = SPRINGS;
+    let (alpha, beta, gamma) = (nf / nb, tf / tb, tb / nb);
+    let load = Wrench::new([0.3, -0.7], 0.2);
+    let qp = grasp(SPRINGS).printed_qp(&load, &PolygonCone::default()).unwrap();
+    let program = &qp.program;
+
+    let [[q17, q18], [q27, q28]] = COMMANDS;
+    let g = [
+        [0.0, 0.0, 0.0, 0.0, -nf * q17, -tf * q18].as_slice(),
+        &[0.0, 0.0, 0.0, 0.0, -nf * q27, -tf * q28],
+        &[-0.3, 0.7, -0.2],
+    ]
+    .concat();
+    assert_eq!(program.g, DVector::from_vec(g));
+
+    let h1 = rows(&[
+        [nb, 0.0, -nb, 0.0, 0.0, 0.0],
+        [0.0, tb, 0.0, -tb, 0.0, 0.0],
+        [-nb, 0.0, nb, 0.0, 0.0, 0.0],
+        [0.0, -tb, 0.0, tb, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, nf, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, tf], // printed k_nf
+    ]);
+    let mut h = DMatrix::zeros(15, 15);
+    put(&mut h, (0, 0), &h1);
+    put(&mut h, (6, 6), &h1);
+    assert_eq!(program.h, h);
+
+    let b1 = rows(&[
+        [-1.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0, -1.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, -1.0, 0.0],
+        [-MU, gamma, MU, -gamma, 0.0, 0.0],
+        [-MU, -gamma, MU, gamma, 0.0, 0.0],
+    ]);
+    let mut b = DMatrix::zeros(10, 15);
+    put(&mut b, (0, 0), &b1);
+    put(&mut b, (5, 6), &b1);
+    assert_eq!(program.b, b);
+    assert_eq!(program.d, DVector::from_vec(vec![0.0, 0.0, -q17, 0.0, 0.0, 0.0, 0.0, -q27, 0.0, 0.0]));
+
+    // C as printed; A, which is not, in the order that C implies.
+    let c = vec![alpha * q17, beta * q18, 0.0, alpha * q27, beta * q28, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert_eq!(program.c, DVector::from_vec(c));
+    let a1 = rows(&[
+        [-1.0, 0.0, 1.0, 0.0, alpha, 0.0],
+        [0.0, -1.0, 0.0, 1.0, 0.0, beta],
+        [0.0, 0.0, 0.0, 1.0, 0.0, -1.0],
+    ]);
+    let mut a = DMatrix::zeros(10, 15);
+    put(&mut a, (0, 0), &a1);
+    put(&mut a, (3, 6), &a1);
+    let root = 65f64.sqrt();
+    for (i, side) in [-1.0, 1.0].into_iter().enumerate() {
+        let (n, r) = ([-8.0 * side / root, -1.0 / root], [4.0 * side, 1.8]);
+        let t = [n[1], -n[0]];
+        for (axis, e) in [n, t].into_iter().enumerate() {
+            let row = 6 + 2 * i + axis;
+            a[(row, 6 * i + axis)] = 1.0;
+            // u_c = (dx - δz r_y, dy + δz r_x)
+            a[(row, 12)] = -e[0];
+            a[(row, 13)] = -e[1];
+            a[(row, 14)] = e[0] * r[1] - e[1] * r[0];
+        }
+    }
+    assert_eq!(program.a.shape(), a.shape());
+    assert!((&program.a - &a).amax() < 1e-15, "{}", &program.a - &a);
+    assert_eq!(program.a.view((0, 0), (6, 15)), a.view((0, 0), (6, 15)));
+
+    let says = |k: usize| qp.equalities[k];
+    assert_eq!(says(0), Equality::SpringContinuity { contact: 0, axis: 0 });
+    assert_eq!(says(5), Equality::Rolling { contact: 1, axis: 1 });
+    assert_eq!(says(9), Equality::BodyMotion { contact: 1, axis: 1 });
+    assert_eq!(qp.inequalities[1], Inequality::NoPenetration { contact: 0 });
+    assert_eq!(qp.inequalities[9], Inequality::Friction { contact: 1, facet: 1 });
+}
+
+/// With the misprint corrected the other way, k_nf in place of k_tf, the two-finger table would not come out: its
+/// stiffnesses are all 10, so only grasps with different ones tell. The cost of unit stretches is the energy of the springs.
+#[test]
+fn the_cost_is_the_energy_of_the_springs() {
+    let grasp = grasp(SPRINGS);
+    let load = Wrench::new([0.3, -0.7], 0.2);
+    let qp = grasp.printed_qp(&load, &PolygonCone::default()).unwrap();
+    let x = DVector::from_fn(15, |i, _| ((i * i + 3) as f64 * 0.7).sin());
+    let mut energy = -load.as_vector().dot(qp.twist(&x).as_vector());
+    for (i, command) in COMMANDS.into_iter().enumerate() {
+        let u = qp.displacements(&x, i);
+        for a in 0..2 {
+            let (body, finger) = (SPRINGS[a], SPRINGS[2 + a]);
+            energy += 0.5 * body * (u.body_surface[a] - u.body_core[a]).powi(2);
+            energy += 0.5 * finger * (command[a] - u.finger_surface[a]).powi(2);
+        }
+    }
+    assert!((qp.program.value(&x) + qp.constant - energy).abs() < 1e-13);
+}
+
+/// Any number of contacts, in space with a polygonal cone; contacts that need fewer rows have fewer.
+#[test]
+fn shapes_in_space_and_of_other_contacts() {
+    let contact = |x: f64| {
+        spatial::Contact::new([x, 0.3, 0.1], [-x, 0.0, 0.0])
+            .body_stiffness(10.0, 8.0)
+            .finger_stiffness(6.0, 4.0)
+            .command([0.1, 0.0, 0.0])
+            .clearance(0.01)
+            .friction(0.5)
+    };
+    let contacts = [
+        contact(1.0),
+        contact(-1.0).friction(0.0),
+        contact(2.0).friction(f64::INFINITY),
+        contact(-2.0).kept_closed(),
+        contact(3.0).bonded(),
+    ];
+    let grasp = spatial::Grasp::new(contacts).unwrap();
+    let qp = grasp.printed_qp(&spatial::Wrench::ZERO, &PolygonCone::default()).unwrap();
+    let program = &qp.program;
+    assert_eq!(program.g.len(), 5 * 9 + 6);
+    let count = |contact: usize, of: &dyn Fn(&Equality) -> Option<usize>| {
+        qp.equalities.iter().filter(|e| of(e) == Some(contact)).count()
+    };
+    let rolling =
+        |e: &Equality| if let Equality::Rolling { contact, .. } = e { Some(*contact) } else { None };
+    let closed = |e: &Equality| if let Equality::Closed { contact } = e { Some(*contact) } else { None };
+    assert_eq!((0..5).map(|i| count(i, &rolling)).collect::<Vec<_>>(), [2, 0, 2, 2, 2]);
+    assert_eq!((0..5).map(|i| count(i, &closed)).collect::<Vec<_>>(), [0, 0, 0, 1, 1]);
+    let inequalities = |contact: usize| {
+        let of = |e: &&Inequality| match e {
+            Inequality::BodyPushes { contact: c }
+            | Inequality::NoPenetration { contact: c }
+            | Inequality::FingerPushes { contact: c }
+            | Inequality::Friction { contact: c, .. } => *c == contact,
+            _ => false,
+        };
+        qp.inequalities.iter().filter(of).count()
+    };
+    assert_eq!((0..5).map(inequalities).collect::<Vec<_>>(), [11, 3, 3, 8, 0]);
+    // The clearance is what the surfaces may approach each other.
+    let gap = qp.inequalities.iter().position(|e| *e == Inequality::NoPenetration { contact: 0 }).unwrap();
+    assert_eq!(program.d[gap], -0.01);
+    // A facet: μ F_n - h·F_t over k_nb, for a force of the body's springs.
+    let facet =
+        qp.inequalities.iter().position(|e| *e == Inequality::Friction { contact: 0, facet: 3 }).unwrap();
+    let mut x = DVector::zeros(51);
+    for a in 0..3 {
+        x[3 + a] = [0.5, 0.2, -0.4][a];
+    }
+    let force = qp.force(&x, 0);
+    assert_eq!(force.as_slice(), [5.0, 1.6, -3.2]);
+    let half = std::f64::consts::PI / 8.0;
+    let along = (5.0 * half).cos() * force[1] + (5.0 * half).sin() * force[2];
+    let slack = (0.5 * force[0] - along / half.cos()) / 10.0;
+    assert!(((&program.b * &x)[facet] - slack).abs() < 1e-15);
+}
+
+#[test]
+fn the_reduced_program_has_the_twist_and_the_gaps() {
+    let grasp = grasp(SPRINGS);
+    let cone = PolygonCone::default();
+    let load = Wrench::new([0.3, -0.7], 0.2);
+    let with_gaps = grasp.reduced_qp(&load, &cone, Unknowns::TwistAndGaps).unwrap();
+    let twist = grasp.reduced_qp(&load, &cone, Unknowns::Twist).unwrap();
+    assert_eq!((with_gaps.program.g.len(), with_gaps.gaps.as_slice()), (5, [0, 1].as_slice()));
+    assert_eq!((twist.program.g.len(), twist.gaps.len()), (3, 0));
+    assert_eq!((with_gaps.program.d.len(), twist.program.d.len()), (6, 6));
+    // Springs in series: 10 and 6, 8 and 4.
+    let (kn, kt) = (3.75, 32.0 / 12.0);
+    let (nx, ny) = (8.0 / 65f64.sqrt(), -1.0 / 65f64.sqrt());
+    let (xx, yy) = (2.0 * (kn * nx * nx + kt * ny * ny), 2.0 * (kn * ny * ny + kt * nx * nx));
+    assert!((twist.program.h[(0, 0)] - xx).abs() < 1e-14 && (twist.program.h[(1, 1)] - yy).abs() < 1e-14);
+}
+
+#[test]
+fn rigid_sides_and_loads_that_are_no_numbers_are_refused() {
+    let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).friction(0.5);
+    let cone = PolygonCone::default();
+    let refused = |c: Contact| Grasp::new([c]).unwrap().printed_qp(&Wrench::ZERO, &cone).unwrap_err();
+    let field = |e: Error| if let Error::Contact { field, .. } = e { field } else { panic!("{e}") };
+    assert_eq!(field(refused(contact(1.0).finger_stiffness(1.0, 1.0))), Field::BodyStiffness);
+    assert_eq!(field(refused(contact(1.0).body_stiffness(1.0, 1.0))), Field::FingerStiffness);
+    assert_eq!(field(refused(contact(1.0).series_stiffness(1.0, 1.0))), Field::SeriesStiffness);
+    let bad = Wrench::new([f64::NAN, 0.0], 0.0);
+    assert!(matches!(grasp(SPRINGS).printed_qp(&bad, &cone), Err(Error::Wrench { component: 0, .. })));
+    assert!(matches!(
+        grasp(SPRINGS).reduced_qp(&bad, &cone, Unknowns::Twist),
+        Err(Error::Wrench { component: 0, .. })
+    ));
+    assert!(matches!(grasp(SPRINGS).compare_with_minimum_energy(&bad), Err(Error::Wrench { .. })));
+}

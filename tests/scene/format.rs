@@ -1,0 +1,263 @@
+//! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
+
+use crate::common::random::{Spread, for_all, scene};
+use crate::common::scene::Scene as Drawn;
+use grasp_lcp::grasp::{Contact, Grasp, Twist, Wrench};
+use grasp_lcp::scene::{Answer, Answers, Finger, Question, Scene, Setup, Space, Tip};
+use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
+use proptest::prelude::TestCaseError;
+use serde_json::{Value, json};
+
+/// Every way to say what a contact is takes its turn.
+fn contacts<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Vec<Contact<C>> {
+    let contact = |(i, datum): (usize, &crate::common::scene::Datum<C>)| {
+        let contact = datum.contact();
+        match i % 4 {
+            0 => contact,
+            1 => contact.body_stiffness_axes(datum.stiffness * 1.7).name("thumb \"1\"\n"),
+            2 => contact
+                .finger_stiffness_axes(datum.stiffness * 3.1)
+                .body_stiffness_axes(datum.stiffness)
+                .kept_closed(),
+            _ => contact.tangent(datum.tangent).bonded().name(""),
+        }
+    };
+    drawn.contacts.iter().enumerate().map(contact).collect()
+}
+
+/// Debug prints floats so that they read back to the same bits.
+fn same(a: &impl std::fmt::Debug, b: &impl std::fmt::Debug) -> Result<(), TestCaseError> {
+    let (a, b) = (format!("{a:?}"), format!("{b:?}"));
+    if a == b { Ok(()) } else { Err(TestCaseError::fail(format!("{a}\n{b}"))) }
+}
+
+fn there_and_back(scene: &Scene) -> Scene {
+    serde_json::from_str(&serde_json::to_string(scene).unwrap()).unwrap()
+}
+
+#[test]
+fn planar_grasps_read_back_to_the_bit() {
+    let draw = scene::<3, 2>(1..6, Spread::Wide, 0.05);
+    for_all(file!(), 300, &draw, |drawn| {
+        let grasp = planar::Grasp::new(contacts(&drawn)).unwrap();
+        let Space::Planar(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was planar") };
+        let back = back.grasp().unwrap();
+        same(&grasp.contacts(), &back.contacts())?;
+        same(&grasp.solve(&drawn.wrench()), &back.solve(&drawn.wrench()))
+    });
+}
+
+#[test]
+fn spatial_grasps_read_back_to_the_bit() {
+    let draw = scene::<6, 3>(1..5, Spread::Wide, 0.05);
+    for_all(file!(), 200, &draw, |drawn| {
+        let grasp = spatial::Grasp::new(contacts(&drawn)).unwrap();
+        let Space::Spatial(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was spatial") };
+        let back = back.grasp().unwrap();
+        same(&grasp.contacts(), &back.contacts())?;
+        same(&grasp.solve(&drawn.wrench()), &back.solve(&drawn.wrench()))
+    });
+}
+
+/// Answers written and read again are the answers; they are those of the grasp, and they are written without `null`.
+fn answers_read_back<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError>
+where
+    Setup<D, C>: Into<Scene>,
+{
+    let load = drawn.wrench();
+    let asked: Vec<Question<D, C>> = serde_json::from_value(json!([
+        { "solve": { "load": load } },
+        { "onset": { "base": load * 0.5, "direction": load } },
+        { "follow": { "start": load * 0.1, "legs": [{ "load_to": load }, { "load_by": load * -0.5 }] } },
+    ]))
+    .unwrap();
+    let settings = Settings::default().with_step_error(1e-8).with_most_states(300);
+    let mut setup = Setup::new(contacts(drawn).into_iter().map(Finger::from)).with_settings(settings);
+    for question in asked {
+        setup = setup.ask(question);
+    }
+    let answers = setup.answers().unwrap();
+    let text = serde_json::to_string(&answers).unwrap();
+    assert!(!text.contains("null"), "{text}");
+    let back: Vec<Answer<D, C>> = serde_json::from_str(&text).unwrap();
+    same(&answers, &back)?;
+    let grasp = setup.grasp().unwrap();
+    let direct = grasp.solve_with(&load, &setup.settings).unwrap();
+    let written: Value = serde_json::from_str(&text).unwrap();
+    let solved = &written[0]["solve"];
+    match direct.equilibrium() {
+        Some(state) => {
+            for (c, told) in state.contacts.iter().zip(solved["contacts"].as_array().unwrap()) {
+                let force: Vec<f64> = serde_json::from_value(told["force"].clone()).unwrap();
+                same(&c.force.as_slice(), &force.as_slice())?;
+            }
+        }
+        None => assert!(solved["outcome"] != "equilibrium"),
+    }
+    only_equilibria_have_forces(&written);
+    // The same from the scene as text.
+    let scene: Scene = setup.into();
+    same(&serde_json::to_string(&there_and_back(&scene).answers().unwrap()).unwrap(), &text)
+}
+
+/// Whatever has a twist has residuals; what is no equilibrium has neither a twist nor forces.
+fn only_equilibria_have_forces(value: &Value) {
+    match value {
+        Value::Array(list) => list.iter().for_each(only_equilibria_have_forces),
+        Value::Object(fields) => {
+            assert_eq!(fields.contains_key("twist"), fields.contains_key("residuals"), "{value}");
+            let outcome = fields.get("outcome").and_then(Value::as_str);
+            if matches!(outcome, Some("no_equilibrium" | "undecided" | "never" | "no_base" | "gives_way")) {
+                let shown = ["twist", "force", "state"].into_iter().find(|f| fields.contains_key(*f));
+                assert!(shown.is_none(), "{value}");
+            }
+            fields.values().for_each(only_equilibria_have_forces);
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn planar_answers_read_back_to_the_bit() {
+    let draw = scene::<3, 2>(1..5, Spread::Wide, 0.1);
+    for_all(file!(), 200, &draw, |drawn| answers_read_back(&drawn));
+}
+
+#[test]
+fn spatial_answers_read_back_to_the_bit() {
+    let draw = scene::<6, 3>(1..4, Spread::Narrow, 0.05);
+    for_all(file!(), 30, &draw, |drawn| answers_read_back(&drawn));
+}
+
+#[test]
+fn what_is_left_out_has_the_defaults_of_the_crate() {
+    let scene: Scene = serde_json::from_value(json!({
+        "format": "grasp-lcp/1",
+        "planar": { "contacts": [{ "point": [1, 2], "normal": [-1, 0], "finger_stiffness": [10, 20] }] }
+    }))
+    .unwrap();
+    let Space::Planar(setup) = &scene.space else { panic!("is planar") };
+    assert_eq!(setup.contacts[0].contact, Contact::new([1.0, 2.0], [-1.0, 0.0]).finger_stiffness(10.0, 20.0));
+    assert_eq!(setup.settings, Settings::default());
+    assert!(setup.questions.is_empty() && setup.outline.is_empty() && scene.id.is_none());
+    // And what has the defaults is left out.
+    let written = serde_json::to_string(&scene).unwrap();
+    let expected = r#"{"format":"grasp-lcp/1","planar":{"contacts":[{"point":[1.0,2.0],"normal":[-1.0,0.0],"finger_stiffness":[10.0,20.0]}]}}"#;
+    assert_eq!(written, expected);
+}
+
+#[test]
+fn settings_are_those_of_the_crate() {
+    let settings: Settings = serde_json::from_value(json!({
+        "cone": "polygon", "polygon": { "facets": 12, "fit": "balanced" },
+        "max_pivots": 40, "most_states": 100, "step_error": 1e-9
+    }))
+    .unwrap();
+    let expected = Settings::default()
+        .with_cone(PolygonCone::new(12, Fit::Balanced).unwrap())
+        .on_the_polygon()
+        .with_max_pivots(40)
+        .with_most_states(100)
+        .with_step_error(1e-9);
+    assert_eq!(settings, expected);
+    let back: Settings = serde_json::from_str(&serde_json::to_string(&settings).unwrap()).unwrap();
+    assert_eq!(back, expected);
+}
+
+#[test]
+fn stiffness_is_said_in_several_ways() {
+    let inf = f64::INFINITY;
+    let contact = || spatial::Contact::new([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+    let cases = [
+        (json!({ "series_stiffness": [5, 4] }), contact().series_stiffness(5.0, 4.0)),
+        (json!({ "series_stiffness": [5, 4, 3] }), contact().series_stiffness_axes([5.0, 4.0, 3.0])),
+        (
+            json!({ "body_stiffness": "rigid", "finger_stiffness": [5, 4, 3] }),
+            contact().finger_stiffness_axes([5.0, 4.0, 3.0]),
+        ),
+        (
+            json!({ "body_stiffness": [7, "rigid"], "finger_stiffness": ["rigid", 3] }),
+            contact().body_stiffness(7.0, inf).finger_stiffness(inf, 3.0),
+        ),
+    ];
+    for (said, expected) in cases {
+        let mut entry = json!({ "point": [1, 0, 0], "normal": [-1, 0, 0] });
+        entry.as_object_mut().unwrap().extend(said.as_object().unwrap().clone());
+        let finger: Finger<3> = serde_json::from_value(entry).unwrap();
+        assert_eq!(finger.contact, expected);
+        let back: Finger<3> = serde_json::from_value(serde_json::to_value(&finger).unwrap()).unwrap();
+        assert_eq!(back, finger);
+    }
+}
+
+#[test]
+fn a_force_may_act_anywhere() {
+    let plane: Wrench<3> =
+        serde_json::from_value(json!({ "force": [1, -2], "moment": 0.5, "at": [3, 4] })).unwrap();
+    assert_eq!(plane, Wrench::<3>::force_at([1.0, -2.0], [3.0, 4.0]) + Wrench::<3>::new([0.0; 2], 0.5));
+    let space: Wrench<6> = serde_json::from_value(json!({ "force": [1, -2, 3], "at": [4, 5, 7] })).unwrap();
+    assert_eq!(space, Wrench::<6>::force_at([1.0, -2.0, 3.0], [4.0, 5.0, 7.0]));
+    assert_eq!(serde_json::from_str::<Wrench<6>>("{}").unwrap(), Wrench::ZERO);
+}
+
+#[test]
+fn what_is_not_finite_is_said_in_words() {
+    let twist = Twist::<3>::from_vector([f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+    let text = serde_json::to_string(&twist).unwrap();
+    assert_eq!(text, r#"{"translation":["not a number","infinite"],"rotation":"-infinite"}"#);
+    let back: Twist<3> = serde_json::from_str(&text).unwrap();
+    assert!(back.translation()[0].is_nan() && back.rotation() == f64::NEG_INFINITY);
+    // No scene can be made of them.
+    for word in ["infinite", "rigid", "not a number"] {
+        assert!(serde_json::from_value::<Wrench<3>>(json!({ "force": [0, word] })).is_err());
+    }
+    let endless = planar::Contact::new([0.0, 0.0], [0.0, 1.0])
+        .series_stiffness(10.0, 10.0)
+        .friction(f64::INFINITY)
+        .command([0.1, 0.0])
+        .kept_closed();
+    let guide = endless.clone().tangent([1.0, 0.0]).name("guide");
+    let grasp = planar::Grasp::new([endless, guide.bonded()]).unwrap();
+    let scene: Scene = Setup::from(&grasp).ask(Question::Solve { load: Wrench::ZERO }).into();
+    let answers = serde_json::to_value(there_and_back(&scene).answers().unwrap()).unwrap();
+    assert_eq!(answers[0]["solve"]["contacts"][0]["margin"], "infinite");
+}
+
+/// A soft fingertip in a scene is the one of the crate, and its points follow the command of their contact.
+#[test]
+fn soft_fingertips_are_spread() {
+    let finger = |x: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(2000.0, 1000.0)
+            .friction(0.5)
+            .command([0.005, 0.0, 0.0])
+    };
+    let patch = spatial::SoftFingertip::disc(0.006, 1, 4, spatial::Pressure::Hertz).unwrap();
+    let tip = Tip::Disc { radius: 0.006, annuli: 1, points: 4, pressure: spatial::Pressure::Hertz };
+    let squeeze = json!([{ "onset": { "direction": { "moment": [0.01, 0, 0] }, "command_change": [[0.001, 0, 0], [0, 0, 0]] } }]);
+    let squeeze: Vec<Question<6, 3>> = serde_json::from_value(squeeze).unwrap();
+    let soft = Finger::from(finger(-0.03).name("thumb")).soft(tip);
+    let setup = Setup::new([soft, finger(0.03).into()]).ask(squeeze[0].clone());
+
+    let mut points = patch.contacts(&finger(-0.03).name("thumb")).unwrap();
+    points.push(finger(0.03));
+    let grasp = Grasp::<6, 3>::new(points).unwrap();
+    let mut change = vec![nalgebra::Vector3::new(0.001, 0.0, 0.0); 8];
+    change.push(nalgebra::Vector3::zeros());
+    let ramp = spatial::Ramp::load(Wrench::ZERO, spatial::Wrench::new([0.0; 3], [0.01, 0.0, 0.0]));
+    let expected = grasp.onset(&ramp.with_commands(change), &Settings::default()).unwrap();
+
+    let Space::Spatial(back) = there_and_back(&setup.clone().into()).space else { panic!("was spatial") };
+    assert_eq!(back, setup);
+    assert_eq!(back.grasp().unwrap().contacts(), grasp.contacts());
+    let answers = Scene::from(back).answers().unwrap();
+    assert!(matches!(answers, Answers::Spatial(_)) && answers.len() == 1);
+    let answer = serde_json::to_value(&answers).unwrap();
+    assert_eq!(answer[0]["onset"]["factor"], expected.factor().unwrap());
+    let touch = &answer[0]["onset"]["state"]["contacts"];
+    assert_eq!(
+        (&touch[3]["contact"], &touch[3]["point"], &touch[3]["name"]),
+        (&json!(0), &json!(3), &json!("thumb"))
+    );
+    assert_eq!((&touch[8]["contact"], touch[8].get("point")), (&json!(1), None));
+}

@@ -1,0 +1,14 @@
+//! Scenes and pictures: what is read, what is written, what is drawn.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../../examples/support/scene_file.rs"]
+mod scene_file;
+#[path = "../../examples/support/stream.rs"]
+mod stream;
+
+mod direction_pictures;
+mod format;
+mod lines;
+mod messages;
+mod spatial_page;
