@@ -30,7 +30,7 @@
 //! # The problem
 //!
 //! Contact i has a frame: the unit normal n into the object and one tangent t (two in space). To first order the body's
-//! displacement at the contact is `u_c = G_iᵀq`. With the series stiffness `1/k = 1/k_body + 1/k_finger` of each axis
+//! displacement at the contact is `u_c = G_iᵀq` along the axes of that frame. With the series stiffness `1/k = 1/k_body + 1/k_finger` of each axis
 //!
 //! ```text
 //! F_n = k_n (a_n - n·u_c + g)        0 <= g  ⟂  F_n >= 0
