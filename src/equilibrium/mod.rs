@@ -1,4 +1,23 @@
 //! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
+//!
+//! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). Once the state of every contact is
+//! known, and the direction of what slides, that is linear, and all that couples the contacts is the object, d equations:
+//!
+//! | state | force | must hold |
+//! |---|---|---|
+//! | separated | `F = 0` | `g = n·u_c - a_n >= 0` |
+//! | rolling | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
+//! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
+//!
+//! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything rolls; everything that
+//! touches rolls; Newton's method, with many contacts; Lemke's method on the kinematic form, then on the force form
+//! (see [`formulation`](crate::formulation)); every combination of states, with few contacts. In space Lemke's
+//! method proposes on a polygonal cone and Newton's method goes on from there to the round one. Whoever has proposed them, the states are
+//! solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
+//! [`Equilibrium`].
+//!
+//! Where none is found the answer is a [`Proof`] that none exists – a motion that nothing resists, a motion that separates the load from
+//! all that friction can do, or all states tried – or [`Undecided`], with the reason.
 
 mod accuracy;
 mod answer;
@@ -76,7 +95,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn solve(&self, load: &Wrench<D>) -> Result<Outcome<D, C>, Error> {
         self.solve_with(load, &Settings::default())
     }
@@ -102,7 +121,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
@@ -133,7 +152,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
-    /// finite.
+    /// finite, or beyond 1e50.
     pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
