@@ -75,7 +75,8 @@
 //! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never
 //! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
 //! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
-//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all.
+//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all (on the round cone those that
+//! a polygon leads to).
 //!
 //! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
 //! ([`equilibrium::Equilibrium::free_motions`]). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
