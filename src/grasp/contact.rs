@@ -88,6 +88,18 @@ impl<const C: usize> Contact<C> {
     /// Direction of the first tangent; its part along the normal is dropped. In the plane it only chooses between the
     /// two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the projection of the coordinate axis that
     /// is farthest from the normal.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::Vector3;
+    /// use grasp_lcp::spatial::{Contact, Grasp};
+    ///
+    /// // Pressing down, t₁ along y: t₂ = n × t₁ = -z × y = x.
+    /// let foot = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(1.0, 1.0).tangent([0.0, 2.0, -5.0]);
+    /// let grasp = Grasp::new([foot])?;
+    /// let frame = grasp.frames().next().expect("one contact");
+    /// assert!((frame.column(1) - Vector3::y()).norm() < 1e-15 && (frame.column(2) - Vector3::x()).norm() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn tangent(mut self, tangent: impl Into<[f64; C]>) -> Self {
         self.tangent = Some(SVector::from(tangent.into()));
@@ -187,6 +199,21 @@ impl<const C: usize> Contact<C> {
     }
 
     /// The contact never opens; see [`Hold::KeptClosed`].
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A carriage on a rail that goes around its wheels: pulled up by 3 N it is held down.
+    /// let wheel = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu).kept_closed();
+    /// let pull = Wrench::force([0.0, 3.0]);
+    /// let outcome = Grasp::new([wheel(-1.0, 0.0), wheel(1.0, 0.0)])?.solve(&pull)?;
+    /// let held = outcome.equilibrium().expect("the rail holds");
+    /// assert!((held.contacts[0].normal_force() + 1.5).abs() < 1e-14);
+    ///
+    /// // With finite friction a normal force must push: |F_t| <= μ F_n.
+    /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn kept_closed(mut self) -> Self {
         self.hold = Hold::KeptClosed;
