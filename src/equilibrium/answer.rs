@@ -64,7 +64,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// The friction cone the answer is for.
     pub cone: Cone,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
-    /// `None` where no polygon was needed, because nothing slides or the answer is for the polygon itself.
+    /// `None` where there was no polygon: nothing slides, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
     /// The states as a complementary basis.
     pub(crate) states: Vec<State>,

@@ -19,7 +19,7 @@ pub struct Event<const D: usize, const C: usize> {
     pub load: Wrench<D>,
     /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
     pub changes: Vec<(usize, Change<C>)>,
-    /// The equilibrium there. Its states are those before the event.
+    /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<D, C>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.

@@ -1,7 +1,7 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory,
 //! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`]).
 //!
-//! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ > 0
+//! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
 //! at which a condition of rolling is used up, found from two linear solves and no stepping:
 //!
 //! ```text

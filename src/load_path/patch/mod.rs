@@ -194,6 +194,21 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
 
     /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands there, or has ended before. To look at a state on
     /// the way, take events until there are none, then ask for [`state`](Self::state).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
+    /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
+    /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
+    /// let mut path = grasp.follow_patch(Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
+    ///
+    /// assert!(path.next_before(0, 0.5).is_none());
+    /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);
+    /// let event = path.next_before(0, 1.0).expect("slides");
+    /// assert!(event.contact == 1 && (event.load.resultant()[0] - 0.5).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<D, C>> {
         while self.told.is_empty() && self.end.is_none() {
             if std::mem::take(&mut self.at_node) {
