@@ -160,7 +160,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'` with the margin that vanishes,
     /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. `ramp` and `event` must be those of the same
-    /// question. Empty if the onset was reached after a contact had closed on the way (the history then enters, too).
+    /// question. Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or if event or
+    /// ramp have another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -187,6 +188,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Vec::new();
         }
         let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
+        if change.len() != self.len() {
+            return Vec::new();
+        }
         let Ok(rates) = local.piece.solve(self.sites(), &change, &self.inside_unchecked(&ramp.direction))
         else {
             return Vec::new();
@@ -363,5 +367,24 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             f[axis] += softened;
         }
         f
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Settings;
+    use crate::planar::{Contact, Grasp, Ramp, Wrench};
+
+    #[test]
+    fn a_ramp_for_other_contacts_is_no_panic() -> Result<(), Box<dyn std::error::Error>> {
+        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
+        let grasp = Grasp::new([-1.0, 1.0].map(foot))?;
+        let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));
+        let onset = grasp.onset(&ramp, &Settings::default())?;
+        let event = onset.event().ok_or("it slides at 3 N")?;
+        assert_eq!(grasp.onset_gradients(&ramp, event).len(), 2);
+        let short = ramp.with_commands(vec![[0.0, 0.0].into()]);
+        assert!(grasp.onset_gradients(&short, event).is_empty());
+        Ok(())
     }
 }
