@@ -1,7 +1,7 @@
 //! Many questions at once: answers in the order of the questions, the same bits for any number of threads.
 //!
 //! Every question is answered on its own by the same serial code; threads (feature `parallel`, rayon's global pool) only
-//! decide who does which. Besides this room only the sums over very many contacts of one scene (`halves`) know of threads.
+//! decide who does which. Besides this room only the sums over very many contacts of one scene know of threads, and give the same bits, too.
 
 mod progress;
 mod uncertainty;
