@@ -1,4 +1,4 @@
-//! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::Outcome`]), not an error.
+//! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::equilibrium::Outcome`]), not an error.
 
 use std::fmt;
 
@@ -14,7 +14,19 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// What was wrong with a question, where, and what would have been allowed.
+/// What was wrong with a question, where, and what would have been allowed. "No equilibrium" is not among them: that is an
+/// answer, [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+/// use grasp_lcp::Error;
+///
+/// let grasp = Grasp::new([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0)])?;
+/// let refused = grasp.solve(&Wrench::new([0.0, -1.0], f64::NAN)).unwrap_err();
+/// assert!(matches!(refused, Error::Wrench { what: "load", component: 2, .. }));
+/// assert_eq!(refused.to_string(), "load: component 2 is NaN, must be finite and at most 1e50 in size");
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -36,7 +48,7 @@ pub enum Error {
     /// A component of a wrench is not finite, or absurdly large.
     #[error("{what}: component {component} is {value}, must be finite and at most 1e50 in size")]
     Wrench {
-        /// Which wrench of the question.
+        /// Which wrench of the question, such as "load", "base load" or "load direction".
         what: &'static str,
         /// Index of the component: forces first, then moments.
         component: usize,
@@ -46,7 +58,7 @@ pub enum Error {
     /// A list that goes with the contacts has another length than the list of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]
     Size {
-        /// Which list.
+        /// Which list, such as "commands" or "command changes".
         what: &'static str,
         /// Its length.
         given: usize,
@@ -64,7 +76,7 @@ pub enum Error {
     /// A soft fingertip without extent or points, or with too many.
     #[error("soft fingertip: {what} is {value}, must be {allowed}")]
     Fingertip {
-        /// Radius or width, or a number of bands or points.
+        /// Which of its data: a radius or a width (m), or a number of annuli, strips or points.
         what: &'static str,
         /// What was given.
         value: f64,
@@ -105,25 +117,26 @@ impl fmt::Display for ContactLabel {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Field {
-    /// The contact point.
+    /// The contact point, m.
     Point,
     /// The normal into the object.
     Normal,
     /// The first tangent.
     Tangent,
-    /// Stiffness of the object at the contact.
+    /// Stiffness of the object at the contact, N/m.
     BodyStiffness,
-    /// Stiffness of the finger.
+    /// Stiffness of the finger, N/m.
     FingerStiffness,
-    /// Stiffness of both in series.
+    /// Stiffness of both in series, N/m.
     SeriesStiffness,
     /// Coefficient of friction.
     Friction,
-    /// Commanded finger displacement.
+    /// Commanded finger displacement, contact frame, m.
     Command,
-    /// Change of the commanded finger displacement.
+    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself where a leg says
+    /// where it goes to.
     CommandChange,
-    /// Initial clearance.
+    /// Initial clearance along the normal, m.
     Clearance,
 }
 

@@ -30,7 +30,7 @@
 //! # The problem
 //!
 //! Contact i has a frame: the unit normal n into the object and one tangent t (two in space). To first order the body's
-//! displacement at the contact is `u_c = G_iᵀq`. With the series stiffness `1/k = 1/k_body + 1/k_finger` of each axis
+//! displacement at the contact is `u_c = G_iᵀq` along the axes of that frame. With the series stiffness `1/k = 1/k_body + 1/k_finger` of each axis
 //!
 //! ```text
 //! F_n = k_n (a_n - n·u_c + g)        0 <= g  ⟂  F_n >= 0
@@ -50,7 +50,8 @@
 //! | μ | coefficient of friction, each contact its own | | 1 |
 //!
 //! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`; friction drags the body
-//! along with the finger, so F_t and the slip s point the same way. Units are SI in the docs; any consistent ones will do.
+//! along with the finger, so F_t and the slip s point the same way (the law is the unified one of the paper, its sections 3.A and 3.B, with
+//! contacts that may also open; the sign of its equation 3.B.5 is a misprint). Units are SI in the docs; any consistent ones will do.
 //!
 //! # The map
 //!
@@ -75,7 +76,8 @@
 //! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never
 //! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
 //! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
-//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all.
+//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all (on the round cone those that
+//! a polygon leads to).
 //!
 //! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
 //! ([`equilibrium::Equilibrium::free_motions`]). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.

@@ -1,7 +1,7 @@
 //! Many questions at once: answers in the order of the questions, the same bits for any number of threads.
 //!
 //! Every question is answered on its own by the same serial code; threads (feature `parallel`, rayon's global pool) only
-//! decide who does which. Besides this room only the sums over very many contacts of one scene (`halves`) know of threads.
+//! decide who does which. Besides this room only the sums over very many contacts of one scene know of threads, and give the same bits, too.
 
 mod progress;
 mod uncertainty;
@@ -18,7 +18,8 @@ use crate::screening::{Batch, Part, Pull, Screened};
 /// Blocks of scenes that one thread screens in one go.
 const BLOCKS: usize = 256;
 
-/// `f` of every item, in order: in parallel with the feature `parallel`, one after the other without it.
+/// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`, one after the other without it.
+/// A panic in `f` goes on to the caller.
 ///
 /// ```
 /// let squares = grasp_lcp::sweep::map_in_order(&[1, 2, 3], |x| x * x);
@@ -37,7 +38,7 @@ pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + 
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The equilibria under many loads; an error in one does not stop the rest.
+    /// The equilibria under many loads, each that of [`Self::solve_with`], in the order of the loads; an error in one does not stop the rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -57,7 +58,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         map_in_order(loads, |load| self.solve_with(load, settings))
     }
 
-    /// The onsets of sliding along many ramps; an error in one does not stop the rest.
+    /// The onsets of sliding along many ramps, each that of [`Self::onset`], in the order of the ramps; an error in one does not stop the
+    /// rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -80,7 +82,27 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 }
 
-/// The onsets of sliding of many grasps along one ramp; an error in one does not stop the rest.
+/// The onsets of sliding of many grasps along one ramp, each that of [`Grasp::onset`], in the order of the grasps; an error in one does
+/// not stop the rest.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+/// use grasp_lcp::sweep::onset_of_each;
+/// use grasp_lcp::Settings;
+///
+/// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N: they slide at 2 μ N.
+/// let frictions = [0.2, 0.4, 0.8];
+/// let pinch = |mu: f64| {
+///     let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(mu).command([0.01, 0.0]);
+///     Grasp::new([finger(-1.0), finger(1.0)])
+/// };
+/// let grasps = frictions.into_iter().map(pinch).collect::<Result<Vec<_>, _>>()?;
+/// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+/// for (onset, mu) in onset_of_each(&grasps, &weight, &Settings::default()).into_iter().zip(frictions) {
+///     assert!((onset?.factor().expect("slides") - 2.0 * mu * 10.0).abs() < 1e-13);
+/// }
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[must_use]
 pub fn onset_of_each<const D: usize, const C: usize>(
     grasps: &[Grasp<D, C>],
@@ -90,8 +112,8 @@ pub fn onset_of_each<const D: usize, const C: usize>(
     map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
 }
 
-/// When the first contact of each grasp of a batch leaves rolling as each of the loads grows: [`Batch::onsets_into`] on all cores. `answers` is
-/// cleared first; its memory is used again.
+/// When the first contact of each grasp of a batch leaves rolling as each of the loads grows: [`Batch::onsets_into`] on all cores. The answers come
+/// grasp by grasp, for each in the order of the loads. `answers` is cleared first; its memory is used again. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
     pulls: &[Pull<D>],

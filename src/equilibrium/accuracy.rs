@@ -19,10 +19,10 @@ const PATTERNS: u64 = 3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Accuracy {
-    /// Estimated error of the contact forces, N: the largest of them. The data – points, contact frames, stiffnesses, friction,
+    /// Estimated error of the contact forces, N: that of the contact with the largest. The data – points, contact frames, stiffnesses, friction,
     /// commands, load – are taken as exact.
     pub force: f64,
-    /// Estimated error of the displacements of the body at the contacts, m: the largest of them. Free motions do not count.
+    /// Estimated error of the displacements of the body at the contacts, m: that of the contact with the largest. Free motions do not count.
     pub displacement: f64,
     /// Condition of the contact forces: if all data are known to a relative error ε, the forces are known to about this times ε, relative
     /// to the largest. A normal that was rounded to double precision alone makes it `condition · 1.1e-16`.

@@ -35,10 +35,11 @@ impl<const D: usize, const C: usize> Outcome<D, C> {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Equilibrium<const D: usize, const C: usize> {
-    /// The load it balances.
+    /// The load it balances, about the origin.
     pub load: Wrench<D>,
-    /// Motion of the object. Where `free_motions` are left it is the one of least norm (about the centroid of the
-    /// contact points, lengths in units of their root mean square distance from it), unless gaps and slips need more.
+    /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm
+    /// (about the centroid of the contact points, lengths in units of their root mean square distance from it), unless gaps and slips
+    /// need more; on a load path the one nearest to where the object was.
     pub twist: Twist<D>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,
@@ -48,10 +49,11 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
-    /// them. A rotation is counted in radians times the root mean square distance of the contacts.
+    /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
+    /// from it; either sign is meant. None where every motion is resisted.
     pub free_motions: Vec<Twist<D>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
-    /// a whole line. Empty but at loads where friction just balances on a wedge.
+    /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
     pub neutral_motions: Vec<Twist<D>>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
@@ -63,7 +65,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// The friction cone the answer is for.
     pub cone: Cone,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
-    /// `None` where no polygon was needed, because nothing slides or the answer is for the polygon itself.
+    /// `None` where there was no polygon: nothing slides, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
     /// The states as a complementary basis.
     pub(crate) states: Vec<State>,
@@ -98,23 +100,25 @@ impl Cone {
 pub struct ContactAnswer<const C: usize> {
     /// What the contact does.
     pub state: ContactState<C>,
-    /// Force on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes.
+    /// Force of the finger on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes. Without friction `F_t` is zero.
     pub force: SVector<f64, C>,
-    /// The same force along the coordinate axes.
+    /// The same force along the coordinate axes, N.
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's core at the contact, coordinate axes, m.
+    /// Displacement u_c of the body's core at the contact, that of the rigid object, coordinate axes, m.
     pub body_core: SVector<f64, C>,
     /// Displacement u_d of the body's surface, coordinate axes, m; `None` if only the series stiffness is known.
     pub body_surface: Option<SVector<f64, C>>,
     /// Displacement u_e of the finger's surface, coordinate axes, m; `None` if only the series stiffness is known.
     pub finger_surface: Option<SVector<f64, C>>,
-    /// Gap between the surfaces, m, >= 0.
+    /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, m; its normal component is zero. For a separated or
+    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. Along F_t
+    /// where it slides, zero where it rolls; on a load path all the slip so far, which a rolling contact keeps. For a separated or
     /// frictionless contact: how far the surfaces have moved past each other.
     pub slip: SVector<f64, C>,
-    /// Friction in reserve, N: the least of `μ F_n - h·F_t` over the facets of the cone, in the plane `μ F_n - |F_t|`.
-    /// Zero for a sliding, separated or frictionless contact, infinite with infinite friction.
+    /// Friction in reserve of a rolling contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
+    /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
+    /// frictionless contact.
     pub margin: f64,
     /// Whether this state is told apart from its neighbours at working precision: gap, normal force, friction in reserve and
     /// slip, as far as the state has conditions on them, are larger than 1e-12 of the terms they are differences of and than ten times
@@ -136,7 +140,8 @@ impl<const C: usize> ContactAnswer<C> {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// How much friction is used, `|F_t| / F_n`; zero for a contact without force.
+    /// How much friction is used, `|F_t| / F_n`, to be compared with μ; zero without tangential force. Of no meaning for a bonded contact,
+    /// whose normal force may pull.
     #[must_use]
     pub fn friction_used(&self) -> f64 {
         let friction = self.friction_force();
@@ -151,7 +156,7 @@ impl ContactAnswer<2> {
         self.force[1]
     }
 
-    /// `F_t / F_n` with its sign, as the paper tabulates it; zero for a contact without force.
+    /// `F_t / F_n` with the sign of `F_t`, as the paper tabulates it; zero without tangential force.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.friction_used().copysign(self.force[1])
@@ -163,9 +168,10 @@ impl ContactAnswer<2> {
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
-    /// Closed and stuck: gap = 0, slip = 0, `|F_t| <= μ F_n`. The paper's word; others say sticking.
+    /// Closed and stuck: gap = 0, no slip (on a load path none beyond what it has slipped before), `|F_t| <= μ F_n`. The paper's word;
+    /// others say sticking. A bonded contact is always in this state, whatever its force.
     Rolling,
-    /// Closed and on the edge of its cone.
+    /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
         direction: SVector<f64, C>,
@@ -202,17 +208,17 @@ pub struct NoEquilibrium<const D: usize> {
 pub enum Proof<const D: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
-        /// The motion.
+        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
         motion: Twist<D>,
-        /// Work of the load on it, J.
+        /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },
     /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
-        /// The motion.
+        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
         motion: Twist<D>,
-        /// Work of the load on it, J.
+        /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly. On the round cone the directions of

@@ -19,7 +19,8 @@ pub struct Decomposition<const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
     /// 5.2 of the paper): the equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`, in which the
-    /// difference of the forces of any two frictional contacts has no component along the line that joins them.
+    /// difference of the forces of any two frictional contacts has no component along the line that joins them. Separated contacts
+    /// carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;
@@ -37,16 +38,36 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn decompose(&self, equilibrium: &Equilibrium<D, C>) -> Decomposition<C> {
+        let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
-            equilibrium.contacts.iter().map(|c| c.state != ContactState::Separated).collect();
+            (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&equilibrium.load);
         let equilibrating: Vec<_> = least_forces(self.sites(), &carries, &load)
             .into_iter()
             .zip(self.sites())
+            .take(equilibrium.contacts.len())
             .map(|(force, site)| site.frame * force)
             .collect();
         let interaction =
             equilibrium.contacts.iter().zip(&equilibrating).map(|(c, e)| c.force_world - e).collect();
         Decomposition { equilibrating, interaction }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::planar::{Contact, Grasp, Wrench};
+
+    #[test]
+    fn an_equilibrium_of_another_grasp_is_no_panic() -> Result<(), Box<dyn std::error::Error>> {
+        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
+        let [two, three] = [Grasp::new([-1.0, 1.0].map(foot))?, Grasp::new([-1.0, 0.0, 1.0].map(foot))?];
+        let load = Wrench::force([0.0, -6.0]);
+        for (grasp, other) in [(&two, &three), (&three, &two)] {
+            let outcome = other.solve(&load)?;
+            let split = grasp.decompose(outcome.equilibrium().ok_or("the feet stand")?);
+            assert_eq!((split.equilibrating.len(), split.interaction.len()), (2, 2));
+        }
+        Ok(())
     }
 }

@@ -1,4 +1,23 @@
 //! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
+//!
+//! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). Once the state of every contact is
+//! known, and the direction of what slides, that is linear, and all that couples the contacts is the object, d equations:
+//!
+//! | state | force | must hold |
+//! |---|---|---|
+//! | separated | `F = 0` | `g = n·u_c - a_n >= 0` |
+//! | rolling | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
+//! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
+//!
+//! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything rolls; everything that
+//! touches rolls; Newton's method, with many contacts; Lemke's method on the kinematic form, then on the force form
+//! (see [`formulation`](crate::formulation)); every combination of states, with few contacts. In space Lemke's
+//! method proposes on a polygonal cone and Newton's method goes on from there to the round one. Whoever has proposed them, the states are
+//! solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
+//! [`Equilibrium`].
+//!
+//! Where none is found the answer is a [`Proof`] that none exists – a motion that nothing resists, a motion that separates the load from
+//! all that friction can do, or all states tried – or [`Undecided`], with the reason.
 
 mod accuracy;
 mod answer;
@@ -76,7 +95,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn solve(&self, load: &Wrench<D>) -> Result<Outcome<D, C>, Error> {
         self.solve_with(load, &Settings::default())
     }
@@ -102,7 +121,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
@@ -113,9 +132,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
-    /// [`Self::solve_with`] returns is among them. On the round cone: those that Newton's method reaches from the equilibria of
-    /// the polygon. Combinations that share one equilibrium (a contact exactly on an
-    /// edge) are listed once; a line of equilibria by one of its points, with its
+    /// [`Self::solve_with`] returns is among them. On the round cone: that one, and those that Newton's method reaches from the equilibria of
+    /// the polygon, which may be fewer than there are. Whether it is proved that there is none says [`Self::solve_with`]. Combinations that
+    /// share one equilibrium (a contact exactly on an edge) are listed once; a line of equilibria by one of its points, with its
     /// [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
@@ -133,7 +152,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
-    /// finite.
+    /// finite, or beyond 1e50.
     pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
         let problem = Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(load, "load")?);
@@ -150,12 +169,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let search = search(&problem, false);
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<D, C>> = Vec::new();
-        for found in search.found {
-            let equilibrium =
-                self.equilibrium(&problem, load, &found, Rung::Enumeration, &effort, settings.cone_of::<C>());
+        let mut add = |found: &Found<D, C>, rule, effort: &Effort| {
+            let equilibrium = self.equilibrium(&problem, load, found, rule, effort, settings.cone_of::<C>());
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
+        };
+        for found in &search.found {
+            add(found, Rung::Enumeration, &effort);
+        }
+        // The round cone may have an equilibrium where the polygon inside has none, or one far from it.
+        if round && let (Settled::Found(found, rule), effort) = settle(&problem, settings) {
+            add(&found, rule, &effort);
         }
         Ok(list)
     }
@@ -227,4 +252,35 @@ pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Cone {
 /// For problems on which Lemke's method cannot fail (positive semidefinite and solvable): one path, nothing after it.
 pub(crate) fn only_lemke() -> lcp::Settings {
     lcp::Settings { retries: 0, enumerate_up_to: 0, ..lcp::Settings::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ContactState, Settings};
+    use crate::spatial::{Contact, Grasp, Wrench};
+
+    /// A body of 12 N on three feet of 4 N, pulled by 4.8 N towards the middle of a facet. The round cones carry 2 + 2 + 1 N and hold it
+    /// with the weakest foot sliding; the octagons inside carry 5 cos(π/8) = 4.62 N and do not.
+    #[test]
+    fn the_round_cone_may_hold_what_the_polygon_inside_does_not() -> Result<(), crate::Error> {
+        let foot = |x: f64, mu: f64| {
+            Contact::new([x, 0.0, 0.0], [0.0, 0.0, 1.0])
+                .series_stiffness(100.0, 100.0)
+                .friction(mu)
+                .tangent([1.0, 0.0, 0.0])
+                .command([0.04, 0.0, 0.0])
+        };
+        let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.5), foot(0.0, 0.25)])?;
+        let (sin, cos) = std::f64::consts::FRAC_PI_8.sin_cos();
+        let load = Wrench::force([4.8 * cos, 4.8 * sin, -12.0]);
+        assert!(grasp.equilibria(&load, &Settings::default().on_the_polygon())?.is_empty());
+        let all = grasp.equilibria(&load, &Settings::default())?;
+        assert_eq!(all.len(), 1);
+        let friction = [0, 1, 2].map(|i| all[0].contacts[i].friction_force());
+        for (found, expected) in friction.into_iter().zip([1.9, 1.9, 1.0]) {
+            assert!((found - expected).abs() < 1e-13, "{found} {expected}");
+        }
+        assert!(matches!(all[0].contacts[2].state, ContactState::Sliding { .. }));
+        Ok(())
+    }
 }

@@ -12,24 +12,28 @@ const SMALLEST: f64 = 1e-250;
 /// Displacements below this part of the largest of the scene are none.
 const STILL: f64 = 1e-20;
 
-/// Relative residuals of an equilibrium; all are zero in exact arithmetic.
+/// Relative residuals of an equilibrium; all are zero in exact arithmetic, and some 1e-16 as a rule. Nothing with one above 1e-10
+/// (1e-12 on the round cone) is called an equilibrium.
 ///
-/// Forces are measured against the largest contact force or load of the scene (where there is none at all, against 1e-25 of
-/// the least force that a spring could have), displacements of a contact against the
-/// sum of the sizes of its own displacements, products against the product of both.
+/// Recomputed from points, frames, stiffnesses, commands and load, not from what the solver had. Forces are measured against the largest
+/// contact force or load of the scene (where there is none at all, against 1e-25 of the least force that a spring could have),
+/// displacements of a contact against the sum of the sizes of its own displacements, products against the product of both. On a load
+/// path a slip is that since the state of the contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Residuals {
     /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the
-    /// displacements of its contact; the same for moments; the larger of both.
+    /// displacements of its contact; the same for moments, to which forces count at the root mean square distance of the contacts;
+    /// the larger of both.
     pub equilibrium: f64,
-    /// `|F/k - (a - u_c + g - s)|` axis by axis: the contact springs.
+    /// `|F/k - (a - u_c + g - s)|` axis by axis, the gap along the normal and the slip along the tangents: the contact springs.
     pub springs: f64,
-    /// `max(0, -F_n)` and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon its own size of `F_t`.
+    /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon its own size of `F_t`, the largest
+    /// `h·F_t`. Of contacts that this binds, see [`Hold`](crate::grasp::Hold).
     pub cone: f64,
-    /// `max(0, -g)`: penetration.
+    /// `max(0, -g)`: penetration; `|g|` of a bonded contact.
     pub gap: f64,
-    /// `|F_n g|`, and `μ F_n |s| - F_t·s` over 1 + μ, which is zero iff the slip follows the friction force.
+    /// `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing may slip.
     pub complementarity: f64,
 }
 

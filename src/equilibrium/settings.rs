@@ -4,6 +4,15 @@ use super::answer::Cone;
 use crate::formulation::PolygonCone;
 
 /// Choices that have sound defaults.
+///
+/// ```
+/// use grasp_lcp::{Fit, PolygonCone, Settings};
+///
+/// // As codes without a round cone have it: 16 facets around it; and no search that takes long.
+/// let polygon = Settings::default().on_the_polygon().with_cone(PolygonCone::new(16, Fit::Circumscribed)?).with_most_states(100);
+/// assert!(!polygon.round && polygon.cone.facets() == 16);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
@@ -19,8 +28,10 @@ pub struct Settings {
     /// exponential problems, which contact problems are not known to be.
     pub max_pivots: Option<usize>,
     /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
-    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 in space). Lower it for speed on scenes
-    /// without an equilibrium, raise it to get a proof for more contacts.
+    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone the
+    /// directions of sliding are tried in sectors, among at most five contacts that can slide, and each case counts as a
+    /// hundred combinations. Lower it for speed on scenes without an equilibrium (0 leaves the search out, and with it proofs by trying
+    /// all states), raise it to get a proof for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
     /// the largest force, of slips over the largest displacement. The default, 1e-13, is near what rounding allows (where it allows no

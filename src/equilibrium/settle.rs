@@ -32,7 +32,8 @@ pub enum Rung {
     Newton,
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,
-    /// The first combination of contact states that satisfies every condition.
+    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of sectors of sliding
+    /// directions in which Newton's method arrives. Also what [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) finds that way.
     Enumeration,
     /// Following a load path: the states come from the path's history.
     LoadPath,
@@ -75,13 +76,15 @@ pub(crate) enum Settled<const D: usize, const C: usize> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke ended on rays that prove nothing and there are too many contacts to try every combination of states.
+    /// Lemke ended on rays that prove nothing, and not every combination of states could be tried: there are too many contacts for
+    /// [`Settings::most_states`], or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
     /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
     /// boundary of what the grasp can hold, as far as the working precision can tell.
     OnTheBoundary,
     /// Contact states were found, but the numbers of the scene lie so far apart (arms or stiffnesses by more than the working
-    /// precision) that forces and twist cannot be written down accurately: their residuals exceed 1e-10.
+    /// precision) that forces and twist cannot be written down accurately: their residuals exceed 1e-10 (1e-12 on the round
+    /// cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,

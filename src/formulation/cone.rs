@@ -1,12 +1,6 @@
 //! The friction cone as a polygon: `F_t` lies in μF_n times a polygon around the origin.
 //!
-//! ```text
-//! h_j · F_t <= μ F_n            for every facet normal h_j
-//! F_t = Σ β_j d_j, Σ β_j <= μ F_n, β >= 0   with the corners d_j
-//! ```
-//!
-//! In the plane the polygon is the interval [-1, 1] and nothing is approximated. In space it has m facets, and a sliding
-//! contact slips in the normal cone of the polygon at F_t (maximum dissipation over the polygon).
+//! In the plane the polygon is the interval [-1, 1] and nothing is approximated.
 
 use std::f64::consts::TAU;
 
@@ -14,22 +8,41 @@ use nalgebra::SVector;
 
 use crate::error::Error;
 
-/// How the polygon lies to the circle of radius one.
+/// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Fit {
     /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).
     #[default]
     Inscribed,
     /// Facets touch the circle: never less friction than Coulomb's, more by up to 1/cos(π/m) - 1.
     Circumscribed,
-    /// Corners as far outside as facets inside, by the same factor cos(π/m)^(1/2).
+    /// Corners as far outside as facets inside: facets at `cos(π/m)^(1/2)`, corners at its reciprocal.
     Balanced,
 }
 
 /// The polygonal cone that stands in for the round one in space. Planar grasps do not look at it.
 ///
-/// The first corner points along the first tangent of each contact. Default: 8 facets, inscribed.
+/// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
+///
+/// ```text
+/// h_j·F_t <= μ F_n for all j      or      F_t = Σ β_j d_j,  β >= 0,  Σ β_j <= μ F_n
+/// ```
+///
+/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the
+/// length that puts the facet at `h_j·x = 1`. A contact slides with F_t on a facet and slips along its normal, or with F_t at a
+/// corner and slips between the normals of its two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See
+/// [choosing facets](crate::guide::choosing_facets).
+///
+/// ```
+/// use grasp_lcp::{Error, Fit, PolygonCone};
+///
+/// let octagon = PolygonCone::new(8, Fit::Inscribed)?;
+/// assert_eq!(octagon, PolygonCone::default());
+/// assert!(matches!(PolygonCone::new(2, Fit::Inscribed), Err(Error::Facets { given: 2, .. })));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PolygonCone {
     facets: usize,

@@ -1,14 +1,6 @@
-//! The force form: forces as unknowns, compliances on the diagonal, the twist free.
+//! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist free.
 //!
-//! ```text
-//! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u(q)                       >= 0
-//! 0 <= β_j ⟂ λ - d_j·s,   s = a_t - u_t(q) - K_t⁻¹ Σ β_l d_l        >= 0
-//! 0 <= λ   ⟂ μ F_n - Σ β_j                                          >= 0
-//! q free:   Σ G_i F_i + W = 0
-//! ```
-//!
-//! Copositive: Lemke finds a solution whenever no separating motion v (n_i·G_iᵀv >= 0 for all i) has W·v > 0. The
-//! twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
+//! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
 //! friction) needs no row: its force is linear in q.
 
 use nalgebra::{DMatrix, DVector, SVector};

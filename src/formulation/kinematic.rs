@@ -1,13 +1,10 @@
-//! The kinematic form: jumps (gaps and slips) on top of the elastic trial state.
+//! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
+//!
+//! The projector is made of orthogonal factors, in which stiffness ratios do not show:
 //!
 //! ```text
-//! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0
-//! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
 //! ```
-//!
-//! Small and cheap, exact when everything rolls (z = 0). Its matrix is not copositive: with strong friction Lemke can
-//! end on a ray although an equilibrium exists, so a ray here proves nothing.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

@@ -15,7 +15,7 @@ pub enum Row {
     Slip {
         /// The contact.
         contact: usize,
-        /// The facet: in the plane 0 for slip along +t, 1 for slip along -t.
+        /// The facet, see [`PolygonCone`](super::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
         facet: usize,
     },
     /// Force form: z = normal force `F_n` (N), w = gap g (m).
@@ -23,11 +23,11 @@ pub enum Row {
         /// The contact.
         contact: usize,
     },
-    /// Force form: z = share β of the tangential force at one corner of the cone (N), w = λ - d·s (m).
+    /// Force form: z = part β of the tangential force `F_t = Σ β_j d_j` at one corner of the cone (N), w = `λ - d_j·s` (m).
     TangentialForce {
         /// The contact.
         contact: usize,
-        /// The corner of the polygon; in the plane 0 for +t, 1 for -t.
+        /// The corner, see [`PolygonCone`](super::PolygonCone): in the plane 0 for +t, 1 for -t.
         corner: usize,
     },
     /// Force form: z = size of the slip λ (m), w = friction that is not used, `μ F_n - Σβ` (N).
@@ -35,21 +35,24 @@ pub enum Row {
         /// The contact.
         contact: usize,
     },
-    /// Force form: one half of an equilibrium equation; z = positive or negative part of a twist component.
+    /// Force form: one half of an equilibrium equation; z = positive or negative part of a component of the twist about the centroid of the
+    /// contact points, rotations times their root mean square distance from it (m); w = minus or plus what the forces leave of that
+    /// component of `Σ G_i F_i + W`, moments over the same distance (N).
     Balance {
-        /// The component of the twist and of the equilibrium equation.
+        /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Which half.
+        /// Whether z is the positive part.
         positive: bool,
     },
 }
 
 /// Rows that a full formulation would have and this one does not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct LeftOut {
     /// The contact.
     pub contact: usize,
-    /// How many complementary pairs were saved.
+    /// How many complementary pairs of a kinematic form were saved: 1 for the gap, 1 for each facet.
     pub rows: usize,
     /// Why they are not needed.
     pub why: Why,
@@ -74,16 +77,18 @@ pub enum Why {
 /// A linear complementarity problem with the meaning of its rows.
 ///
 /// The problem is stated in scaled variables (square roots of energy), in which stiffness ratios do not show:
-/// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`.
+/// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
+/// [`Grasp::kinematic_form`](crate::grasp::Grasp::kinematic_form) and [`Grasp::force_form`](crate::grasp::Grasp::force_form).
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Form {
-    /// The problem in scaled variables.
+    /// The problem in scaled variables, `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
     pub lcp: Lcp,
     /// Row by row, what it says.
     pub rows: Vec<Row>,
-    /// Unit of each z.
+    /// Unit of each z, N or m as its [`Row`] says.
     pub z_unit: Vec<f64>,
-    /// Unit of each w.
+    /// Unit of each w, N or m as its [`Row`] says.
     pub w_unit: Vec<f64>,
 }
 

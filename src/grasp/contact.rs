@@ -12,10 +12,11 @@ pub enum Hold {
     /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]
     Unilateral,
-    /// The normal spring acts both ways and the contact never opens; friction is as usual. With zero friction this is
-    /// a guide that lets the object slip along itself.
+    /// The contact never opens: gap = 0. With zero friction the normal spring acts both ways: a guide that lets the object
+    /// slip along itself. The same with infinite friction, where it never slips. With friction in between `|F_t| <= μ F_n` as usual, which a pull cannot
+    /// meet: where one would be needed there is no equilibrium.
     KeptClosed,
-    /// Glued: normal and tangential springs act both ways and without limit.
+    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero, friction does not count.
     Bonded,
 }
 
@@ -24,7 +25,29 @@ pub enum Hold {
 /// Built step by step; what is not said has the default given with each method. Checked when the
 /// [`Grasp`](crate::grasp::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
 ///
-/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`.
+/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`. Stiffnesses, commands
+/// and forces are along its axes, the normal first.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+///
+/// // A finger on the left side of an object pushes to the right: n = (1, 0), t = (0, -1).
+/// let left = Contact::new([-0.03, 0.0], [1.0, 0.0])
+///     .name("left")
+///     .body_stiffness(3e3, 2e3)       // N/m, normal and tangential
+///     .finger_stiffness(1.5e3, 1e3)
+///     .friction(0.5)
+///     .command([0.002, 0.001]);       // m: pushes in, and drags downwards
+/// assert_eq!(left.series_stiffness_of_axes().as_slice(), [1e3, 2e3 / 3.0]);
+///
+/// // The object is glued to a wall. The finger's force on it is that of the springs, k (command - displacement).
+/// let glue = |y: f64| Contact::new([0.03, y], [-1.0, 0.0]).series_stiffness(1e9, 1e9).bonded();
+/// let outcome = Grasp::new([left, glue(-0.01), glue(0.01)])?.solve(&Wrench::ZERO)?;
+/// let carried = &outcome.equilibrium().expect("within friction").contacts[0];
+/// assert!((carried.force[0] - 2.0).abs() < 1e-5 && (carried.force_world[0] - 2.0).abs() < 1e-5);
+/// assert!((carried.force[1] - 2.0 / 3.0).abs() < 1e-5 && (carried.force_world[1] + 2.0 / 3.0).abs() < 1e-5);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact<const C: usize> {
     pub(crate) name: Option<String>,
@@ -65,6 +88,18 @@ impl<const C: usize> Contact<C> {
     /// Direction of the first tangent; its part along the normal is dropped. In the plane it only chooses between the
     /// two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the projection of the coordinate axis that
     /// is farthest from the normal.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::Vector3;
+    /// use grasp_lcp::spatial::{Contact, Grasp};
+    ///
+    /// // Pressing down, t₁ along y: t₂ = n × t₁ = -z × y = x.
+    /// let foot = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(1.0, 1.0).tangent([0.0, 2.0, -5.0]);
+    /// let grasp = Grasp::new([foot])?;
+    /// let frame = grasp.frames().next().expect("one contact");
+    /// assert!((frame.column(1) - Vector3::y()).norm() < 1e-15 && (frame.column(2) - Vector3::x()).norm() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn tangent(mut self, tangent: impl Into<[f64; C]>) -> Self {
         self.tangent = Some(SVector::from(tangent.into()));
@@ -72,13 +107,13 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
-    /// rigid object (the default).
+    /// rigid object (the default). Takes the place of a series stiffness given before.
     #[must_use]
     pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.body_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
-    /// Springs of the object, one for each axis of the contact frame.
+    /// Springs of the object, one for each axis of the contact frame, the normal first, N/m.
     #[must_use]
     pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let finger = match self.stiffness {
@@ -90,13 +125,13 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the
-    /// default).
+    /// default). Takes the place of a series stiffness given before.
     #[must_use]
     pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
-    /// Springs of the finger, one for each axis of the contact frame.
+    /// Springs of the finger, one for each axis of the contact frame, the normal first, N/m.
     #[must_use]
     pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         let body = match self.stiffness {
@@ -107,13 +142,14 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Body and finger springs in series, given at once: normal and tangential, N/m, positive and finite.
+    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and tangential, N/m, positive and
+    /// finite. Takes the place of both; how far each surface gives way is then not known.
     #[must_use]
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))
     }
 
-    /// Series stiffness, one for each axis of the contact frame.
+    /// Series stiffness, one for each axis of the contact frame, the normal first, N/m.
     #[must_use]
     pub fn series_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
         self.stiffness = Stiffness::Series(SVector::from(axes.into()));
@@ -121,7 +157,8 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at all, whatever
-    /// tangential stiffness was given; with `f64::INFINITY` it never slides while it is closed.
+    /// tangential stiffness was given; with `f64::INFINITY` it never slides while it is closed. A [bonded](Self::bonded) contact has
+    /// its tangential springs whatever μ is.
     #[must_use]
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
@@ -129,15 +166,15 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive
-    /// normal part pushes into the object.
+    /// normal part pushes into the object, a positive tangential one drags it along the tangent.
     #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
         self
     }
 
-    /// Clearance between finger and object before anything moves, m, >= 0: the finger must come this far along the
-    /// normal before it touches.
+    /// Clearance between finger and object before anything moves, m, >= 0 (default 0): the finger must come this far along the
+    /// normal before it touches, `F_n = k_n (command - clearance - n·u_c)`.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -162,6 +199,21 @@ impl<const C: usize> Contact<C> {
     }
 
     /// The contact never opens; see [`Hold::KeptClosed`].
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A carriage on a rail that goes around its wheels: pulled up by 3 N it is held down.
+    /// let wheel = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu).kept_closed();
+    /// let pull = Wrench::force([0.0, 3.0]);
+    /// let outcome = Grasp::new([wheel(-1.0, 0.0), wheel(1.0, 0.0)])?.solve(&pull)?;
+    /// let held = outcome.equilibrium().expect("the rail holds");
+    /// assert!((held.contacts[0].normal_force() + 1.5).abs() < 1e-14);
+    ///
+    /// // With finite friction a normal force must push: |F_t| <= μ F_n.
+    /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     #[must_use]
     pub fn kept_closed(mut self) -> Self {
         self.hold = Hold::KeptClosed;
@@ -187,7 +239,7 @@ impl<const C: usize> Contact<C> {
         self.stiffness.series()
     }
 
-    /// Coefficient of friction.
+    /// Coefficient of friction μ.
     #[must_use]
     pub fn friction_coefficient(&self) -> f64 {
         self.friction
@@ -199,7 +251,7 @@ impl<const C: usize> Contact<C> {
         self.command
     }
 
-    /// How tables and pictures call the contact: its name, or its place in the list.
+    /// How tables and pictures call the contact: its name, or "contact" and `index`, its place in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.name.clone().unwrap_or_else(|| format!("contact {index}"))

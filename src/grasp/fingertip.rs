@@ -85,6 +85,17 @@ struct Place<const C: usize> {
 impl SoftFingertip<3> {
     /// `points` points with equal shares on a circle of this radius (m), the first one along the first tangent.
     ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, SoftFingertip};
+    ///
+    /// // A tip that was measured to slip at 0.02 N m under 10 N with μ = 0.5: a ring of radius τ/(μ N).
+    /// let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
+    /// let tip = SoftFingertip::ring(0.02 / (0.5 * 10.0), 6)?;
+    /// assert!((tip.torsional_limit(&finger, 10.0) - 0.02).abs() < 1e-16);
+    /// assert!((tip.torsional_stiffness(&finger) - 1000.0 * 0.004_f64.powi(2)).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (two would tilt freely) to
     /// [`Self::MOST_POINTS`].
@@ -172,6 +183,18 @@ impl SoftFingertip<2> {
 
     /// A pad of this width (m); each half is cut into `strips` of equal width, each of which is stood for by two points, one
     /// of them on its outer edge. The closed forms above hold for any number of strips.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
+    ///
+    /// // 12 mm wide, b = 6 mm, Hertz: it turns against k_n b²/4 and lifts off an edge at N b/4.
+    /// let finger = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
+    /// let tip = SoftFingertip::pad(0.012, 2, Pressure::Hertz)?;
+    /// assert_eq!(tip.contacts(&finger)?.len(), 8);
+    /// assert!((tip.tilting_stiffness(&finger) - 2000.0 * 36e-6 / 4.0).abs() < 1e-15);
+    /// assert!((tip.first_opening(10.0) - 10.0 * 0.006 / 4.0).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and there are at most

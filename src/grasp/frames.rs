@@ -19,8 +19,8 @@ impl<const C: usize> Contact<C> {
     /// The same contact in other coordinates: `pose` is the frame in which it was given – of a finger's last link, say, or of the
     /// object – as seen from the frame in which it is wanted. Contacts of one grasp must all be in one frame.
     ///
-    /// Without a tangent of its own the contact keeps the one that it had, turned with it: commands, stiffnesses and forces
-    /// in its contact frame stay as they were.
+    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given becomes the one that the contact has
+    /// by default, turned with it: commands, stiffnesses and forces in its contact frame stay as they were.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -58,14 +58,15 @@ fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
 macro_rules! in_other_frames {
     ($d:literal, $c:literal) => {
         impl Wrench<$d> {
-            /// The same load with moments about `point` instead of the origin: `m - point × f`. In its result `point` is the origin.
+            /// The same load with moments about `point` instead of the origin: `m - point × f`, in axes parallel to the old ones. In its
+            /// result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 Self::from_vector(moved_wrench::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
             /// The same load in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
-            /// wanted: `f' = R f`, `m' = R m + p × f'`.
+            /// wanted (points: `r' = R r + p`). `f' = R f`, `m' = R m + p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());
@@ -75,14 +76,15 @@ macro_rules! in_other_frames {
 
         impl Twist<$d> {
             /// The same motion told of the object's point at `point` instead of the one at the origin: its translation is
-            /// [`Self::displacement_at`] that point. In its result `point` is the origin.
+            /// [`Self::displacement_at`] that point, its rotation the same. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 Self::from_vector(moved_twist::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
             /// The same motion in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
-            /// wanted: `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin.
+            /// wanted (points: `r' = R r + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R
+            /// leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());

@@ -17,7 +17,9 @@ use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQua
 use super::wrench::Twist;
 
 impl Twist<3> {
-    /// The rigid motion of this twist, by the exponential map: rotation by θ, translation of the origin `s R(θ/2) u`.
+    /// The rigid motion of this twist, by the exponential map: rotation by θ, translation of the origin `s R(θ/2) u` with the ratio of
+    /// chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that fit the twist to first order differ from it to second order only;
+    /// this one turns about the same pivot wherever the origin lies.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
@@ -37,6 +39,15 @@ impl Twist<3> {
     }
 
     /// The twist whose rigid motion this is, with a rotation from -π to π: the inverse of [`Self::exp`].
+    ///
+    /// ```
+    /// use grasp_lcp::{nalgebra::Isometry2, planar::Twist};
+    ///
+    /// let twist = Twist::new([0.3, -0.1], 0.5);
+    /// let back = Twist::log(&twist.exp());
+    /// assert!((back - twist).as_vector().norm() < 1e-15);
+    /// assert_eq!(Twist::log(&Isometry2::translation(2.0, 1.0)), Twist::new([2.0, 1.0], 0.0));
+    /// ```
     #[must_use]
     pub fn log(motion: &Isometry2<f64>) -> Self {
         let half = 0.5 * motion.rotation.angle();
@@ -47,7 +58,8 @@ impl Twist<3> {
 
 impl Twist<6> {
     /// The rigid motion of this twist, by the exponential map: rotation by |θ| about θ, translation of the origin
-    /// `R(θ/2) (s u⊥ + u∥)`.
+    /// `R(θ/2) (s u⊥ + u∥)` with u∥ along θ, u⊥ across and the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that fit
+    /// the twist to first order differ from it to second order only; this one is a screw about the same line wherever the origin lies.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};
@@ -69,6 +81,16 @@ impl Twist<6> {
     }
 
     /// The twist whose rigid motion this is, with a rotation of at most π: the inverse of [`Self::exp`].
+    ///
+    /// ```
+    /// use grasp_lcp::{nalgebra::{Isometry3, Vector3}, spatial::Twist};
+    ///
+    /// // From one pose of an object to the next: a quarter turn about z through the origin, lifted by 0.2 m.
+    /// let quarter = std::f64::consts::FRAC_PI_2;
+    /// let motion = Isometry3::new(Vector3::new(0.0, 0.0, 0.2), Vector3::z() * quarter);
+    /// let twist = Twist::log(&motion);
+    /// assert!((twist - Twist::new([0.0, 0.0, 0.2], [0.0, 0.0, quarter])).as_vector().norm() < 1e-15);
+    /// ```
     #[must_use]
     pub fn log(motion: &Isometry3<f64>) -> Self {
         let rotation = motion.rotation.scaled_axis();

@@ -8,17 +8,17 @@ use nalgebra::SVector;
 pub enum Stiffness<const C: usize> {
     /// Body and finger each with their own springs; `f64::INFINITY` means rigid.
     BodyAndFinger {
-        /// Springs between the body's core and its surface.
+        /// Springs between the body's core and its surface, u_c and u_d, N/m.
         body: SVector<f64, C>,
-        /// Springs between the finger's core and its surface.
+        /// Springs between the finger's core and its surface, u_f and u_e, N/m.
         finger: SVector<f64, C>,
     },
-    /// Both in series; how they share the deformation is not said.
+    /// Both in series; how they share the deformation is not said, and displacements of the surfaces are not known.
     Series(SVector<f64, C>),
 }
 
 impl<const C: usize> Stiffness<C> {
-    /// Series stiffness of every axis: `1/k = 1/k_body + 1/k_finger`.
+    /// Series stiffness of every axis, N/m: `1/k = 1/k_body + 1/k_finger`.
     #[must_use]
     pub fn series(&self) -> SVector<f64, C> {
         match self {

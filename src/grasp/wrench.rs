@@ -8,15 +8,48 @@ use super::rotation::{displacement_of, wrench_of};
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, `d` components.
 ///
-/// Unit N for forces and N m for moments, whatever consistent units the contacts use. Positive moments turn from x to
-/// y in the plane and follow the right-hand rule in space.
+/// It is what pulls **on the object** from outside, weight for instance; the contact forces F balance it, `Σ G_i F_i + W = 0`. N for forces
+/// and N m for moments, or whatever consistent units the contacts use. Positive moments turn from x to y in the plane and
+/// follow the right-hand rule in space.
+///
+/// ```
+/// use grasp_lcp::nalgebra::{Isometry2, Vector2};
+/// use grasp_lcp::planar::Wrench;
+///
+/// // 2 N down at (3, 1): m = x f_y - y f_x about the origin, none about the point itself.
+/// let weight = Wrench::force_at([0.0, -2.0], [3.0, 1.0]);
+/// assert_eq!(weight.moment(), -6.0);
+/// assert_eq!(weight.about([3.0, 1.0]), Wrench::force([0.0, -2.0]));
+///
+/// // The same load where the frame in which it was given lies at (10, 0).
+/// let pose = Isometry2::new(Vector2::new(10.0, 0.0), 0.0);
+/// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wrench<const D: usize>(SVector<f64, D>);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation, `d` components.
 ///
 /// The displacement of the body at a point r is, to first order (equation 4.1 of the paper without its quadratic
-/// term), `translation + rotation × r`; see [`Twist::displacement_at`].
+/// term), `translation + rotation × r`; see [`Twist::displacement_at`]. m and rad; rotations turn from x to y in the plane and follow
+/// the right-hand rule in space.
+///
+/// ```
+/// use grasp_lcp::nalgebra::{Isometry3, Vector3};
+/// use grasp_lcp::spatial::{Twist, Wrench};
+///
+/// // A turn about the line through (1, 0, 0) along z: that point stays where it is.
+/// let turn = Twist::new([0.0, -0.01, 0.0], [0.0, 0.0, 0.01]);
+/// assert_eq!(turn.about([1.0, 0.0, 0.0]), Twist::new([0.0; 3], [0.0, 0.0, 0.01]));
+///
+/// // The work f·u + m·θ of a load depends neither on the reference point nor on the frame.
+/// let load = Wrench::force_at([0.0, 3.0, 1.0], [2.0, 0.0, 0.0]);
+/// let work = |load: Wrench, turn: Twist| load.as_vector().dot(turn.as_vector());
+/// let pose = Isometry3::new(Vector3::new(0.5, -0.2, 0.1), Vector3::new(0.3, 0.4, 0.0));
+/// assert!((work(load, turn) - 3.0 * 0.01).abs() < 1e-16);
+/// assert!((work(load.about([1.0, 0.0, 0.0]), turn.about([1.0, 0.0, 0.0])) - 0.03).abs() < 1e-16);
+/// assert!((work(load.transformed(&pose), turn.transformed(&pose)) - 0.03).abs() < 1e-16);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Twist<const D: usize>(SVector<f64, D>);
 
@@ -26,7 +59,7 @@ macro_rules! vector_like {
             /// All components zero.
             pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; D]])));
 
-            /// From its `d` components: linear ones first, then angular ones.
+            /// From its `d` components: linear ones first, then angular ones; (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
             #[must_use]
             pub fn from_vector(components: impl Into<[f64; D]>) -> Self {
                 Self(SVector::from(components.into()))
@@ -80,14 +113,14 @@ vector_like!(Wrench);
 vector_like!(Twist);
 
 impl Wrench<3> {
-    /// A force (x, y) through the origin and a moment about it.
+    /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
     #[must_use]
     pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
         let [x, y] = force.into();
         Self(SVector::from([x, y, moment]))
     }
 
-    /// A force through the origin, no moment.
+    /// A force through the origin, N, no moment.
     #[must_use]
     pub fn force(force: impl Into<[f64; 2]>) -> Self {
         Self::new(force, 0.0)
@@ -120,14 +153,14 @@ impl Wrench<3> {
 }
 
 impl Wrench<6> {
-    /// A force through the origin and a moment about it.
+    /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m.
     #[must_use]
     pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
         let (f, m) = (force.into(), moment.into());
         Self(SVector::from([f[0], f[1], f[2], m[0], m[1], m[2]]))
     }
 
-    /// A force through the origin, no moment.
+    /// A force through the origin, N, no moment.
     #[must_use]
     pub fn force(force: impl Into<[f64; 3]>) -> Self {
         Self::new(force, [0.0; 3])
@@ -179,7 +212,7 @@ impl Twist<3> {
         self.0[2]
     }
 
-    /// Displacement of the object's point `point`, to first order: `(dx - θ y, dy + θ x)`.
+    /// Displacement of the object's point `point`, m, to first order: `(dx - θ y, dy + θ x)`.
     ///
     /// ```
     /// use grasp_lcp::planar::Twist;
@@ -213,7 +246,7 @@ impl Twist<6> {
         [self.0[3], self.0[4], self.0[5]]
     }
 
-    /// Displacement of the object's point `point`, to first order: `translation + rotation × point`.
+    /// Displacement of the object's point `point`, m, to first order: `translation + rotation × point`.
     ///
     /// ```
     /// use grasp_lcp::spatial::Twist;

@@ -55,7 +55,8 @@
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is one, it is real.
+//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is one, it is real. (On the
+//!   round cone the list has those that a polygon leads to.)
 //! * [`Grasp::follow`](crate::grasp::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even that leaves a choice.
 //! * [`Grasp::stability`](crate::grasp::Grasp::stability) tells which of them a small push leaves alone.

@@ -18,13 +18,14 @@ use crate::grasp::{Grasp, Twist};
 /// A state that holds for less than this part of the way that brought the load here is taken to end at the event.
 const FLEETING: f64 = 1e-9;
 
-/// What comes after the onset.
+/// What comes after the onset: whether the equilibrium goes on as the load factor grows beyond it.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Beyond<const D: usize, const C: usize> {
     /// The equilibrium goes on with these contacts sliding or open.
     Continues(Box<Continuation<D, C>>),
-    /// No equilibrium exists just beyond: the onset is the limit load. Every combination of contact states was tried.
+    /// No equilibrium exists just beyond: the onset is the limit load. Every combination of contact states was tried (in the plane and on
+    /// polygons).
     LimitLoad {
         /// How many.
         combinations: usize,
@@ -35,10 +36,11 @@ pub enum Beyond<const D: usize, const C: usize> {
         /// Combinations of contact states that hold just beyond.
         others: usize,
     },
-    /// This equilibrium ends here: the rates have no solution, for this reason. Whether others exist beyond was not
-    /// searched (too many contacts, or the round cone).
+    /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
+    /// unit of the factor. Whether others exist beyond was not searched: there are more combinations of contact states than
+    /// [`Settings::most_states`], or the cone is round. A load path ([`Grasp::reserve`], [`Grasp::follow`]) looks further.
     Ends(NoEquilibrium<D>),
-    /// Nothing can be said.
+    /// Nothing can be said, and why.
     Undecided(Doubt),
 }
 
@@ -46,11 +48,11 @@ pub enum Beyond<const D: usize, const C: usize> {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Continuation<const D: usize, const C: usize> {
-    /// What every contact does next. The direction of a sliding contact is that of its slip rate.
+    /// What every contact does next, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
-    /// Rates of the contact forces in the contact frames, N.
+    /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
     pub force_rates: Vec<SVector<f64, C>>,
-    /// Rate of the object's twist.
+    /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Twist<D>,
     /// By which rule it was found.
     pub rule: Rung,

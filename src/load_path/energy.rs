@@ -6,14 +6,14 @@ use super::segment::{Here, Segment};
 use crate::formulation::State;
 use crate::grasp::Site;
 
-/// Energies of one leg, J. Along a straight piece forces and motions are affine, so that every integral is exact; where contacts
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, so that every integral is exact; where contacts
 /// slide on the round cone works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Energy {
     /// Work of the load on the object, `∫ W·dq`.
     pub load_work: f64,
-    /// Work of the fingers' drives, `Σ ∫ F·du_f`.
+    /// Work of the fingers' drives, `Σ ∫ F·du_f`, positive where a finger pushes on.
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     pub stored: f64,

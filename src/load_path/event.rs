@@ -17,9 +17,9 @@ pub struct Event<const D: usize, const C: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
-    /// What changes, contact by contact. Symmetric grasps change several at once.
+    /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
     pub changes: Vec<(usize, Change<C>)>,
-    /// The equilibrium there. Its states are those before the event.
+    /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<D, C>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
@@ -35,30 +35,30 @@ pub struct Event<const D: usize, const C: usize> {
 /// What a contact does from an event on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change<const C: usize> {
-    /// A rolling contact starts to slide.
+    /// A rolling contact starts to slide, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
         direction: SVector<f64, C>,
     },
     /// A sliding contact sticks.
     Sticks,
     /// A sliding contact slides back.
     Reverses {
-        /// Its new direction.
+        /// Its new direction, as for [`Self::Slides`].
         direction: SVector<f64, C>,
     },
-    /// A sliding contact turns to another edge of its cone (space).
+    /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns all the time).
     Turns {
-        /// Its new direction.
+        /// Its new direction, as for [`Self::Slides`].
         direction: SVector<f64, C>,
     },
-    /// A closed contact opens.
+    /// A closed contact opens, F_n = 0.
     Opens,
     /// An open contact closes and sticks; it starts with F_t = 0.
     Closes,
     /// An open contact closes and slides from the start.
     ClosesSliding {
-        /// Unit direction in which the finger slips over the body, coordinate axes.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
         direction: SVector<f64, C>,
     },
 }
@@ -80,26 +80,27 @@ pub enum PathEnd<const D: usize, const C: usize> {
     Ends(Loss<D>),
     /// Nothing resists the load from here on; the motion it drives.
     GivesWay {
-        /// The leg.
+        /// The leg, from 0.
         leg: usize,
-        /// How much of the leg has been gone.
+        /// How much of the leg has been gone, from 0 to 1.
         fraction: f64,
-        /// The free motion on which the load works.
+        /// The free unit motion on which the load works as it changes, the way it drives it.
         motion: Twist<D>,
     },
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<D, C>>),
-    /// Rounding keeps the path from being followed further.
+    /// The path could not be followed further: rounding hides whether it goes on or ends, or a leg takes more than 20 000 steps along
+    /// arcs of the round cone.
     Undecided {
-        /// The leg.
+        /// The leg, from 0.
         leg: usize,
-        /// How much of the leg has been gone.
+        /// How much of the leg has been gone, from 0 to 1.
         fraction: f64,
     },
 }
 
 impl<const D: usize, const C: usize> PathEnd<D, C> {
-    /// Where equilibrium was lost, if it was.
+    /// Where equilibrium was lost, if it was: a limit load, a snap or an end of which no more is known.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<D>> {
         match self {
@@ -122,13 +123,13 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Loss<const D: usize> {
-    /// The leg.
+    /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone.
+    /// How much of the leg has been gone, from 0 to 1.
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
-    /// The contacts that stand on the edge of their cone there.
+    /// The contacts that stand on the edge of their cone there, from 0.
     pub contacts: Vec<usize>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.

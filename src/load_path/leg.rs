@@ -7,7 +7,32 @@ use crate::grasp::{Grasp, Wrench};
 
 /// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load; what is not mentioned stays as it is.
+/// A squeeze is a leg of commands, loading and unloading are legs of the load; what is not mentioned stays as it is. Loads are what pulls
+/// on the object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part
+/// positive into the object. Both change in proportion to the fraction of the leg, from 0 to 1.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+///
+/// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+/// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+/// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+///
+/// // Squeeze by 5 mm more, hang 12 N on, let go of half the squeeze while the load goes back to nothing.
+/// let press = |by: f64| vec![[by, 0.0].into(); 2];
+/// let legs = [
+///     Leg::commands_by(press(0.005)),
+///     Leg::load_to(Wrench::force([0.0, -12.0])),
+///     Leg::commands_to(press(0.0075)).and_load_to(Wrench::ZERO),
+/// ];
+/// let mut path = grasp.follow(Wrench::ZERO, &legs)?;
+/// assert!(path.run().is_empty()); // 6 N on each side, of 0.5 · 15 N
+/// let squeezed = path.state_at(0, 1.0).expect("has passed");
+/// assert!((squeezed.contacts[0].normal_force() - 15.0).abs() < 1e-13);
+/// let at_last = path.state_at(2, 1.0).expect("has passed");
+/// assert!((at_last.contacts[0].normal_force() - 7.5).abs() < 1e-13);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const D: usize, const C: usize> {
     load: Goal<Wrench<D>>,

@@ -1,5 +1,28 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory,
 //! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`]).
+//!
+//! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
+//! at which a condition of rolling is used up, found from two linear solves and no stepping:
+//!
+//! ```text
+//! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
+//! ```
+//!
+//! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates: a gap or a slip grows
+//! only where the normal force or the friction in reserve stays zero, and what stands on no edge is bonded or absent. Its solution is how the equilibrium
+//! goes on ([`Continuation`]); where it has none the equilibrium ends, at a limit load if no other exists just beyond, else in a snap.
+//!
+//! **Load programs** ([`Grasp::follow`](crate::grasp::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
+//! from before. On polygons and in the plane every piece is straight. On the round cone the direction of sliding turns along the way,
+//! `ds = γ F_t` with `|F_t| = μ F_n` at all times, and slips are integrated with an estimate of the error.
+//!
+//! **Sensitivities** ([`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity), [`response`](crate::grasp::Grasp::response),
+//! [`onset_gradients`](crate::grasp::Grasp::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i that depends on
+//! stiffness, friction and state, and a small change of a datum p leads to one more solve:
+//!
+//! ```text
+//! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0
+//! ```
 
 mod arc;
 mod beyond;

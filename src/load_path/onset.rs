@@ -20,7 +20,7 @@ use crate::error::{Error, Field};
 use crate::formulation::{Polygon, Problem, State};
 use crate::grasp::{Grasp, Wrench};
 
-/// The answer to "at which load factor does the first contact leave rolling?"
+/// The answer to "at which load factor τ >= 0 does the first contact leave rolling?"
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const D: usize, const C: usize> {
@@ -28,7 +28,7 @@ pub enum Onset<const D: usize, const C: usize> {
     At(Box<OnsetEvent<D, C>>),
     /// However far the load goes along this direction, everything keeps rolling.
     Never,
-    /// At factor 0 something slides already: the equilibrium there.
+    /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there rolls, and may leave at 0.)
     AlreadySliding(Box<Equilibrium<D, C>>),
     /// No equilibrium exists at factor 0.
     NoBase(NoEquilibrium<D>),
@@ -36,7 +36,7 @@ pub enum Onset<const D: usize, const C: usize> {
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
-        /// Why it does not hold beyond.
+        /// Why it does not hold beyond; the work in it is that of the load direction, J for one unit of the factor.
         reason: NoEquilibrium<D>,
     },
     /// Nothing can be said about the equilibrium at factor 0.
@@ -53,7 +53,8 @@ impl<const D: usize, const C: usize> Onset<D, C> {
         }
     }
 
-    /// The load factor of the onset: infinite for never, `None` where there is no rolling equilibrium to start from.
+    /// The load factor up to which everything that touches rolls: that of the event, or from which on nothing resists; infinite for never.
+    /// `None` where there is no rolling equilibrium to start from, or nothing can be said.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -69,11 +70,11 @@ impl<const D: usize, const C: usize> Onset<D, C> {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct OnsetEvent<const D: usize, const C: usize> {
-    /// Load factor τ.
+    /// Load factor τ, exact up to rounding.
     pub factor: f64,
-    /// The load there.
+    /// The load there, `base + τ direction`.
     pub load: Wrench<D>,
-    /// Which contacts leave, all at once.
+    /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
     /// The equilibrium there: everything rolls, the leaving contacts stand on the edge of their cone.
     pub state: Equilibrium<D, C>,
@@ -88,7 +89,7 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
-    /// The contact.
+    /// The contact, from 0.
     pub contact: usize,
     /// How it leaves.
     pub how: Departure<C>,
@@ -97,12 +98,12 @@ pub struct Leaving<const C: usize> {
 /// How a contact leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Departure<const C: usize> {
-    /// It slides.
+    /// It slides, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
         direction: SVector<f64, C>,
     },
-    /// It opens.
+    /// It opens, F_n = 0.
     Opens,
 }
 
@@ -126,7 +127,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a load is not finite.
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
     pub fn onset_of_sliding(&self, base: Wrench<D>, direction: Wrench<D>) -> Result<Onset<D, C>, Error> {
         self.onset(&Ramp::load(base, direction), &Settings::default())
     }
@@ -135,8 +136,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// there and what comes next. No stepping and no bisection: a linear equation for each facet in the plane, a
     /// quadratic one for each contact on the round cone in space.
     ///
-    /// What comes next takes most of the time, in space by far: where nothing holds, that is a proof over all contact states. For many onsets
-    /// alone ask with [`Settings::with_most_states`] of 0, which leaves such proofs out.
+    /// What comes next takes most of the time, in space by far: where this equilibrium does not go on, that is a proof over all contact states.
+    /// For many onsets alone ask with [`Settings::with_most_states`] of 0, which leaves such proofs out.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -154,8 +155,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the ramp is not finite or has the wrong number of
-    /// command changes.
+    /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if
+    /// there are more or fewer command changes than contacts.
     pub fn onset(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
         if C == 2 {
             return self.onset_on_polygon(ramp, settings);
@@ -168,7 +169,24 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(onset)
     }
 
-    /// The same on the polygonal cone of the settings (in the plane this is the exact cone).
+    /// The same on the polygonal cone of the settings, corners where [`PolygonCone`](crate::PolygonCone) says (in the plane this is the exact cone).
+    ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Three fingers under a plate of 12 N, μ = 0.5, pulled sideways between two corners of the octagon in the cone.
+    /// let finger = |x: f64, y: f64| {
+    ///     Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(100.0, 100.0).friction(0.5).command([0.04, 0.0, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
+    /// let eighth = std::f64::consts::FRAC_PI_8;
+    /// let ramp = Ramp::load(Wrench::force([0.0, 0.0, -12.0]), Wrench::force([eighth.cos(), eighth.sin(), 0.0]));
+    ///
+    /// let onset = grasp.onset_on_polygon(&ramp, &Settings::default())?;
+    /// assert!((onset.factor().expect("slides") - 6.0 * eighth.cos()).abs() < 1e-13); // 6 N on the round cone
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].

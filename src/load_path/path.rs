@@ -23,10 +23,11 @@ use crate::error::Error;
 use crate::formulation::{PieceState, Polygon, Problem};
 use crate::grasp::{Grasp, Wrench};
 
-/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it.
+/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
+/// [`Grasp::follow`]; when the iterator has ended, [`end`](Self::end) says how the path did.
 ///
 /// ```
-/// use grasp_lcp::planar::{Contact, Grasp, Leg, PathEnd, Wrench};
+/// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
 ///
 /// // A block of two springs in parallel, the second slides first: pulled, the stiffness halves on the way.
 /// let foot = |x: f64, mu: f64| {
@@ -37,7 +38,17 @@ use crate::grasp::{Grasp, Wrench};
 /// let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
 /// let events: Vec<_> = path.by_ref().collect();
 /// assert_eq!(events[0].changes[0].0, 1);
+/// // The guide gives way by 1/51: F_n = 50/51 N. Each foot carries half of the pull, up to 0.25 F_n.
+/// let slides_at = 2.0 * 0.25 * 50.0 / 51.0;
+/// assert!((events[0].load.resultant()[0] - slides_at).abs() < 1e-14);
 /// assert!(matches!(path.end(), Some(PathEnd::Completed)));
+///
+/// // Let go, the second foot sticks at once and keeps what it has slipped: backwards, against the pull.
+/// path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
+/// assert!(matches!(path.run()[0].changes[..], [(1, Change::Sticks)]));
+/// let end = path.state_at(1, 1.0).expect("has passed");
+/// assert!((end.contacts[1].slip[1] + (0.6 - slides_at) / 10.0).abs() < 1e-14);
+/// assert!(path.energies()[0].dissipated > 0.0 && path.energies()[1].dissipated == 0.0);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 pub struct LoadPath<'g, const D: usize, const C: usize> {
@@ -60,16 +71,18 @@ pub struct LoadPath<'g, const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, on the exact cone: in
-    /// space the round one. See [`LoadPath`].
+    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
+    /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
+    /// and [`Leg`] for an example.
     ///
     /// # Errors
-    /// [`Error::Wrench`], [`Error::Contact`] or [`Error::Size`] if the load or a leg is malformed.
+    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
+    /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`].
     pub fn follow(&self, start: Wrench<D>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
         self.follow_with(start, legs, &Settings::default())
     }
 
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp.
+    /// The same with other [`Settings`]: on a polygon, or on the round cone with another error of the steps.
     ///
     /// # Errors
     /// As for [`Self::follow`].
@@ -120,7 +133,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 }
 
 impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
-    /// How the path ended; `None` while there is more to follow.
+    /// How the path ended; `None` while there is more to follow. `Completed` may become `None` again, see [`Self::continue_with`].
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd<D, C>> {
         self.end.as_ref()
@@ -131,7 +144,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         self.by_ref().collect()
     }
 
-    /// Appends legs to the program; a completed path goes on.
+    /// Appends legs to the program; a completed path goes on, one that has ended otherwise does not.
     ///
     /// # Errors
     /// As for [`Grasp::follow`].
@@ -156,13 +169,13 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         self.step_error
     }
 
-    /// Energies of every leg that was entered, up to where the path has been followed.
+    /// Energies of every leg that was entered, J, up to where the path has been followed.
     #[must_use]
     pub fn energies(&self) -> &[Energy] {
         &self.energy
     }
 
-    /// The equilibrium at a fraction (0 to 1) of a leg that the path has passed; `None` beyond. Where an event lies
+    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed; `None` beyond. Where an event lies
     /// exactly there, the state before it. On a sliding arc the step is made again up to there, to the same error; `None` where
     /// rounding does not allow that.
     #[must_use]

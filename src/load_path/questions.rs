@@ -8,33 +8,36 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Grasp;
 
-/// Onset of sliding and limit load along one ramp, side by side.
+/// Onset of sliding and limit load along one ramp, side by side; see [`Grasp::reserve`].
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Reserve<const D: usize, const C: usize> {
     /// When the first contact leaves rolling (on the same cone as the path: in space the round one unless the settings say otherwise).
     pub onset: Onset<D, C>,
-    /// The largest load factor that the grasp holds on its path, if the path was lost; the same number is
-    /// `loss.fraction` times the factor asked for.
+    /// The largest load factor that the grasp holds on its path, if equilibrium was lost or nothing resists from there on. `None` if it
+    /// holds as far as was asked, and where nothing can be said: `completed` tells which.
     pub limit: Option<f64>,
-    /// Where and how equilibrium was lost.
+    /// Whether the grasp holds as far as was asked.
+    pub completed: bool,
+    /// Where equilibrium was lost: `limit` is its fraction times the factor asked for. `None` also where nothing resists the load from
+    /// `limit` on.
     pub loss: Option<Loss<D>>,
-    /// Events before the path ended.
+    /// Number of events before the path ended.
     pub events: usize,
 }
 
-/// The range of load factors in which nothing leaves rolling.
+/// The range of load factors in which nothing leaves rolling; see [`Grasp::rolling_range`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RollingRange {
-    /// The least factor, minus infinity if there is none.
+    /// The least factor, at most 0; minus infinity if there is none.
     pub from: f64,
-    /// The largest factor, infinity if there is none.
+    /// The largest factor, at least 0; infinity if there is none.
     pub to: f64,
 }
 
 impl RollingRange {
-    /// Whether a factor lies in the range.
+    /// Whether a factor lies in the range, ends included.
     #[must_use]
     pub fn contains(&self, factor: f64) -> bool {
         (self.from..=self.to).contains(&factor)
@@ -57,6 +60,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let reserve = grasp.reserve(&weight, 100.0, &Settings::default())?;
     /// assert!((reserve.onset.factor().expect("slides") - 10.0).abs() < 1e-13);
     /// assert!((reserve.limit.expect("falls") - 10.0).abs() < 1e-12); // both slide at once, and nothing is left
+    ///
+    /// let holds = grasp.reserve(&weight, 5.0, &Settings::default())?;
+    /// assert!(holds.completed && holds.limit.is_none());
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
@@ -74,12 +80,19 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
         let mut path = self.follow_with(ramp.base, &[leg], settings)?;
         let events = path.run().len();
-        let loss = path.end().and_then(PathEnd::loss).cloned();
-        Ok(Reserve { onset, limit: loss.as_ref().map(|loss| loss.fraction * most), loss, events })
+        let end = path.end();
+        let loss = end.and_then(PathEnd::loss).cloned();
+        let lost_at = match end {
+            Some(PathEnd::GivesWay { fraction, .. }) => Some(*fraction),
+            _ => loss.as_ref().map(|loss| loss.fraction),
+        };
+        let completed = matches!(end, Some(PathEnd::Completed));
+        Ok(Reserve { onset, limit: lost_at.map(|fraction| fraction * most), completed, loss, events })
     }
 
     /// The range of factors of a ramp, around 0, in which everything that touches rolls: for an affine choice of load or
-    /// commands all the values that a planner may take without sliding. `None` where something slides, or nothing holds, at 0.
+    /// commands all the values that a planner may take without sliding. Two onsets, one each way. `None` where at 0 something slides, nothing
+    /// holds, or neither is known.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -109,5 +122,26 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         };
         let (to, from) = (self.onset(ramp, settings)?.factor(), self.onset(&back, settings)?.factor());
         Ok(to.zip(from).map(|(to, from)| RollingRange { from: -from, to }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Settings;
+    use crate::planar::{Contact, Grasp, Ramp, Wrench};
+
+    /// A slider on two guides: nothing resists along them, and no load at all is held that way.
+    #[test]
+    fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), crate::Error> {
+        let guide = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();
+        let grasp = Grasp::new([guide(-1.0), guide(1.0)])?;
+        let reserve = |x: f64, y: f64| {
+            grasp.reserve(&Ramp::load(Wrench::ZERO, Wrench::force([x, y])), 100.0, &Settings::default())
+        };
+        let along = reserve(1.0, 0.0)?;
+        assert_eq!((along.limit, along.completed, along.loss), (Some(0.0), false, None));
+        let across = reserve(0.0, 1.0)?;
+        assert_eq!((across.limit, across.completed, across.loss), (None, true, None));
+        Ok(())
     }
 }

@@ -27,71 +27,74 @@ use crate::grasp::{Grasp, Twist, Wrench};
 pub enum Parameter {
     /// Coefficient of friction of a contact.
     Friction {
-        /// The contact.
+        /// The contact, from 0.
         contact: usize,
     },
     /// Series stiffness of a contact, N/m.
     Stiffness {
-        /// The contact.
+        /// The contact, from 0.
         contact: usize,
         /// The axis of its frame: 0 normal, then the tangents.
         axis: usize,
     },
-    /// Finger command of a contact, m.
+    /// Finger command of a contact, m. (A clearance is a normal command of the opposite sign.)
     Command {
-        /// The contact.
+        /// The contact, from 0.
         contact: usize,
         /// The axis of its frame: 0 normal, then the tangents.
         axis: usize,
     },
-    /// Component of the load: forces first, then moments about the origin.
+    /// Component of the load: forces first (N), then moments about the origin (N m).
     Load {
-        /// The component.
+        /// The component, from 0.
         component: usize,
     },
 }
 
-/// Derivatives of an equilibrium by one parameter, as long as every contact keeps its state.
+/// Derivatives of an equilibrium by one parameter, as long as every contact keeps its state. Per unit of the parameter: friction 1, stiffness
+/// N/m, command m, load N or N m.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const D: usize, const C: usize> {
-    /// Of the twist.
+    /// Of the twist, m and rad per unit of the parameter; of least norm where motions are free.
     pub twist: Twist<D>,
-    /// Of the contact forces in the contact frames.
+    /// Of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
     pub forces: Vec<SVector<f64, C>>,
 }
 
-/// Response of an equilibrium to the finger commands, as long as every contact keeps its state: the matrices of position
-/// control. Columns: the commands, contact by contact, axis by axis (m).
+/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
+/// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Response {
-    /// dq/da, `d x (n c)`: twist about the origin, translation first.
+    /// dq/da, `d x (n c)`: twist about the origin, translation first; 1 and rad/m.
     pub twist: DMatrix<f64>,
-    /// dF/da, `(n c) x (n c)`, N/m: contact forces in the contact frames.
+    /// dF/da, `(n c) x (n c)`, N/m: contact forces in the contact frames, rows in the order of the columns.
     pub forces: DMatrix<f64>,
 }
 
-/// Derivatives of the load factor at which one contact leaves rolling.
+/// Derivatives of the load factor (without unit) at which one contact leaves rolling.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const D: usize, const C: usize> {
-    /// The leaving contact. Where several leave together the onset is the least of their factors: its one-sided derivative along
+    /// The leaving contact, from 0. Where several leave together the onset is the least of their factors: its one-sided derivative along
     /// a change of the data is the least of theirs.
     pub contact: usize,
     /// By every contact's coefficient of friction.
     pub friction: Vec<f64>,
     /// By every contact's series stiffness, axis by axis, m/N.
     pub stiffness: Vec<SVector<f64, C>>,
-    /// By every contact's command, axis by axis, 1/m.
+    /// By every contact's command in its contact frame, axis by axis, 1/m.
     pub command: Vec<SVector<f64, C>>,
-    /// By the components of the base load; those by the load direction are the factor times these.
+    /// By the components of the base load, 1/N and 1/(N m); those by the load direction are the factor times these. Not a number
+    /// where a component works on a motion that nothing resists: with such a load there is no equilibrium.
     pub base_load: SVector<f64, D>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state. `None` if an index is
-    /// out of range, or if the change has no equilibrium in these states (a load on a free motion).
+    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
+    /// On a load path what has slipped so far stays. `None` if an index is out of range, if the equilibrium has another number of
+    /// contacts, or if the change has no equilibrium in these states (a load on a free motion).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -114,7 +117,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Some(Derivative { twist: self.outside(&twist), forces })
     }
 
-    /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state.
+    /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state: one linear solve for each axis
+    /// of each contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Twist, Wrench};
@@ -154,8 +158,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Some(response)
     }
 
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact. Empty if the onset was reached
-    /// after a contact had closed on the way (the history then enters, too).
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'` with the margin that vanishes,
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. `ramp` and `event` must be those of the same
+    /// question. Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or if event or
+    /// ramp have another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -182,6 +188,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Vec::new();
         }
         let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
+        if change.len() != self.len() {
+            return Vec::new();
+        }
         let Ok(rates) = local.piece.solve(self.sites(), &change, &self.inside_unchecked(&ramp.direction))
         else {
             return Vec::new();
@@ -241,8 +250,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 }
 
 impl Response {
-    /// The smallest commands (least squares over all contacts and axes, m) that move the object by a twist, in the order of the
-    /// columns; `None` if the fingers cannot produce it in the present states.
+    /// The smallest commands (least squares over all contacts and axes, m) that move the object by a twist about the origin, in the order of
+    /// the columns, to be added to the present ones: `da = (dq/da)⁺ dq`. `None` if the fingers cannot produce it in the present states.
     #[must_use]
     pub fn smallest_command<const D: usize>(&self, wanted: &Twist<D>) -> Option<DVector<f64>> {
         if self.twist.nrows() != D {
@@ -358,5 +367,24 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             f[axis] += softened;
         }
         f
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Settings;
+    use crate::planar::{Contact, Grasp, Ramp, Wrench};
+
+    #[test]
+    fn a_ramp_for_other_contacts_is_no_panic() -> Result<(), Box<dyn std::error::Error>> {
+        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
+        let grasp = Grasp::new([-1.0, 1.0].map(foot))?;
+        let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));
+        let onset = grasp.onset(&ramp, &Settings::default())?;
+        let event = onset.event().ok_or("it slides at 3 N")?;
+        assert_eq!(grasp.onset_gradients(&ramp, event).len(), 2);
+        let short = ramp.with_commands(vec![[0.0, 0.0].into()]);
+        assert!(grasp.onset_gradients(&short, event).is_empty());
+        Ok(())
     }
 }

@@ -8,8 +8,8 @@ use crate::grasp::{Contact, Grasp};
 use crate::load_path::{Onset, Ramp};
 
 /// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of its own, `exp(σ z)` with z
-/// normally distributed: its median is the datum, it keeps its sign, and zero and infinity stay what they are. For small σ that is
-/// the relative standard deviation.
+/// normally distributed (mean 0, variance 1): its median is the datum, it keeps its sign, and zero and infinity stay what they are.
+/// For small σ that is the relative standard deviation; σ = 0 leaves the datum alone.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -21,19 +21,23 @@ use crate::load_path::{Onset, Ramp};
 /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
 ///
 /// // How often does it hold 6 N without sliding, if friction is known to 20 % and stiffness to 10 %?
-/// let off = Uncertainty { friction: 0.2, stiffness: 0.1, ..Uncertainty::seeded(7) };
+/// let off = Uncertainty::seeded(7).with_friction(0.2).with_stiffness(0.1);
 /// let onsets = grasp.onset_of_samples(&weight, &off, 1000, &Settings::default());
 /// let holds = onsets.iter().filter(|o| o.as_ref().is_ok_and(|o| o.factor().is_some_and(|w| w > 6.0))).count();
 /// assert!((700..950).contains(&holds));
+///
+/// // One sample as a grasp of its own.
+/// let third = grasp.sample(&off, 3)?.onset(&weight, &Settings::default())?;
+/// assert_eq!(third.factor(), onsets[3].as_ref().ok().and_then(Onset::factor));
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uncertainty {
-    /// Of the coefficient of friction.
+    /// σ of the coefficient of friction.
     pub friction: f64,
-    /// Of the stiffness, one factor for all axes of a contact, body and finger.
+    /// σ of the stiffness, one factor for all axes of a contact, body and finger.
     pub stiffness: f64,
-    /// Of the normal command: how well the squeeze is known.
+    /// σ of the normal command: how well the squeeze is known.
     pub squeeze: f64,
     /// Samples with another seed are others.
     pub seed: u64,
@@ -45,19 +49,44 @@ impl Uncertainty {
     pub const fn seeded(seed: u64) -> Self {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, seed }
     }
+
+    /// The same with this σ of the coefficients of friction.
+    #[must_use]
+    pub const fn with_friction(mut self, sigma: f64) -> Self {
+        self.friction = sigma;
+        self
+    }
+
+    /// The same with this σ of the stiffnesses.
+    #[must_use]
+    pub const fn with_stiffness(mut self, sigma: f64) -> Self {
+        self.stiffness = sigma;
+        self
+    }
+
+    /// The same with this σ of the normal commands.
+    #[must_use]
+    pub const fn with_squeeze(mut self, sigma: f64) -> Self {
+        self.squeeze = sigma;
+        self
+    }
 }
 
+/// The least factor on a datum, and its reciprocal the largest: numbers that are no longer moderate are refused, and none becomes zero
+/// or infinite, which would mean something else.
+const LEAST_FACTOR: f64 = 1e-200;
+
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled.
+    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled. See [`Uncertainty`].
     ///
     /// # Errors
-    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum overflows.
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most).
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                    .map(|sigma| (sigma * draw.normal()).exp());
+                    .map(|sigma| (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip()));
             let mut sampled: Contact<C> = contact.clone();
             sampled.friction *= friction;
             sampled.command[0] *= squeeze;
@@ -67,8 +96,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Self::new(contacts)
     }
 
-    /// The onsets of sliding of so many samples, in the order of their numbers: the same bits for any number of threads. An error in one does
-    /// not stop the rest.
+    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers, which are [`Self::sample`] 0, 1, …: the same bits for
+    /// any number of threads. An error in one does not stop the rest.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -79,5 +108,37 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Vec<Result<Onset<D, C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
         map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset(ramp, settings))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Uncertainty;
+    use crate::error::{Error, Field};
+    use crate::planar::{Contact, Grasp};
+
+    /// Infinite friction and zero friction are laws of their own: no finite coefficient may become one of them.
+    #[test]
+    fn friction_stays_finite_and_positive_or_is_refused() -> Result<(), Error> {
+        let contact = |mu| Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e3, 8e2).friction(mu);
+        let off = Uncertainty::seeded(3).with_friction(2000.0);
+        let (mut refused, mut accepted) = (0, 0);
+        for number in 0..200 {
+            match Grasp::new([contact(0.4)])?.sample(&off, number) {
+                Ok(sample) => {
+                    let mu = sample.contacts()[0].friction_coefficient();
+                    assert!(mu > 0.0 && mu.is_finite(), "{mu}");
+                    accepted += 1;
+                }
+                Err(Error::Contact { field: Field::Friction, .. }) => refused += 1,
+                Err(other) => return Err(other),
+            }
+        }
+        assert!(refused > 50 && accepted > 50, "{refused} {accepted}");
+        for mu in [0.0, f64::INFINITY] {
+            let sample = Grasp::new([contact(mu)])?.sample(&off, 0)?;
+            assert_eq!(sample.contacts()[0].friction_coefficient(), mu);
+        }
+        Ok(())
     }
 }

@@ -14,7 +14,7 @@ pub struct PatchEvent<const D: usize, const C: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
-    /// The contact. What changes together follows one after the other at the same fraction, by the numbers of the contacts.
+    /// The contact, from 0. What changes together follows one after the other at the same fraction, by the numbers of the contacts.
     pub contact: usize,
     /// What it does from here on.
     pub change: Change<C>,

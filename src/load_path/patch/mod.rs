@@ -44,7 +44,8 @@ use crate::structured::Code;
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
 
-/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one contact at a time.
+/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one contact at a time. Made by
+/// [`Grasp::follow_patch`]; when the iterator has ended, [`end`](Self::end) says how the path did.
 ///
 /// The law is that of [`LoadPath`](super::LoadPath), with slip memory, in space **on the polygonal cone**; legs are the same. Between
 /// events [`state`](Self::state) tells the equilibrium where the path stands, [`next_before`](Self::next_before) stops anywhere on the way.
@@ -128,7 +129,8 @@ pub struct PatchPath<'g, const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, for any number of
-    /// contacts; in space on the default polygonal cone. See [`PatchPath`].
+    /// contacts: an event costs about as much as the contacts that it concerns. In space on the default polygonal cone, 8 facets inside the
+    /// round one. See [`PatchPath`].
     ///
     /// # Errors
     /// As for [`Self::follow`].
@@ -136,7 +138,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.follow_patch_on(start, legs, PolygonCone::default())
     }
 
-    /// The same on another polygonal cone.
+    /// The same on another polygonal cone; in the plane it is not looked at.
     ///
     /// # Errors
     /// As for [`Self::follow`].
@@ -165,7 +167,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         self.end.as_ref()
     }
 
-    /// Where the path stands: leg and fraction of it.
+    /// Where the path stands: leg, from 0, and fraction of it, from 0 to 1. Once completed the leg is the number of legs.
     #[must_use]
     pub fn position(&self) -> (usize, f64) {
         (self.program.leg, self.tau)
@@ -177,7 +179,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         self.looked_at
     }
 
-    /// Appends legs to the program; a completed path goes on.
+    /// Appends legs to the program; a completed path goes on, one that has ended otherwise does not.
     ///
     /// # Errors
     /// As for [`Grasp::follow`].
@@ -190,7 +192,23 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         Ok(())
     }
 
-    /// The next event up to a fraction of a leg; `None` when the path stands there, or has ended before.
+    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands there, or has ended before. To look at a state on
+    /// the way, take events until there are none, then ask for [`state`](Self::state).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
+    /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
+    /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
+    /// let mut path = grasp.follow_patch(Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
+    ///
+    /// assert!(path.next_before(0, 0.5).is_none());
+    /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);
+    /// let event = path.next_before(0, 1.0).expect("slides");
+    /// assert!(event.contact == 1 && (event.load.resultant()[0] - 0.5).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<D, C>> {
         while self.told.is_empty() && self.end.is_none() {
             if std::mem::take(&mut self.at_node) {

@@ -13,7 +13,7 @@ const CORRECTIONS: usize = 2;
 
 impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     /// Where the path stands: the whole equilibrium there, with residuals recomputed from the grasp, the load and the slip so
-    /// far; `None` if there was none to start from. Just after an event the states are those with which the path goes
+    /// far; `None` if there was none to start from. Not checked against them: look at the residuals. Just after an event the states are those with which the path goes
     /// on. One pass over all contacts.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<D, C>> {
@@ -53,7 +53,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         Some(self.grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone))
     }
 
-    /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…).
+    /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…), in the order of the grasp; empty if there was no
+    /// equilibrium to start from. Cheaper than [`Self::state`].
     #[must_use]
     pub fn forces(&self) -> Vec<SVector<f64, C>> {
         let y = self.balanced();
