@@ -108,8 +108,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Stability<D> {
         let (mut elastic, mut geometric) = (SMatrix::zeros(), SMatrix::zeros());
         let mut slides = false;
-        for (i, site) in self.sites().iter().enumerate() {
-            let holds = match states[i] {
+        let contacts = arms.iter().zip(forces).zip(states);
+        for (site, ((arm, force), state)) in self.sites().iter().zip(contacts) {
+            let holds = match state {
                 ContactState::Separated => 0,
                 ContactState::Sliding { .. } => {
                     slides = true;
@@ -117,12 +118,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 }
                 _ => site.axes,
             };
-            let map = grasp_map::<D, C>(&arms[i], &site.frame);
+            let map = grasp_map::<D, C>(arm, &site.frame);
             for a in 0..holds {
                 let column = map.column(a);
                 elastic += column * column.transpose() * site.k[a];
             }
-            geometric += turning_arm(&arms[i], &forces[i]);
+            geometric += turning_arm(arm, force);
         }
         let units = self.inside_units();
         let hessian = units.transpose() * (elastic + geometric) * units;

@@ -33,7 +33,7 @@ pub use fingertip::SoftFingertip;
 pub use pressure::Pressure;
 pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
 use rotation::{grasp_map_in_twice, planes};
-pub use stiffness::Stiffness;
+pub(crate) use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};

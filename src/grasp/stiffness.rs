@@ -4,8 +4,7 @@ use nalgebra::SVector;
 
 /// Stiffness of a contact along the axes of its frame (normal first), N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Stiffness<const C: usize> {
+pub(crate) enum Stiffness<const C: usize> {
     /// Body and finger each with their own springs; `f64::INFINITY` means rigid.
     BodyAndFinger {
         /// Springs between the body's core and its surface, u_c and u_d, N/m.
@@ -19,8 +18,7 @@ pub enum Stiffness<const C: usize> {
 
 impl<const C: usize> Stiffness<C> {
     /// Series stiffness of every axis, N/m: `1/k = 1/k_body + 1/k_finger`.
-    #[must_use]
-    pub fn series(&self) -> SVector<f64, C> {
+    pub(crate) fn series(&self) -> SVector<f64, C> {
         match self {
             Self::BodyAndFinger { body, finger } => body.zip_map(finger, in_series),
             Self::Series(k) => *k,

@@ -32,6 +32,7 @@ use crate::load_path::{Onset, Ramp};
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Uncertainty {
     /// σ of the coefficient of friction.
     pub friction: f64,

@@ -71,11 +71,11 @@ fn one_bad_question_does_not_stop_the_rest() {
         assert!((factor(onset) / expected - 1.0).abs() < 1e-14);
     }
     // Where a standard deviation is so large that some friction overflows, others do not.
-    let wild = Uncertainty { friction: 500.0, ..Uncertainty::seeded(1) };
+    let wild = Uncertainty::seeded(1).with_friction(500.0);
     let onsets = pinch(K).onset_of_samples(&weight(), &wild, 300, &Settings::default());
     let errors = onsets.iter().filter(|o| matches!(o, Err(Error::Contact { .. }))).count();
     assert!(errors > 10 && errors < 290, "{errors}");
-    let nan = Uncertainty { stiffness: f64::NAN, ..Uncertainty::seeded(1) };
+    let nan = Uncertainty::seeded(1).with_stiffness(f64::NAN);
     assert!(matches!(pinch(K).sample(&nan, 0), Err(Error::Contact { .. })));
 }
 
@@ -83,7 +83,7 @@ fn one_bad_question_does_not_stop_the_rest() {
 #[test]
 fn samples_are_distributed_as_they_should_be() {
     let (grasp, settings, count) = (pinch(K), Settings::default(), 4000_u64);
-    let off = Uncertainty { friction: 0.2, ..Uncertainty::seeded(42) };
+    let off = Uncertainty::seeded(42).with_friction(0.2);
     let onsets = grasp.onset_of_samples(&weight(), &off, count, &settings);
     let nominal = 2.0 * MU * K * A;
     // c and Φ(-ln c / 0.2).
@@ -96,7 +96,7 @@ fn samples_are_distributed_as_they_should_be() {
         assert!((share - expected).abs() < 4.0 * deviation, "{c}: {share} {expected}");
     }
     // Stiffness alone: moments leave each finger half of the weight, and the squeeze is that of springs in series.
-    let off = Uncertainty { stiffness: 0.3, ..Uncertainty::seeded(5) };
+    let off = Uncertainty::seeded(5).with_stiffness(0.3);
     for number in 0..200 {
         let sample = grasp.sample(&off, number).unwrap();
         let k: Vec<f64> = sample.contacts().iter().map(|c| c.series_stiffness_of_axes()[0]).collect();
@@ -110,7 +110,8 @@ fn samples_are_distributed_as_they_should_be() {
 #[test]
 fn samples_depend_on_seed_and_number_alone() {
     let (grasp, settings) = (pinch(K), Settings::default());
-    let off = Uncertainty { friction: 0.2, stiffness: 0.1, squeeze: 0.05, ..Uncertainty::seeded(9) };
+    let seeded = |seed| Uncertainty::seeded(seed).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.05);
+    let off = seeded(9);
     let sweep = || -> Vec<u64> {
         let onsets = grasp.onset_of_samples(&weight(), &off, 300, &settings);
         onsets.iter().map(|o| factor(o).to_bits()).collect()
@@ -124,7 +125,7 @@ fn samples_depend_on_seed_and_number_alone() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         assert_eq!(pool.install(sweep), one_by_one);
     }
-    let other = Uncertainty { seed: 10, ..off };
+    let other = seeded(10);
     let others = grasp.onset_of_samples(&weight(), &other, 300, &settings);
     assert!(others.iter().zip(&one_by_one).all(|(o, bits)| factor(o).to_bits() != *bits));
     let mut distinct = one_by_one.clone();
