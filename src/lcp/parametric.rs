@@ -30,9 +30,9 @@ pub enum Trend {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
-    /// τ at the breakpoint.
+    /// τ at the breakpoint; it may be negative on a path that has turned back.
     pub tau: f64,
-    /// z at the breakpoint (n entries).
+    /// z at the breakpoint (n entries, none negative).
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
@@ -42,7 +42,7 @@ pub struct Breakpoint {
     pub basis: Basis,
     /// Where τ goes on the next piece.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries); zero if τ stands still.
+    /// dz/dτ on the next piece (n entries), whichever way τ goes there; zero if τ stands still.
     pub rate: DVector<f64>,
 }
 
@@ -63,7 +63,8 @@ pub enum PathEnd {
 /// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
 ///
 /// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
-/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length.
+/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length. A breakpoint
+/// costs one pivot, and no more of them are given than the settings allow pivots.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
@@ -97,7 +98,7 @@ impl<'a> Parametric<'a> {
     ///
     /// # Errors
     ///
-    /// If dq has another length than the problem, or entries that are not finite.
+    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(lcp: &'a Lcp, dq: &DVector<f64>, settings: Settings) -> Result<Self, LcpError> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
@@ -106,7 +107,7 @@ impl<'a> Parametric<'a> {
     ///
     /// # Errors
     ///
-    /// If dq has another length than the problem, or entries that are not finite.
+    /// As for [`Parametric::new`].
     pub fn from_basis(
         lcp: &'a Lcp,
         basis: &Basis,
@@ -167,7 +168,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Where τ goes on the present piece, the one after the last breakpoint.
+    /// Where τ goes on the present piece, the one after the last breakpoint; forward before the first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
