@@ -15,7 +15,7 @@
 //!
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): by how much the numbers violate equilibrium, springs, cones and gaps, recomputed
 //!   from contacts, commands and load. Some 1e-16. This says that the answer solves the question, not that the question is known well.
-//! * [`accuracy`](crate::equilibrium::Equilibrium::accuracy): distance to the exact solution for these states, N and m, within a factor of ten,
+//! * [`accuracy`](crate::equilibrium::Equilibrium::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
 //!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
 //!   no digit of a force, however small the residual.
 //! * [`distinct`](crate::equilibrium::ContactAnswer::distinct): whether a contact's state is told apart from its neighbour. At the very onset of

@@ -42,7 +42,13 @@
 //! [`Outcome`] says which of these happened; "solved" is only said after the residuals have been recomputed
 //! from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`] tells what is tried next.
 //!
-//! Nothing here has a unit of its own: z_i and w_i have those that M and q give them.
+//! # Units, ties, cost
+//!
+//! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by powers of two (A. R. Curtis and J. K. Reid, *On the automatic
+//! scaling of matrices for Gaussian elimination*, 1972), so that the path does not depend on units. Where several variables reach zero together,
+//! the one leaves that would be first with q + ε p in place of q, ε → 0+ and p fixed and without structure: the lexicographic rule (section 4.9),
+//! under which no path comes back to where it was. A pivot costs O(n²) flops and the path O(n²) memory besides M, which a [`Workspace`] or a
+//! [`Series`] keeps.
 
 // Formulas stand in the prose in plain Unicode, one-letter symbols with their indices included.
 #![allow(clippy::doc_markdown)]
@@ -152,7 +158,7 @@ impl Lcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem by Lemke's method. A pivot costs at most 4n² flops, an ordinary path has one to three times n of them.
+    /// Solves the problem by Lemke's method; an ordinary path has one to three times n pivots.
     ///
     /// Where the first path ends without a solution, but not at a limit on pivots that the caller has set, these follow, each only if those
     /// before have settled nothing:

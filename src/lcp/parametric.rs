@@ -1,9 +1,4 @@
 //! The path of solutions of q(τ) = q₀ + τ dq.
-//!
-//! On a complementary basis the solution is an affine function of τ. It ends where a basic variable reaches zero, a
-//! *breakpoint*; there the variable leaves and its complement is driven, exactly as in Lemke's method with dq in the place of d
-//! (Cottle, Pang & Stone, section 4.5). On the next piece τ may go on growing, or turn back: then there are no solutions
-//! nearby for larger τ.
 
 use super::Lcp;
 use super::basis::{Basis, Variable};
@@ -20,7 +15,7 @@ use nalgebra::DVector;
 pub enum Trend {
     /// τ grows.
     Forward,
-    /// τ falls: the path has turned back.
+    /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
     Backward,
     /// τ stands still while the solution moves: all points of the piece solve the problem at this τ.
     Still,
@@ -61,6 +56,9 @@ pub enum PathEnd {
 }
 
 /// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
+///
+/// On a complementary basis z is an affine function of τ; where a basic variable reaches zero it leaves, and its complement enters, as in Lemke's
+/// method with dq in the place of d (Cottle, Pang & Stone, section 4.5).
 ///
 /// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
 /// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length. A breakpoint
