@@ -160,8 +160,8 @@ impl Lcp {
 
     /// Solves the problem by Lemke's method; an ordinary path has one to three times n pivots.
     ///
-    /// Where the first path ends without a solution, but not at a limit on pivots that the caller has set, these follow, each only if those
-    /// before have settled nothing:
+    /// Where the first path ends without a solution, but not at a limit on pivots or a wrong covering vector that the caller has set, these
+    /// follow, each only if those before have settled nothing:
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 };

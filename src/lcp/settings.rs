@@ -70,7 +70,7 @@ pub struct Settings {
     /// For n up to this all 2ⁿ complementary bases are tried when no path has ended in a solution and no proof of
     /// infeasibility was found (default 10).
     ///
-    /// It guards against missing solutions that no path reaches. Each further row doubles its cost; above 20 nothing is tried.
+    /// It guards against missing solutions that no path reaches. Each further row doubles its cost; no n above 20 is tried.
     pub enumerate_up_to: usize,
 }
 
