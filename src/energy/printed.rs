@@ -98,7 +98,8 @@ pub enum Inequality {
 ///
 /// A frictionless contact has neither rolling rows nor friction rows: the surfaces move past each other as they like. A
 /// contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
-/// one, and one with infinite friction, have no friction rows.
+/// one, and one with infinite friction, have no friction rows. The latter keeps its rolling row when it opens, so that it may carry F_t across a
+/// gap: where it does the program is not the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrintedQp<const D: usize, const C: usize> {
