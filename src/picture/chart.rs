@@ -60,8 +60,11 @@ impl Chart {
     /// let svg = Chart::new("A spring that stiffens", "stretch (mm)", "force (N)")
     ///     .series("measured", force, Stroke::Line)
     ///     .mark(0.5, "yields")
+    ///     .mark(f64::INFINITY, "breaks")
     ///     .to_svg()?;
-    /// assert!(svg.contains("stretch (mm)") && svg.contains("yields"));
+    /// assert!(svg.contains("stretch (mm)") && svg.contains("yields") && !svg.contains("breaks"));
+    /// let apart = Chart::new("Two points", "x", "y").series("", vec![(-1e308, 0.0), (1e308, 1.0)], Stroke::Dots);
+    /// assert!(apart.to_svg().is_err());
     /// # Ok::<(), grasp_lcp::picture::PictureError>(())
     /// ```
     #[must_use]
