@@ -224,7 +224,7 @@ impl QuadraticProgram {
     /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), allowed or not.
     ///
     /// # Panics
-    /// If x has another length than G.
+    /// If x has another length than G, or H is not as large.
     #[must_use]
     pub fn value(&self, x: &DVector<f64>) -> f64 {
         self.g.dot(x) + 0.5 * x.dot(&(&self.h * x))

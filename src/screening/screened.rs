@@ -31,8 +31,9 @@ pub enum Verdict {
     NotRolling,
     /// The load works on a motion that no contact resists, at factor zero or as it grows.
     GivesWay,
-    /// A contact stands on the edge of its cone at factor zero, a margin closes so slowly that rounding would show in the factor, two contacts in the plane do not
-    /// hold the object because friction is missing, or numbers are too extreme for single passes of floating-point arithmetic: ask [`Grasp::onset`](crate::grasp::Grasp::onset).
+    /// A contact stands on the edge of its cone at factor zero, a margin closes so slowly that rounding would show in the factor, two contacts
+    /// in the plane do not hold the object because friction is missing, or numbers are too extreme for single passes of floating-point
+    /// arithmetic: ask [`Grasp::onset`](crate::grasp::Grasp::onset).
     Unclear,
 }
 
