@@ -69,7 +69,7 @@
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps as HTML pages (feature `plot`) |
-//! | `scene` | scenes and answers as JSON, or in any other format that serde knows (feature `serde`) |
+//! | `scene` | scenes and answers as JSON, or in any other format of serde that describes itself (feature `serde`) |
 //!
 //! # Answers
 //!

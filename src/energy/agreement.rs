@@ -1,9 +1,4 @@
 //! Along a load path: the load at which a friction constraint of the quadratic program first binds.
-//!
-//! Load and commands are affine in the factor τ, and so is the vector of the [program's](super::MinimumEnergy) complementarity
-//! problem, while its matrix stays. Lemke's method with τ as the parameter goes from one set of open gaps to the next; the first
-//! friction row that enters ends the agreement with Coulomb's law, for its multiplier pushes the object from then on. That
-//! is how the paper predicts sliding.
 
 use nalgebra::{DVector, SVector};
 
@@ -20,14 +15,20 @@ use crate::load_path::Ramp;
 const TIED: f64 = 1e-12;
 
 /// How far along a ramp the minimum of energy is an equilibrium.
+///
+/// Load and commands are affine in the factor τ, and so is the vector of the [program's](super::MinimumEnergy) complementarity
+/// problem, while its matrix stays. Lemke's method with τ as the parameter goes from one set of open gaps to the next; the first
+/// friction row that enters ends the agreement with Coulomb's law, for its multiplier pushes the object from then on. That
+/// is how the paper predicts sliding.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const D: usize, const C: usize> {
     /// Up to this factor; there the friction constraints named begin to bind.
     UpTo {
-        /// The load factor τ.
+        /// The load factor τ >= 0, no unit.
         factor: f64,
-        /// Contact and facet of every constraint that begins to bind; no facet for F_n = 0 at infinite friction.
+        /// Contact and facet of every constraint that begins to bind, numbered as in [`ReducedRow::Friction`](super::ReducedRow::Friction); no
+        /// facet for F_n = 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },
     /// However far the load goes.
@@ -41,7 +42,8 @@ pub enum Agreement<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Agreement<D, C> {
-    /// The factor up to which the minimum is an equilibrium: infinite for always, `None` where nothing can be said.
+    /// The factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` where it
+    /// is none at any factor known ([`Agreement::Never`]), or nothing can be said ([`Agreement::Unsolved`]).
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {

@@ -1,22 +1,4 @@
 //! The associated friction law: what a grasp does under the convex contact law of many simulators.
-//!
-//! Contact forces are the point of the friction cones, in equilibrium with the load, of least complementary energy,
-//!
-//! ```text
-//! minimise Σ ½ F_iᵀK_i⁻¹F_i - a_i·F_i     subject to  F_i in its cone,  Σ G_i F_i + W = 0
-//! ```
-//!
-//! or, object by object displacement, each contact force is the point of its cone nearest to the trial force K (a - Gᵀq) in the
-//! norm of K⁻¹. The optimality conditions have the jumps of the contact normal to the **cone** instead of the slip
-//! alone along the surface: with the rows L of the cone (e_n; μ e_n - h_j)
-//!
-//! ```text
-//! F = K (a - Gᵀq + Lᵀz),   0 <= z  ⟂  L F >= 0:        gap = Σ μ z_j,  slip = Σ z_j h_j
-//! ```
-//!
-//! a contact that slides by s opens by μ|s| while it still presses. The matrix is symmetric and semidefinite, there is one
-//! force answer, and it exists for every load in the friction wrench cone: convenient, and not Coulomb's law. This is the law
-//! of complementary-energy contact models (MuJoCo's cone constraints, Drake's SAP) without their regularisation.
 
 use std::sync::Arc;
 
@@ -40,7 +22,7 @@ const DEPENDENT: f64 = 1e-10;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum AssociatedOutcome<const D: usize, const C: usize> {
-    /// A state of rest, with dilation where something slides.
+    /// A state of rest, with dilation where something slides; each of its conditions holds to 1e-12 of the forces that it compares.
     Rest(Box<AssociatedState<D, C>>),
     /// No forces of the cones balance the load.
     NoBalance,
@@ -60,16 +42,34 @@ impl<const D: usize, const C: usize> AssociatedOutcome<D, C> {
 }
 
 /// A state of rest under the associated law. The forces are unique; the twist may not be.
+///
+/// Contact forces are the point of the friction cones, in equilibrium with the load, of least complementary energy,
+///
+/// ```text
+/// minimise Σ ½ F_iᵀK_i⁻¹F_i - a_i·F_i     subject to  F_i in its cone,  Σ G_i F_i + W = 0
+/// ```
+///
+/// or, object by object displacement, each contact force is the point of its cone nearest to the trial force K (a - Gᵀq) in the
+/// norm of K⁻¹. The optimality conditions have the jumps of the contact normal to the **cone** instead of the slip
+/// alone along the surface: with the rows L of the cone (e_n; μ e_n - h_j)
+///
+/// ```text
+/// F = K (a - Gᵀq + Lᵀz),   0 <= z  ⟂  L F >= 0:        gap = Σ μ z_j,  slip = Σ z_j h_j
+/// ```
+///
+/// a contact that slides by s opens by μ|s| while it still presses. The matrix is symmetric and semidefinite, there is one
+/// force answer, and it exists for every load in the friction wrench cone: convenient, and not Coulomb's law. This is the law
+/// of complementary-energy contact models (MuJoCo's cone constraints, Drake's SAP) without their regularisation.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct AssociatedState<const D: usize, const C: usize> {
     /// The load of the question.
     pub load: Wrench<D>,
-    /// Motion of the object.
+    /// Motion of the object about the origin, m and rad.
     pub twist: Twist<D>,
-    /// Contact by contact.
+    /// One a contact, in the order of the grasp.
     pub contacts: Vec<AssociatedContact<C>>,
-    /// Energy stored in the springs, J.
+    /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
 }
 
@@ -77,16 +77,16 @@ pub struct AssociatedState<const D: usize, const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct AssociatedContact<const C: usize> {
-    /// Force on the object in the contact frame, N.
+    /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
     pub force: SVector<f64, C>,
-    /// How far the surfaces stand apart, m. Where F_n > 0 this is the law's dilation μ|s|, which Coulomb's law does not have.
+    /// How far the surfaces stand apart, m, never negative. Where F_n > 0 this is the law's dilation μ|s|, which Coulomb's law does not have.
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, m; zero normal component.
     pub slip: SVector<f64, C>,
 }
 
 impl<const C: usize> AssociatedContact<C> {
-    /// The gap if the contact presses: an artefact of the law, m.
+    /// The gap if the contact presses, else 0: an artefact of the law, m.
     #[must_use]
     pub fn dilation(&self) -> f64 {
         if self.force[0] > 0.0 { self.gap } else { 0.0 }
@@ -94,7 +94,7 @@ impl<const C: usize> AssociatedContact<C> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the associated friction law says under a load. In space on the polygonal cone of the settings.
+    /// What the associated friction law says under a load ([`AssociatedState`] has the law). In space on the polygonal cone of the settings.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -115,7 +115,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn associated_friction(
         &self,
         load: &Wrench<D>,

@@ -13,7 +13,8 @@ const BALANCED: f64 = 1e-12;
 /// Two equilibria whose forces or displacements differ by more than this part of the largest are two.
 const DIFFERENT: f64 = 1e-9;
 
-/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program.
+/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both are on the same
+/// polygonal cone.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Comparison<const D: usize, const C: usize> {
@@ -27,26 +28,26 @@ pub struct Comparison<const D: usize, const C: usize> {
     pub verdict: Verdict,
 }
 
-/// The largest differences between an equilibrium and a minimum of energy.
+/// The largest differences between an equilibrium and a minimum of energy, none negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Difference {
-    /// Of the displacements of the object at the contacts, m; what both leave free is not counted.
+    /// Of the displacements of the object at the contacts, m; motions that one of the two leaves free are not counted.
     pub displacement: f64,
     /// Of the contact forces, N.
     pub force: f64,
     /// Of the stored energies, J.
     pub energy: f64,
-    /// The largest displacement or drive at a contact, m.
+    /// The largest displacement of the object or drive (command less clearance) at a contact of the equilibrium, m.
     pub displacement_size: f64,
-    /// The largest contact force, N.
+    /// The largest contact force of the equilibrium, N.
     pub force_size: f64,
     /// The stored energy of the equilibrium, J.
     pub energy_size: f64,
 }
 
 impl Difference {
-    /// The largest of the three, each relative to its size.
+    /// The largest of the three, each relative to its size; a difference of nothing is 0 whatever the size.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -60,10 +61,10 @@ impl Difference {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// Both give the same equilibrium.
+    /// Both give the same equilibrium; so it is called, too, where the minimum is one and complementarity found none.
     Agree,
-    /// The minimum is an equilibrium, and complementarity returned another one: with friction there may be several, and where a
-    /// contact carries nothing the object may stand in several places.
+    /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements: with friction
+    /// there may be several, and where a contact carries nothing the object may stand in several places.
     TwoEquilibria,
     /// An equilibrium exists; the program returned something else, which is none.
     OutOfEquilibrium {
@@ -122,13 +123,14 @@ impl fmt::Display for Verdict {
 }
 
 impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
-    /// Whether the minimum is in equilibrium: no friction constraint holds anything up.
+    /// Whether the minimum is in equilibrium: no friction constraint holds anything up. [`MinimumEnergy::imbalance`] may then be 1e-12 of the
+    /// largest force, moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.imbalance_size <= BALANCED * self.forces_size
     }
 
-    /// `|Σ F + W|` and the same for moments.
+    /// `|Σ F + W|`, N, and the same for moments about the origin, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
@@ -141,7 +143,7 @@ impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Complementarity against the paper's quadratic program, with default [`Settings`].
+    /// Complementarity against the paper's quadratic program, with default [`Settings`]; in space on their polygonal cone.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -160,15 +162,16 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn compare_with_minimum_energy(&self, load: &Wrench<D>) -> Result<Comparison<D, C>, Error> {
         self.compare_with_minimum_energy_with(load, &Settings::default())
     }
 
-    /// Complementarity against the paper's quadratic program. Both on the polygonal cone of the settings.
+    /// Complementarity against the paper's quadratic program; in space both on the polygonal cone of the settings, whatever they say of the round
+    /// one.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn compare_with_minimum_energy_with(
         &self,
         load: &Wrench<D>,

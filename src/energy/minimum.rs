@@ -21,9 +21,9 @@ pub enum MinimumOutcome<const D: usize, const C: usize> {
     NoMinimum,
     /// The load works on a motion that no spring resists: the energy falls for ever.
     Unbounded {
-        /// The unit motion.
+        /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), pointing the way the load drives it.
         motion: Twist<D>,
-        /// Work of the load on it, J.
+        /// Work of the load on it, positive, J.
         work: f64,
     },
     /// Rounding or a limit on pivots kept the solver from an answer.
@@ -43,25 +43,35 @@ impl<const D: usize, const C: usize> MinimumOutcome<D, C> {
 
 /// The minimum of potential energy under the friction constraints, everything that has friction rolling: what the
 /// paper's program returns. **An equilibrium only if [`Self::imbalance`] is zero.**
+///
+/// ```text
+/// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)      over q and g
+/// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet h of the cone
+/// ```
+///
+/// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`.
+/// A contact with infinite friction has no gap here but the constraint F_n >= 0: with a gap it would carry F_t across it, as in
+/// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program written out.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MinimumEnergy<const D: usize, const C: usize> {
     /// The load of the question.
     pub load: Wrench<D>,
-    /// Motion of the object; the least one where some motions stretch no spring.
+    /// Motion of the object about the origin, m and rad; the least one where some motions stretch no spring.
     pub twist: Twist<D>,
-    /// Contact by contact.
+    /// One a contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
-    /// Friction constraints that bind, and their multipliers.
+    /// Friction constraints that bind, with their multipliers.
     pub binding: Vec<Binding>,
-    /// `Σ G_i F_i + W`, N and N m: what is missing to equilibrium. Computed from the multipliers, so that it is exactly zero when
-    /// none is positive.
+    /// `Σ G_i F_i + W` about the origin, N and N m: its opposite is missing to equilibrium. Computed from the multipliers, so that it
+    /// is exactly zero when none is positive.
     pub imbalance: Wrench<D>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// The minimum itself: stored energy less `W·q`, J.
     pub potential_energy: f64,
-    /// Unit motions that stretch no spring that holds: the twist is known up to them.
+    /// Motions that stretch no spring that holds: the twist is known up to them. Of unit size as in
+    /// [`Stability::softest`](super::Stability::softest), at right angles to one another.
     pub free_motions: Vec<Twist<D>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
@@ -75,13 +85,13 @@ pub struct MinimumEnergy<const D: usize, const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MinimumContact<const C: usize> {
-    /// Force on the object in the contact frame, N.
+    /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
     pub force: SVector<f64, C>,
-    /// The same along the coordinate axes.
+    /// The same along the coordinate axes, N.
     pub force_world: SVector<f64, C>,
     /// Displacement u_c of the body's core, coordinate axes, m.
     pub body_core: SVector<f64, C>,
-    /// Gap between the surfaces, m.
+    /// Gap between the surfaces, m, never negative.
     pub gap: f64,
 }
 
@@ -89,19 +99,20 @@ pub struct MinimumContact<const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Binding {
-    /// The contact.
+    /// The contact, counted from 0.
     pub contact: usize,
-    /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n; `None` for F_n = 0 at infinite friction.
+    /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n, in space as in
+    /// [`ReducedRow::Friction`](super::ReducedRow::Friction); `None` for F_n = 0 at infinite friction.
     pub facet: Option<usize>,
-    /// Its multiplier, m: energy per unit of `μ F_n - h·F_t`. Zero where the edge is just touched.
+    /// Its multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero where the edge is just touched.
     pub multiplier: f64,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
     ///
-    /// The same minimum as that of [`Self::printed_qp`] and [`Self::reduced_qp`], with the springs in series and computed on
-    /// orthogonal factors; rigid sides and series stiffness are welcome.
+    /// The same minimum as that of [`Self::reduced_qp`] with its gaps, and as that of [`Self::printed_qp`] as long as that opens no contact with
+    /// infinite friction; with the springs in series and computed on orthogonal factors, rigid sides and series stiffness are welcome.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -121,7 +132,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn minimum_energy(
         &self,
         load: &Wrench<D>,

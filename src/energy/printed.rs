@@ -1,33 +1,4 @@
 //! The quadratic program as the paper prints it (section 5.1), for any number of contacts, in the plane and in space.
-//!
-//! Every displacement is an unknown. With c axes a contact (n, t in the plane; n, t₁, t₂ in space) the unknowns are
-//!
-//! ```text
-//! Q   = (Q_1 … Q_N, Q_b)            Q_i = (u_c, u_d, u_e in the frame of contact i),   Q_b = the twist
-//! G_i = (0, 0, -k_f u_f)            G_b = -W
-//! H_i = [ k_b  -k_b   0 ;           energy of the springs ½ k_b (u_d - u_c)² + ½ k_f (u_f - u_e)², its constant
-//!        -k_b   k_b   0 ;           ½ k_f u_f² left out
-//!          0     0   k_f]
-//! ```
-//!
-//! and, with `α = k_nf/k_nb`, `β = k_tf/k_tb`, `γ = k_tb/k_nb`, contact by contact,
-//!
-//! ```text
-//! A Q = C     -u_c·n + u_d·n + α u_e·n = α u_f·n        the springs of body and finger carry the same force
-//!             -u_c·t + u_d·t + β u_e·t = β u_f·t
-//!              u_d·t - u_e·t           = 0              rolling
-//! B Q >= D    (u_d - u_c)·n            >= 0             F_n >= 0, from the body's spring
-//!             (u_d - u_e)·n            >= -clearance    no penetration
-//!             -u_e·n                   >= -u_f·n        F_n >= 0, from the finger's spring
-//!             μ (u_d - u_c)·n ∓ γ (u_d - u_c)·t >= 0    (μ F_n ∓ F_t) / k_nb, one row a facet of the cone
-//! ```
-//!
-//! after which c rows for each contact close A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the
-//! print: the last diagonal entry of H_i is k_tf, and A, which is not printed, is the only one that fits C.
-//!
-//! A frictionless contact has neither rolling rows nor friction rows: the surfaces move past each other as they like. A
-//! contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
-//! one, and one with infinite friction, have no friction rows.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -92,20 +63,51 @@ pub enum Inequality {
     Friction {
         /// The contact.
         contact: usize,
-        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n.
+        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n; in space as in
+        /// [`ReducedRow::Friction`](super::ReducedRow::Friction).
         facet: usize,
     },
 }
 
-/// The paper's program with the meaning of its rows and columns.
+/// The quadratic program as the paper prints it (section 5.1), for any number of contacts, with the meaning of its rows and columns.
+///
+/// Every displacement is an unknown. With c axes a contact (n, t in the plane; n, t₁, t₂ in space) the unknowns are
+///
+/// ```text
+/// Q   = (Q_1 … Q_N, Q_b)            Q_i = (u_c, u_d, u_e in the frame of contact i),   Q_b = the twist
+/// G_i = (0, 0, -k_f u_f)            G_b = -W
+/// H_i = [ k_b  -k_b   0 ;           energy of the springs ½ k_b (u_d - u_c)² + ½ k_f (u_f - u_e)², its constant
+///        -k_b   k_b   0 ;           ½ k_f u_f² left out
+///          0     0   k_f]
+/// ```
+///
+/// and, with `α = k_nf/k_nb`, `β = k_tf/k_tb`, `γ = k_tb/k_nb`, contact by contact,
+///
+/// ```text
+/// A Q = C     -u_c·n + u_d·n + α u_e·n = α u_f·n        the springs of body and finger carry the same force
+///             -u_c·t + u_d·t + β u_e·t = β u_f·t
+///              u_d·t - u_e·t           = 0              rolling
+/// B Q >= D    (u_d - u_c)·n            >= 0             F_n >= 0, from the body's spring
+///             (u_d - u_e)·n            >= -clearance    no penetration
+///             -u_e·n                   >= -u_f·n        F_n >= 0, from the finger's spring
+///             μ (u_d - u_c)·n ∓ γ (u_d - u_c)·t >= 0    (μ F_n ∓ F_t) / k_nb, one row a facet of the cone
+/// ```
+///
+/// after which c rows for each contact close A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the
+/// print: the last diagonal entry of H_i is k_tf, and A, which is not printed, is the only one that fits C.
+///
+/// A frictionless contact has neither rolling rows nor friction rows: the surfaces move past each other as they like. A
+/// contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
+/// one, and one with infinite friction, have no friction rows. The latter keeps its rolling row when it opens, so that it may carry F_t across a
+/// gap: where it does the program is not the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrintedQp<const D: usize, const C: usize> {
-    /// G, H, A, C, B, D.
+    /// G, H, A, C, B, D in 3 c N + d unknowns, N contacts: displacements in m, the twist in m and rad about the origin, the cost in J.
     pub program: QuadraticProgram,
-    /// What each row of A says.
+    /// What each row of A says, m.
     pub equalities: Vec<Equality>,
-    /// What each row of B says.
+    /// What each row of B says, m.
     pub inequalities: Vec<Inequality>,
     /// `Σ ½ k_f u_f²`, J, which the printed cost leaves out.
     pub constant: f64,
@@ -125,7 +127,7 @@ pub struct Displacements<const C: usize> {
 }
 
 impl<const D: usize, const C: usize> PrintedQp<D, C> {
-    /// The twist Q_b in a vector of unknowns.
+    /// The twist Q_b in a vector of unknowns, about the origin, m and rad.
     ///
     /// # Panics
     /// If x is not a vector of unknowns of this program.
@@ -171,7 +173,7 @@ impl<const D: usize, const C: usize> PrintedQp<D, C> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The paper's quadratic program under a load, in all displacements; `cone` stands for the round cone in space.
+    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` stands for the round cone in space.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -197,8 +199,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite; [`Error::Contact`] for a contact of which one side is rigid or whose
-    /// stiffness is only known in series: the paper's program has a spring on both sides.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
+    /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
     pub fn printed_qp(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<PrintedQp<D, C>, Error> {
         self.inside(load, "load")?;
         let springs = self.springs_of_both_sides()?;

@@ -20,9 +20,10 @@ const REFINEMENTS: usize = 3;
 /// A refined point is taken even if its largest relative residual is above that of the pivots, as long as both are rounding.
 const ROUNDING: f64 = 1e-15;
 
-/// `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper.
+/// `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
 ///
-/// H must be symmetric and positive semidefinite; nothing here checks that.
+/// H must be symmetric and positive semidefinite; nothing here checks that. A program without equalities has an A of no rows and n columns. Memory
+/// and pivots are those of dense matrices of n + m + k rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadraticProgram {
     /// G, linear cost (n).
@@ -73,7 +74,7 @@ pub struct QpMinimum {
     pub multipliers: DVector<f64>,
     /// B x - D >= 0 (k).
     pub slacks: DVector<f64>,
-    /// `Gᵀx + ½ xᵀH x`.
+    /// `Gᵀx + ½ xᵀH x` at x.
     pub value: f64,
     /// How well the optimality conditions are satisfied, relative to the sizes of their terms.
     pub residuals: MixedResiduals,
@@ -82,10 +83,20 @@ pub struct QpMinimum {
 }
 
 impl QuadraticProgram {
-    /// The optimality conditions above: free variables (x, y), complementary pairs (λ, B x - D).
+    /// The optimality conditions: free variables (x, y), n + m in number, and k complementary pairs (λ, B x - D).
+    ///
+    /// ```text
+    /// 0 = H x - Aᵀy - Bᵀλ + G
+    /// 0 = A x - C
+    /// 0 <= λ  ⟂  B x - D >= 0
+    /// ```
+    ///
+    /// For a positive semidefinite H they say the same as the program, and Lemke's method, which was made for them (Lemke 1965), ends in exact
+    /// arithmetic in a minimum or on a ray, which means that there is none.
     ///
     /// # Errors
-    /// [`LcpError`] if the sizes do not fit or a number is not finite.
+    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D, [`LcpError::MatrixEntry`] or [`LcpError::VectorEntry`] for a
+    /// number that is not finite: its place is that in the matrices of [`MixedLcp`].
     pub fn optimality_conditions(&self) -> Result<MixedLcp, LcpError> {
         let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
         let shapes =
@@ -130,7 +141,7 @@ impl QuadraticProgram {
     /// ```
     ///
     /// # Errors
-    /// [`LcpError`] if the sizes do not fit or a number is not finite.
+    /// As for [`Self::optimality_conditions`].
     pub fn solve(&self) -> Result<QpOutcome, LcpError> {
         let n = self.g.len();
         let conditions = self.optimality_conditions()?;
@@ -210,10 +221,10 @@ impl QuadraticProgram {
         Some((point.rows(0, n + m).into_owned(), z))
     }
 
-    /// `Gᵀx + ½ xᵀH x`.
+    /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), allowed or not.
     ///
     /// # Panics
-    /// If x has another length than G.
+    /// If x has another length than G, or H is not as large.
     #[must_use]
     pub fn value(&self, x: &DVector<f64>) -> f64 {
         self.g.dot(x) + 0.5 * x.dot(&(&self.h * x))

@@ -1,16 +1,4 @@
 //! The quadratic program that is left when the displacements of the surfaces are eliminated.
-//!
-//! The equalities of the [printed program](super::PrintedQp) give u_c from the twist, and u_d and u_e from u_c and the gap.
-//! With the series stiffness K_i, the drive a_i (command less clearance) and the gaps g of the contacts that may open
-//!
-//! ```text
-//! minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)
-//! subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet of the cone
-//! ```
-//!
-//! Without the gaps the twist alone is unknown: the problem that one would write down first. Then F_n >= 0 must be
-//! demanded, and a finger can hold the object back by being about to leave it; with its gap among the unknowns a
-//! frictionless contact just opens.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -23,7 +11,8 @@ use crate::grasp::{Grasp, Hold, Wrench, displacement_of};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Unknowns {
-    /// The twist and the gaps: the same minimum as the printed program.
+    /// The twist, and the gaps of contacts that may open, but not of those with infinite friction, which have F_n >= 0 instead: the same minimum
+    /// as the printed program as long as that opens none of these.
     #[default]
     TwistAndGaps,
     /// The twist alone: contacts cannot open.
@@ -48,20 +37,33 @@ pub enum ReducedRow {
     Friction {
         /// The contact.
         contact: usize,
-        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n.
+        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n. In space the normal of facet j stands at the angle (2j - 1) π/m from
+        /// the first tangent towards the second, m being the number of facets, and h·x = 1 is the facet of the cone over the unit circle.
         facet: usize,
     },
 }
 
 /// A reduced program with the meaning of its unknowns and rows. It has no equalities.
+///
+/// The equalities of the [printed program](super::PrintedQp) give u_c from the twist, and u_d and u_e from u_c and the gap.
+/// With the series stiffness K_i, the drive a_i (command less clearance) and the gaps g of the contacts that may open
+///
+/// ```text
+/// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)
+/// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet of the cone
+/// ```
+///
+/// Without the gaps the twist alone is unknown: the problem that one would write down first. Then F_n >= 0 must be
+/// demanded, and a finger can hold the object back by being about to leave it; with its gap among the unknowns a
+/// frictionless contact just opens.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ReducedQp<const D: usize, const C: usize> {
-    /// The program: unknowns are the twist (d, about the origin of the coordinates), then the gaps.
+    /// The program: unknowns are the twist (d entries, about the origin of the coordinates, m and rad), then the gaps (m). Its cost is in J.
     pub program: QuadraticProgram,
-    /// The contacts whose gaps follow the twist among the unknowns.
+    /// The contacts whose gaps follow the twist among the unknowns, in this order.
     pub gaps: Vec<usize>,
-    /// What each row of B says.
+    /// What each row of B says, that it is not negative.
     pub rows: Vec<ReducedRow>,
     /// `Σ ½ aᵀK a`, J, which the cost leaves out: with it the cost is stored energy less the work of the load.
     pub constant: f64,
@@ -88,7 +90,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn reduced_qp(
         &self,
         load: &Wrench<D>,

@@ -1,16 +1,4 @@
 //! Equilibrium with the second-order displacement of equation 4.1.
-//!
-//! To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)` (in the plane the last term is `-½ θ² r`) and the
-//! moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. Outer iterations: at the twist q_k
-//! u is replaced by its tangent,
-//!
-//! ```text
-//! u ≈ J_k q + (u(q_k) - J_k q_k)
-//! ```
-//!
-//! which is a first-order grasp with other maps and commands, solved as ever, contacts sliding and opening included. Each
-//! iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before; where that is
-//! not small the equilibrium is close to instability and the iterations do not settle, which is said.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -33,7 +21,7 @@ const GOOD_ENOUGH: f64 = 1e-11;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum SecondOrderOutcome<const D: usize, const C: usize> {
-    /// Found.
+    /// Found: the last iteration changed no displacement at a contact by more than 1e-14 of the largest (1e-11 where rounding allows no less).
     Equilibrium(Box<SecondOrder<D, C>>),
     /// First order has no equilibrium, or none was found.
     NoFirstOrder(Box<Outcome<D, C>>),
@@ -45,7 +33,7 @@ pub enum SecondOrderOutcome<const D: usize, const C: usize> {
         /// The last change of a displacement at a contact, relative to the largest of them.
         change: f64,
     },
-    /// At some iteration the linearised grasp had no equilibrium: second order gives way where first order holds.
+    /// At some iteration no equilibrium of the linearised grasp was found: as a rule second order gives way where first order holds.
     GivesWay {
         /// Iterations made.
         iterations: usize,
@@ -64,18 +52,30 @@ impl<const D: usize, const C: usize> SecondOrderOutcome<D, C> {
 }
 
 /// An equilibrium with second-order displacements.
+///
+/// To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)` (in the plane the last term is `-½ θ² r`) and the
+/// moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. Outer iterations: at the twist q_k
+/// u is replaced by its tangent,
+///
+/// ```text
+/// u ≈ J_k q + (u(q_k) - J_k q_k)
+/// ```
+///
+/// which is a first-order grasp with other maps and commands, solved as ever, contacts sliding and opening included. Each
+/// iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before; where that is
+/// not small the equilibrium is close to instability and the iterations do not settle, which is said.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SecondOrder<const D: usize, const C: usize> {
     /// The first-order equilibrium it started from.
     pub first_order: Equilibrium<D, C>,
-    /// Motion of the object: translation of its point at the origin, rotation vector.
+    /// Motion of the object: translation of its point at the origin (m), rotation vector (rad).
     pub twist: Twist<D>,
-    /// Force on the object at each contact, in its contact frame, N.
+    /// Force on the object at each contact, in the contact frame as it was at first, N; F_n > 0 pushes.
     pub forces: Vec<SVector<f64, C>>,
-    /// What each contact does.
+    /// What each contact does, in the order of the grasp.
     pub states: Vec<ContactState<C>>,
-    /// The largest `½ θ × (θ × r)` of a contact, m: the term of equation 4.1 that first order drops.
+    /// The largest `|½ θ × (θ × r)|` of a contact, m: the term of equation 4.1 that first order drops.
     pub dropped_displacement: f64,
     /// The largest change of a contact force that comes of it, N.
     pub force_left_out: f64,
@@ -89,7 +89,8 @@ pub struct SecondOrder<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
-    /// load's force acts at the object's point there.
+    /// load's force acts at the object's point there. At most 100 iterations, each an equilibrium of first order; contact frames, springs and
+    /// commands stay as they are in space.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -113,7 +114,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn second_order_equilibrium(
         &self,
         load: &Wrench<D>,

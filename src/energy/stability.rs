@@ -1,25 +1,4 @@
 //! Is an equilibrium stable? The second derivative of the potential energy.
-//!
-//! The contact springs stand in space (fingers do not turn with the object). Let the object move from the equilibrium by a
-//! translation δ of its point at the origin and a rotation θ. A contact at r moves by
-//!
-//! ```text
-//! u = δ + θ × r + ½ θ × (θ × r)        in the plane (equation 4.1): ½ θ×(θ×r) = -½ θ² r
-//! ```
-//!
-//! and the energy of springs that carry F already is `Σ ½ (a-u)·K (a-u) - W·q`. Its second derivative has two parts,
-//!
-//! ```text
-//! Hessian = Σ G_i K_i G_iᵀ  -  Σ F_i · ∂²u_i/∂q²
-//!           elastic            geometric: in the plane + Σ F_i·r_i on the rotation,
-//!                              in space  (F·r) 1 - ½ (F rᵀ + r Fᵀ), summed, on the rotations
-//! ```
-//!
-//! The geometric part comes of the arms turning while the forces do not: seen from the object, the contact forces turn.
-//! Fingers that press against each other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs
-//! tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's force acts at the object's point at the origin and keeps its
-//! direction, the moment keeps its components. What rolls counts with all its springs, an open contact with none; where something slides
-//! friction is not conservative and no energy decides.
 
 use nalgebra::{SMatrix, SVector, SymmetricEigen};
 
@@ -30,21 +9,42 @@ use crate::grasp::{Grasp, Twist, grasp_map};
 const ZERO: f64 = 1e-12;
 
 /// The second derivative of the potential energy at an equilibrium.
+///
+/// The contact springs stand in space (fingers do not turn with the object). Let the object move from the equilibrium by a
+/// translation δ of its point at the origin and a rotation θ. A contact at r moves by
+///
+/// ```text
+/// u = δ + θ × r + ½ θ × (θ × r)        in the plane (equation 4.1): ½ θ×(θ×r) = -½ θ² r
+/// ```
+///
+/// and the energy of springs that carry F already is `Σ ½ (a-u)·K (a-u) - W·q`. Its second derivative has two parts,
+///
+/// ```text
+/// Hessian = Σ G_i K_i G_iᵀ  -  Σ F_i · ∂²u_i/∂q²
+///           elastic            geometric: in the plane + Σ F_i·r_i on the rotation,
+///                              in space  (F·r) 1 - ½ (F rᵀ + r Fᵀ), summed, on the rotations
+/// ```
+///
+/// The geometric part comes of the arms turning while the forces do not: seen from the object, the contact forces turn.
+/// Fingers that press against each other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs
+/// tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's force acts at the object's point at the origin and keeps its
+/// direction, the moment keeps its components. What rolls counts with all its springs, an open contact with none; where something slides
+/// friction is not conservative and no energy decides.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Stability<const D: usize> {
     /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that the
     /// object feels.
     pub elastic: SMatrix<f64, D, D>,
-    /// What the contact forces add as their arms turn, same units.
+    /// What the contact forces add as their arms turn, on the rotations alone, same units.
     pub geometric: SMatrix<f64, D, D>,
     /// Curvature of the energy along the softest motion, N/m: the least eigenvalue of the Hessian, rotations counted as in
     /// `softest`.
     pub least_curvature: f64,
     /// The largest eigenvalue, N/m.
     pub most_curvature: f64,
-    /// The unit motion along which the energy rises least. A rotation is counted in radians times the root mean square distance
-    /// of the contacts from their centroid, a translation is that of the centroid.
+    /// The unit motion along which the energy rises least, as a twist about the origin; its sign means nothing. A rotation is counted in radians times
+    /// the root mean square distance of the contacts from their centroid, a translation is that of the centroid.
     pub softest: Twist<D>,
     /// What follows.
     pub verdict: StabilityVerdict,
@@ -56,7 +56,8 @@ pub struct Stability<const D: usize> {
 pub enum StabilityVerdict {
     /// The energy rises along every motion.
     Stable,
-    /// The energy does not change along the softest motion, to second order and as far as rounding can tell.
+    /// The energy does not change along the softest motion, to second order and as far as rounding can tell: its curvature is at most 1e-12 of
+    /// the one largest in size.
     Neutral,
     /// The energy falls along the softest motion.
     Unstable,
@@ -65,7 +66,7 @@ pub enum StabilityVerdict {
 }
 
 impl<const D: usize> Stability<D> {
-    /// Elastic and geometric stiffness together.
+    /// Elastic and geometric stiffness together: the restoring wrench about the origin is `-H q` for a small twist q.
     #[must_use]
     pub fn hessian(&self) -> SMatrix<f64, D, D> {
         self.elastic + self.geometric

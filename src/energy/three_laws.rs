@@ -10,7 +10,8 @@ use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 
-/// What Coulomb's law, the paper's minimum of energy and the associated law say of one load. Printed, it is a table.
+/// What Coulomb's law, the paper's minimum of energy and the associated law say of one load, in space all on the same polygonal cone. Printed, it is a
+/// table: forces in the contact frames, N, slips and gaps, m.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct ThreeLaws<const D: usize, const C: usize> {
@@ -22,7 +23,7 @@ pub struct ThreeLaws<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The same load under three laws of friction.
+    /// The same load under three laws of friction; the module [`energy`](crate::energy) has them side by side.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -41,7 +42,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn three_laws(&self, load: &Wrench<D>, settings: &Settings) -> Result<ThreeLaws<D, C>, Error> {
         Ok(ThreeLaws {
             comparison: self.compare_with_minimum_energy_with(load, settings)?,

@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn bracket(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
         let on = |fit: Fit| {
             let polygon = PolygonCone::new(settings.cone.facets(), fit)?;

@@ -14,8 +14,8 @@
 //! 1/k = C_finger + C_pad + C_body
 //! ```
 //!
-//! so that [`finger_stiffness_axes`](crate::grasp::Contact::finger_stiffness_axes) takes the reciprocals of the first two together, and
-//! [`body_stiffness_axes`](crate::grasp::Contact::body_stiffness_axes) that of the last.
+//! so that [`finger_stiffness_axes`](crate::grasp::Contact::finger_stiffness_axes) takes `1/(C_finger + C_pad)` for each axis, and
+//! [`body_stiffness_axes`](crate::grasp::Contact::body_stiffness_axes) `1/C_body`.
 //!
 //! # What is left out
 //!
@@ -29,13 +29,14 @@
 //! of the *sum* of compliances, pad and body included: soft pads make it small. In space, turn the [`tangent`](crate::grasp::Contact::tangent) to a
 //! principal axis of the tangential block, and only coupling with the normal is left.
 //!
-//! Where the joints' torque is limited, `τ = Jᵀ F` of the answer's force says whether they reach it.
+//! Where the joints' torque is limited, `τ = Jᵀ F` of the answer's force on the object, the torque with which the joints hold it (N m), says whether
+//! they reach it.
 //!
 //! ```
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
 //! use nalgebra::{Matrix2, Vector2};
 //!
-//! // Two links of 50 mm, the second at a right angle to the first, which points across to the object: the tip presses along -x.
+//! // Two links of 50 mm, the first along x, the second along y beside the object: the tip presses along -x.
 //! // Contact frame: normal (-1, 0), tangent t = (n_y, -n_x) = (0, 1).
 //! let (l, k): (f64, [f64; 2]) = (0.05, [4.0, 2.0]); // m, N m/rad
 //! let tip_by_joints = Matrix2::<f64>::new(-l, -l, l, 0.0); // rows x, y for θ = (0, 90°)

@@ -14,7 +14,7 @@
 //! use grasp_lcp::lcp::{Lcp, Outcome, Proof};
 //! use nalgebra::{DMatrix, DVector};
 //!
-//! // w = z₁ - z₂ - 1 and z₂ - z₁: both cannot be positive.
+//! // w₁ = z₁ - z₂ - 1 and w₂ = z₂ - z₁ add up to -1: they cannot both be >= 0.
 //! let m = DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]);
 //! let q = DVector::from_vec(vec![-1.0, 0.0]);
 //! let problem = Lcp::new(m.clone(), q.clone())?;
@@ -26,11 +26,12 @@
 //! ```
 //!
 //! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried. [`Proof::None`](crate::lcp::Proof::None): nothing
-//! is known; raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to) or pose the problem otherwise.
+//! is known; raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or pose the problem otherwise.
 //!
 //! # On a grasp
 //!
-//! After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries another formulation, then a proof on the scene itself, in this order:
+//! After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries another formulation, then a proof on the scene itself, in this order (a free motion
+//! is noticed before any path is followed):
 //!
 //! | [`Proof`](crate::equilibrium::Proof) | the motion in it | means | what helps |
 //! |---|---|---|---|

@@ -50,14 +50,14 @@
 //! # Which one is returned
 //!
 //! [`Grasp::solve`](crate::grasp::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds: everything rolls; everything
-//! that touches rolls; the end of a path of Lemke's method; the first of all combinations. [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule)
-//! says which. The order is the same for every number of threads, but it is a rule, not physics.
+//! that touches rolls; the end of a path of Lemke's method (from 32 contacts on Newton's is tried before); the first of all combinations.
+//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) says which. The order is the same for every number of threads, but it is a rule, not physics.
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is one, it is real. (On the
-//!   round cone the list has those that a polygon leads to.)
+//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is only one, that is
+//!   it. (On the round cone the list has those that a polygon leads to.)
 //! * [`Grasp::follow`](crate::grasp::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even that leaves a choice.
-//! * [`Grasp::stability`](crate::grasp::Grasp::stability) tells which of them a small push leaves alone.
+//! * [`Grasp::stability`](crate::grasp::Grasp::stability) tells of one in which nothing slides whether a small push leaves it alone.
 //! * A grasp that is to hold whatever happened before must hold in each of them.

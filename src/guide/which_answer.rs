@@ -8,15 +8,15 @@
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof says how |
 //! | `Undecided` | neither was found, and [why](crate::equilibrium::Doubt) | not "holds" and not "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` comes with many contacts on the verge of what friction can do, and where the load lies on the boundary of what the grasp
-//! can hold to the last digit.
+//! `Undecided` comes with many contacts on the verge of what friction can do, where the load lies on the boundary of what the grasp
+//! can hold to the last digit, and where the numbers of a scene lie so far apart that forces cannot be written down.
 //!
 //! # What an equilibrium says of itself
 //!
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): by how much the numbers violate equilibrium, springs, cones and gaps, recomputed
 //!   from contacts, commands and load. Some 1e-16. This says that the answer solves the question, not that the question is known well.
-//! * [`accuracy`](crate::equilibrium::Equilibrium::accuracy): distance to the exact solution for these states, N and m, within a factor of ten,
-//!   and the condition: how much a relative change of the data of 1e-16 changes the forces. Data from a sensor known to 1 % and a condition of 50 leave
+//! * [`accuracy`](crate::equilibrium::Equilibrium::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
+//!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
 //!   no digit of a force, however small the residual.
 //! * [`distinct`](crate::equilibrium::ContactAnswer::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
 //!   sliding, rolling and sliding are the same forces; which word is used depends on rounding, and the flag says so.

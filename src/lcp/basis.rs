@@ -43,7 +43,7 @@ impl Basis {
         self.basic_z[i] = !self.basic_z[i];
     }
 
-    /// Whether z_i is basic.
+    /// Whether z_i is basic, i counted from 0; no z_i with i of n or more is.
     #[must_use]
     pub fn contains(&self, i: usize) -> bool {
         self.basic_z.get(i).copied().unwrap_or(false)
@@ -73,7 +73,7 @@ impl Basis {
     }
 }
 
-/// One of the 2n variables of a problem.
+/// One of the 2n variables of a problem, i counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Variable {
     /// The slack w_i.

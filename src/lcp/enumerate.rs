@@ -18,7 +18,7 @@ pub(crate) const LARGEST: usize = 20;
 pub struct AllSolutions {
     /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit),
     /// regular bases first.
-    /// Bases that stand for the same point are listed once, with `degenerate` set.
+    /// A point for which several bases stand is listed once, with `degenerate` set. `pivots` is 0.
     pub solutions: Vec<Solution>,
     /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be
     /// a whole face of solutions; one point of it is among the solutions.

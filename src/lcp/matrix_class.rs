@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 const MINORS: usize = 12;
 
 /// What could be found out about a matrix M. The tests are exact up to rounding: a matrix closer to the boundary of a class
-/// than n ε relative to its diagonal may be put on either side.
+/// than 32 n ε (ε = 2⁻⁵²) or 1e-14 relative to its diagonal may be put on either side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct MatrixClass {
@@ -44,7 +44,7 @@ pub enum Copositivity {
     /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and one without negative
     /// entries.
     Plain,
-    /// A diagonal entry is negative.
+    /// zᵀMz < 0 for some z ≥ 0: a diagonal entry is negative.
     Not,
     /// The structure does not show it.
     Unknown,
@@ -64,7 +64,8 @@ pub enum Guarantee {
 }
 
 impl MatrixClass {
-    /// Looks at M. The cost is that of a Cholesky factorisation, n³/3 flops, or 2ⁿ for n ≤ 12.
+    /// Looks at M (n × n). The cost is that of up to three eliminations, about 2n³/3 flops each; where neither definiteness nor diagonal
+    /// dominance nor signs decide whether M is a P-matrix, and n ≤ 12, up to 2ⁿ Schur complements on top.
     ///
     /// ```
     /// use grasp_lcp::lcp::{Definiteness, Guarantee, MatrixClass};
@@ -80,7 +81,7 @@ impl MatrixClass {
     ///
     /// # Errors
     ///
-    /// If M is not square or has entries that are not finite.
+    /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
     pub fn of(m: &DMatrix<f64>) -> Result<Self, LcpError> {
         super::Lcp::new(m.clone(), nalgebra::DVector::zeros(m.nrows()))?;
         let n = m.nrows();
@@ -97,7 +98,7 @@ impl MatrixClass {
         })
     }
 
-    /// What the classes found guarantee.
+    /// What the classes found guarantee: the strongest that applies, so a P-matrix comes before a strictly copositive one.
     #[must_use]
     pub fn guarantee(&self) -> Guarantee {
         if self.p_matrix == Some(true) {

@@ -19,6 +19,21 @@ use nalgebra::{DMatrix, DVector};
 /// The free variables are eliminated by pivoting. Where A is singular, as in problems of equilibrium with A = 0, a free
 /// variable is exchanged with a w_i and the z_i of the same pair with an equality row, which keeps the rest a
 /// complementarity problem: the pair i then changes its roles.
+///
+/// ```
+/// use grasp_lcp::lcp::{MixedLcp, MixedOutcome};
+/// use nalgebra::{DMatrix, DVector};
+///
+/// // A weight of 3 N on a spring of 2 N/m sinks by u (free) to the floor 1 m below, which pushes back with z:
+/// // 0 = 2u + z − 3,  0 ≤ z ⟂ w = 1 − u ≥ 0.
+/// let [a, c, d, m] = [2.0, 1.0, -1.0, 0.0].map(|entry| DMatrix::from_element(1, 1, entry));
+/// let [b, q] = [-3.0, 1.0].map(|entry| DVector::from_element(1, entry));
+/// let problem = MixedLcp::new(&a, &c, &d, &m, &b, &q)?;
+/// let MixedOutcome::Solved(rests) = problem.solve() else { panic!("it rests on the floor") };
+/// assert_eq!((rests.u[0], rests.z[0], rests.w[0]), (1.0, 1.0, 0.0));
+/// assert_eq!(problem.residuals(&rests.u, &rests.z).max(), 0.0);
+/// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MixedLcp {
     /// [A, C; D, M].
@@ -34,14 +49,14 @@ pub struct MixedLcp {
 pub enum MixedOutcome {
     /// A solution was found and checked against the data given.
     Solved(MixedSolution),
-    /// No solution was found; the outcome is that of [`MixedLcp::split`], which a proof of infeasibility refers to. `undetermined`
-    /// and `dependent` name the free variables and equality rows that the elimination could not use.
+    /// No solution was found; the outcome is that of [`MixedLcp::split`], which a proof of infeasibility refers to (its y has n + 2m
+    /// entries). `undetermined` and `dependent` name the free variables and equality rows that the elimination could not use.
     Unsolved {
         /// The outcome for the split problem, never [`Outcome::Solved`].
         outcome: Box<Outcome>,
-        /// Free variables without a pivot.
+        /// Free variables without a pivot, counted from 0.
         undetermined: Vec<usize>,
-        /// Equality rows without a pivot.
+        /// Equality rows without a pivot, counted from 0.
         dependent: Vec<usize>,
     },
     /// The split problem is solved, but the point misses the tolerance for these residuals.
@@ -56,17 +71,17 @@ pub struct MixedSolution {
     pub u: DVector<f64>,
     /// z (n entries, none negative).
     pub z: DVector<f64>,
-    /// w (n entries, none negative).
+    /// w = D u + M z + q (n entries, none negative; exactly zero where z_i is basic).
     pub w: DVector<f64>,
     /// Which z_i are basic.
     pub basis: Basis,
     /// The violations, recomputed from the data given.
     pub residuals: MixedResiduals,
-    /// Free variables which nothing determines (a singular block); they are 0 here, and could be moved along.
+    /// Free variables which nothing determines (a singular block), counted from 0; they are 0 here, and could be moved along.
     pub undetermined: Vec<usize>,
-    /// Equality rows which follow from the others.
+    /// Equality rows which follow from the others, counted from 0.
     pub dependent: Vec<usize>,
-    /// Pivots of Lemke's method made.
+    /// Pivots of Lemke's method on the problem that led here, the reduced or the split one.
     pub pivots: usize,
 }
 
@@ -81,7 +96,7 @@ pub struct MixedResiduals {
 }
 
 impl MixedResiduals {
-    /// The largest violation.
+    /// The largest violation; NaN if one of them is.
     #[must_use]
     pub fn max(&self) -> f64 {
         if self.equality.is_nan() { f64::NAN } else { self.equality.max(self.complementarity.max()) }
@@ -93,7 +108,8 @@ impl MixedLcp {
     ///
     /// # Errors
     ///
-    /// If the sizes do not match or an entry is not finite.
+    /// [`LcpError::BlockShape`] or [`LcpError::Length`] if a size does not match that of A and M, [`LcpError::MatrixEntry`] or
+    /// [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(
         a: &DMatrix<f64>,
         c: &DMatrix<f64>,
@@ -160,7 +176,7 @@ impl MixedLcp {
     }
 
     /// The same problem without free variables, u = u⁺ − u⁻ and each equality as two inequalities: the unknowns are (u⁺, u⁻, z),
-    /// n + 2m in number. The class of the matrix is that of the mixed one: copositive stays copositive.
+    /// n + 2m in number, the slacks (±(A u + C z + b), w). If xᵀ[A, C; D, M]x ≥ 0 for all free u and z ≥ 0, its matrix is copositive.
     #[must_use]
     pub fn split(&self) -> Lcp {
         let m = self.free;

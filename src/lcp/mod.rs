@@ -40,7 +40,15 @@
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
 //! [`Outcome`] says which of these happened; "solved" is only said after the residuals have been recomputed
-//! from the M and q given.
+//! from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`] tells what is tried next.
+//!
+//! # Units, ties, cost
+//!
+//! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by powers of two (A. R. Curtis and J. K. Reid, *On the automatic
+//! scaling of matrices for Gaussian elimination*, 1972), so that the path does not depend on units. Where several variables reach zero together,
+//! the one leaves that would be first with q + ε p in place of q, ε → 0+ and p fixed and without structure: the lexicographic rule (section 4.9),
+//! under which no path comes back to where it was. A pivot costs O(n²) flops and the path O(n²) memory besides M, which a [`Workspace`] or a
+//! [`Series`] keeps.
 
 // Formulas stand in the prose in plain Unicode, one-letter symbols with their indices included.
 #![allow(clippy::doc_markdown)]
@@ -96,7 +104,8 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// If M is not square, if q has another length, or if an entry is not finite; the error names row, column and value.
+    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows, [`LcpError::MatrixEntry`] and
+    /// [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
         let n = m.nrows();
         if m.ncols() != n {
@@ -149,7 +158,27 @@ impl Lcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem by Lemke's method.
+    /// Solves the problem by Lemke's method; an ordinary path has one to three times n pivots.
+    ///
+    /// Where the first path ends without a solution, but not at a limit on pivots or a wrong covering vector that the caller has set, these
+    /// follow, each only if those before have settled nothing:
+    ///
+    /// 1. the ray itself as a Farkas vector;
+    /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 };
+    /// 3. paths with other covering vectors and from other bases ([`Settings::retries`]);
+    /// 4. all 2ⁿ complementary bases of a small problem ([`Settings::enumerate_up_to`]).
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Lcp, Outcome, Proof, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = −z − 1 is negative for every z ≥ 0: y = 1 has Mᵀy = −1 ≤ 0 and qᵀy = −1 < 0.
+    /// let problem = Lcp::new(DMatrix::from_element(1, 1, -1.0), DVector::from_element(1, -1.0))?;
+    /// let Outcome::Ray(ray) = problem.solve_with(&Settings::default().with_retries(0)) else { panic!("w < 0") };
+    /// let Proof::Infeasible(y) = ray.proof else { panic!("no z ≥ 0 has w ≥ 0") };
+    /// assert!(problem.proves_infeasible(&y));
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome {
         Workspace::new().solve(self, settings).into_outcome()
@@ -160,12 +189,38 @@ impl Lcp {
     ///
     /// A singular basis, a basis of another length, or a path that does not end in a solution lead back to
     /// [`Lcp::solve_with`]. For many q with the same M use a [`Series`].
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Basis, Lcp, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = z - 1 is solved where z is basic: started there, no pivot is left to be made.
+    /// let problem = Lcp::new(DMatrix::from_element(1, 1, 1.0), DVector::from_element(1, -1.0))?;
+    /// let outcome = problem.solve_from(&Basis::from_indices(1, [0]), &Settings::default());
+    /// let solution = outcome.solution().expect("M > 0");
+    /// assert_eq!((solution.z[0], solution.w[0], solution.pivots), (1.0, 0.0, 0));
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
     #[must_use]
     pub fn solve_from(&self, basis: &Basis, settings: &Settings) -> Outcome {
         Workspace::new().solve_from(self, basis, settings).into_outcome()
     }
 
-    /// All solutions of a small problem, by trying all 2ⁿ complementary bases. `None` if n > 20.
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases: one factorisation of at most n rows each, and a linear
+    /// program for each singular one. `None` if n > 20. Of the settings only the tolerances count.
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Lcp, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = 1 − z in both rows: z_i = 0 or z_i = 1, each by itself.
+    /// let problem = Lcp::new(-DMatrix::identity(2, 2), DVector::from_element(2, 1.0))?;
+    /// let all = problem.all_solutions(&Settings::default()).expect("n <= 20");
+    /// let z: Vec<[f64; 2]> = all.solutions.iter().map(|solution| [solution.z[0], solution.z[1]]).collect();
+    /// assert_eq!(z, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    /// assert!(all.singular.is_empty());
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
     #[must_use]
     pub fn all_solutions(&self, settings: &Settings) -> Option<AllSolutions> {
         (self.len() <= enumerate::LARGEST).then(|| enumerate::all_solutions(self, settings))
@@ -174,7 +229,8 @@ impl Lcp {
     /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
     ///
     /// Each sum is compared with 8 (n + 2) ε Σ|terms|, ε = 2⁻⁵², the rounding error it may carry: (Mᵀy)_j must not exceed
-    /// that, qᵀy must be below minus that. Where the products and sums are exact, so is the proof.
+    /// that, qᵀy must be below minus that. Where the products and sums are exact, so is the proof. A y of another length, or
+    /// with a negative entry or one that is not finite, proves nothing.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         certificate::check(self, y)

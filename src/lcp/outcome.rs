@@ -49,7 +49,7 @@ pub struct Solution {
     pub basis: Basis,
     /// The violations at z, recomputed from the M and q given with w = M z + q as it comes out, before zeros are set.
     pub residuals: Residuals,
-    /// Pivots made.
+    /// Pivots made, on all paths.
     pub pivots: usize,
     /// Whether a basic variable is zero: then other bases stand for the same point, and the solution may be one of several.
     pub degenerate: bool,
@@ -59,13 +59,14 @@ pub struct Solution {
 ///
 /// With ẑ, ŵ the direction and ẑ₀ the rate of the covering variable, ŵ = M ẑ + d ẑ₀, ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0, ẑᵀŵ = 0:
 /// the augmented problem has solutions for arbitrarily large steps along it. None of these is a solution of the problem.
-/// The direction is zero if infeasibility was proved after a path that ended otherwise.
+/// It is that of the first path, whose covering vector d is that of the settings or, by default, that of the balanced problem. The
+/// direction is zero if that path ended otherwise and the proof was found afterwards.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Ray {
-    /// ẑ (n entries).
+    /// ẑ (n entries, none negative, the largest 1), in the caller's units.
     pub direction: DVector<f64>,
-    /// ẑ₀.
+    /// ẑ₀ ≥ 0, at the same scale.
     pub covering_rate: f64,
     /// What is proved by it, or was found out afterwards.
     pub proof: Proof,
@@ -87,13 +88,14 @@ pub enum Proof {
     /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma: the vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0, whereas
     /// z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks it.
     Infeasible(DVector<f64>),
-    /// None of the 2ⁿ complementary bases stands for a solution (up to rounding), although z ≥ 0 with M z + q ≥ 0 exist.
+    /// None of the 2ⁿ complementary bases stands for a solution (up to rounding); and no Farkas vector was found, so z ≥ 0 with
+    /// M z + q ≥ 0 should exist.
     NoComplementaryBasis,
     /// Nothing is proved.
     None,
 }
 
-/// Why a solve broke down.
+/// Why a solve broke down: the first two for a covering vector of the settings that does not fit, the others in the arithmetic.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum BreakdownCause {
@@ -113,7 +115,7 @@ pub enum BreakdownCause {
     },
     /// A number left the range of double precision.
     Overflow,
-    /// The principal block of the final basis is singular.
+    /// The principal block of the final basis is singular, or so nearly that q is lost in the terms of M z.
     SingularBasis,
     /// The final basis was reached, but its point misses the tolerance for these residuals.
     Residual(Residuals),

@@ -1,9 +1,4 @@
 //! The path of solutions of q(τ) = q₀ + τ dq.
-//!
-//! On a complementary basis the solution is an affine function of τ. It ends where a basic variable reaches zero, a
-//! *breakpoint*; there the variable leaves and its complement is driven, exactly as in Lemke's method with dq in the place of d
-//! (Cottle, Pang & Stone, section 4.5). On the next piece τ may go on growing, or turn back: then there are no solutions
-//! nearby for larger τ.
 
 use super::Lcp;
 use super::basis::{Basis, Variable};
@@ -20,7 +15,7 @@ use nalgebra::DVector;
 pub enum Trend {
     /// τ grows.
     Forward,
-    /// τ falls: the path has turned back.
+    /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
     Backward,
     /// τ stands still while the solution moves: all points of the piece solve the problem at this τ.
     Still,
@@ -30,9 +25,9 @@ pub enum Trend {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
-    /// τ at the breakpoint.
+    /// τ at the breakpoint; it may be negative on a path that has turned back.
     pub tau: f64,
-    /// z at the breakpoint (n entries).
+    /// z at the breakpoint (n entries, none negative).
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
@@ -42,7 +37,7 @@ pub struct Breakpoint {
     pub basis: Basis,
     /// Where τ goes on the next piece.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries); zero if τ stands still.
+    /// dz/dτ on the next piece (n entries), whichever way τ goes there; zero if τ stands still.
     pub rate: DVector<f64>,
 }
 
@@ -62,8 +57,12 @@ pub enum PathEnd {
 
 /// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
 ///
+/// On a complementary basis z is an affine function of τ; where a basic variable reaches zero it leaves, and its complement enters, as in Lemke's
+/// method with dq in the place of d (Cottle, Pang & Stone, section 4.5).
+///
 /// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
-/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length.
+/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length. A breakpoint
+/// costs one pivot, and no more of them are given than the settings allow pivots.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
@@ -97,7 +96,7 @@ impl<'a> Parametric<'a> {
     ///
     /// # Errors
     ///
-    /// If dq has another length than the problem, or entries that are not finite.
+    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(lcp: &'a Lcp, dq: &DVector<f64>, settings: Settings) -> Result<Self, LcpError> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
@@ -106,7 +105,7 @@ impl<'a> Parametric<'a> {
     ///
     /// # Errors
     ///
-    /// If dq has another length than the problem, or entries that are not finite.
+    /// As for [`Parametric::new`].
     pub fn from_basis(
         lcp: &'a Lcp,
         basis: &Basis,
@@ -167,7 +166,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Where τ goes on the present piece, the one after the last breakpoint.
+    /// Where τ goes on the present piece, the one after the last breakpoint; forward before the first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend

@@ -21,7 +21,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the three.
+    /// The largest of the three; NaN if one of them is.
     #[must_use]
     pub fn max(&self) -> f64 {
         let [a, b, c] = [self.negative_z, self.negative_w, self.complementarity];

@@ -36,7 +36,7 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// If M is not square or has entries that are not finite.
+    /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
     pub fn new(m: DMatrix<f64>, settings: Settings) -> Result<Self, LcpError> {
         let q = DVector::zeros(m.nrows());
         Ok(Self { lcp: Lcp::new(m, q)?, settings, workspace: Workspace::new(), started: false })
@@ -46,7 +46,7 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// If q has another length than M has rows, or entries that are not finite.
+    /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn solve(&mut self, q: &DVector<f64>) -> Result<Answer<'_>, LcpError> {
         if q.len() != self.lcp.len() {
             return Err(LcpError::Length { what: "q", given: q.len(), needed: self.lcp.len() });

@@ -6,6 +6,19 @@ use nalgebra::DVector;
 ///
 /// Every tolerance is a pure number: the solver balances rows and columns of M first and compares each
 /// quantity with the largest terms it was computed from, so none of them has to follow the units of a problem.
+///
+/// ```
+/// use grasp_lcp::lcp::{Lcp, Outcome, Settings};
+/// use nalgebra::{DMatrix, DVector};
+///
+/// // Two pairs on the diagonal, both negative at z = 0: both have to be exchanged, which takes three pivots with z₀.
+/// let problem = Lcp::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-1.0, -2.0]))?;
+/// let one_path = Settings::default().with_retries(0).with_enumerate_up_to(0);
+/// assert!(problem.solve_with(&one_path.clone().with_max_pivots(3)).solution().is_some());
+/// let cut_off = problem.solve_with(&one_path.with_max_pivots(2));
+/// assert_eq!(cut_off, Outcome::PivotLimit { pivots: 2 });
+/// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the caller's units.
@@ -48,8 +61,8 @@ pub struct Settings {
     /// value below 1e-15 would reject correctly rounded solutions, one above 1e-6 accept points that solve a
     /// visibly different problem.
     pub residual_tolerance: f64,
-    /// How many other covering vectors, and as many other starting bases, are tried after a ray that proves nothing or a
-    /// breakdown (default 8).
+    /// How many other covering vectors, and as many other starting bases, are tried after a ray that proves nothing, a
+    /// breakdown, or a first path of its default length that reached no end (default 8).
     ///
     /// It guards against rays on solvable problems, which other paths often avoid. They are fixed, so the same
     /// problem takes the same paths. 0 follows one path only; more than a few dozen hardly ever find more.
@@ -57,7 +70,7 @@ pub struct Settings {
     /// For n up to this all 2ⁿ complementary bases are tried when no path has ended in a solution and no proof of
     /// infeasibility was found (default 10).
     ///
-    /// It guards against missing solutions that no path reaches. Each further row doubles its cost.
+    /// It guards against missing solutions that no path reaches. Each further row doubles its cost; no n above 20 is tried.
     pub enumerate_up_to: usize,
 }
 
@@ -76,6 +89,34 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The same with another covering vector, see [`Settings::covering`].
+    #[must_use]
+    pub fn with_covering(mut self, covering: DVector<f64>) -> Self {
+        self.covering = Some(covering);
+        self
+    }
+
+    /// The same with a limit on the pivots of all paths together.
+    #[must_use]
+    pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
+        self.max_pivots = Some(max_pivots);
+        self
+    }
+
+    /// The same with another number of retries; 0 follows one path only.
+    #[must_use]
+    pub fn with_retries(mut self, retries: usize) -> Self {
+        self.retries = retries;
+        self
+    }
+
+    /// The same with all complementary bases tried up to another n; 0 tries none.
+    #[must_use]
+    pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
+        self.enumerate_up_to = enumerate_up_to;
+        self
+    }
+
     /// The pivot limit for a problem of n rows.
     pub(crate) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))

@@ -41,7 +41,7 @@ pub struct Workspace {
     pub(super) degenerate: bool,
 }
 
-/// What a [`Workspace`] answers: a view of the solution it holds, or the [`Outcome`] that is not one.
+/// What a [`Workspace`] or a [`Series`](super::Series) answers: a view of the solution it holds, or the [`Outcome`] that is not one.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Answer<'a> {
     /// The problem is solved.
@@ -50,7 +50,7 @@ pub enum Answer<'a> {
     Unsolved(Box<Outcome>),
 }
 
-/// A [`Solution`] that still lies in the memory of its [`Workspace`]; the fields mean the same.
+/// A [`Solution`] that still lies in the memory of its [`Workspace`] or [`Series`](super::Series); the fields mean the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SolutionView<'a> {
@@ -60,9 +60,9 @@ pub struct SolutionView<'a> {
     pub w: &'a [f64],
     /// Which z_i are basic.
     pub basis: &'a Basis,
-    /// The violations at z.
+    /// The violations at z, recomputed from the M and q given.
     pub residuals: Residuals,
-    /// Pivots made.
+    /// Pivots made, on all paths.
     pub pivots: usize,
     /// Whether a basic variable is zero.
     pub degenerate: bool,

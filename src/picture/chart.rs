@@ -7,7 +7,7 @@ use plotters::style::text_anchor as text_style;
 
 use super::{FONT, GREY, PALETTE, PictureError};
 
-/// A chart of one or more series; build it up, then [`Chart::to_svg`].
+/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are not finite are left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     title: String,
@@ -21,6 +21,7 @@ pub struct Chart {
 
 /// One series of a chart.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
@@ -32,6 +33,7 @@ pub struct Series {
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Stroke {
     /// A line from point to point.
     #[default]
@@ -44,7 +46,7 @@ pub enum Stroke {
     Circles,
     /// Small dots, for clouds of points.
     Dots,
-    /// Bars from zero, as wide as the first two points are apart.
+    /// Bars from zero to y around x, as wide as the first two points are apart.
     Bars,
 }
 
@@ -58,8 +60,11 @@ impl Chart {
     /// let svg = Chart::new("A spring that stiffens", "stretch (mm)", "force (N)")
     ///     .series("measured", force, Stroke::Line)
     ///     .mark(0.5, "yields")
+    ///     .mark(f64::INFINITY, "breaks")
     ///     .to_svg()?;
-    /// assert!(svg.contains("stretch (mm)") && svg.contains("yields"));
+    /// assert!(svg.contains("stretch (mm)") && svg.contains("yields") && !svg.contains("breaks"));
+    /// let apart = Chart::new("Two points", "x", "y").series("", vec![(-1e308, 0.0), (1e308, 1.0)], Stroke::Dots);
+    /// assert!(apart.to_svg().is_err());
     /// # Ok::<(), grasp_lcp::picture::PictureError>(())
     /// ```
     #[must_use]
@@ -67,14 +72,14 @@ impl Chart {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }
     }
 
-    /// Adds a series.
+    /// Adds a series of points (x, y), with its name in the legend; lines go from point to point in their order.
     #[must_use]
     pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.series.push(Series { name: name.into(), points, stroke });
         self
     }
 
-    /// Marks an event by a vertical line with a label.
+    /// Marks an event by a vertical line at x with a label; the axis is made long enough for it.
     #[must_use]
     pub fn mark(mut self, x: f64, label: impl Into<String>) -> Self {
         self.marks.push((x, label.into()));
@@ -88,29 +93,30 @@ impl Chart {
         self
     }
 
-    /// Both axes logarithmic. Points without a logarithm are left out.
+    /// Both axes logarithmic. Points and marks without a logarithm are left out.
     #[must_use]
     pub fn log_log(mut self) -> Self {
         self.logarithmic = true;
         self
     }
 
-    /// Draws it.
+    /// Draws it, 860 by 540 pixels.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no finite point to draw.
+    /// [`PictureError`] if there is no finite point to draw, or points and marks are so far apart that their distance is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         Self::sheet(std::slice::from_ref(self), 1)
     }
 
-    /// Draws several charts on one sheet, row by row.
+    /// Draws several charts on one sheet, row by row, with so many columns or as many as there are charts.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no chart, or one has no finite point to draw.
+    /// [`PictureError`] if there is no chart or no column, or one cannot be drawn by [`Chart::to_svg`].
     pub fn sheet(charts: &[Self], columns: usize) -> Result<String, PictureError> {
         if charts.is_empty() || columns == 0 {
             return Err(PictureError("no chart".into()));
         }
+        let columns = columns.min(charts.len());
         let rows = charts.len().div_ceil(columns);
         let pixels = |count: usize, each: u32| u32::try_from(count).unwrap_or(u32::MAX).saturating_mul(each);
         let mut svg = String::new();
@@ -127,7 +133,8 @@ impl Chart {
     }
 
     fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
-        let chart = if self.logarithmic { &self.in_decades() } else { self };
+        let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
+        chart.marks.retain(|(x, _)| x.is_finite());
         let finite: Vec<(f64, f64)> = chart
             .series
             .iter()
@@ -141,6 +148,9 @@ impl Chart {
         let (y0, y1) = range(finite.iter().map(|p| p.1), if self.logarithmic { 0.0 } else { 0.06 });
         let window =
             if self.logarithmic { [x0.floor(), x1.ceil(), y0.floor(), y1.ceil()] } else { [x0, x1, y0, y1] };
+        if !((x1 - x0).is_finite() && (y1 - y0).is_finite()) {
+            return Err(PictureError("points or marks are too far apart".into()));
+        }
         chart.draw(area, window).map_err(PictureError::from_backend)
     }
 

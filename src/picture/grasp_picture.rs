@@ -8,7 +8,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION, word};
 use crate::planar::{Equilibrium, Grasp};
 
-/// The outline of the object: corners in order, m. It is only drawn.
+/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
 
 type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
@@ -17,8 +17,9 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 560;
 
-/// Draws a grasp with its contact forces inside their friction cones. The largest force gets a third of the picture's
-/// width; cones are as long as the forces they belong to would be at that size. The load acts at the origin.
+/// Draws a grasp with its contact forces inside their friction cones. Arrows are forces on the object, the largest of them or of the load a third as
+/// long as contacts and outline extend; cones are a little longer than the normal forces in them. The load's force is drawn at the origin, its
+/// moment is not drawn.
 ///
 /// ```
 /// use grasp_lcp::picture::draw_grasp;
@@ -28,19 +29,29 @@ const HEIGHT: u32 = 560;
 /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 /// let outcome = grasp.solve(&Wrench::force([0.0, -6.0]))?;
 /// let state = outcome.equilibrium().ok_or("it holds")?;
-/// let svg = draw_grasp(&grasp, state, None, "A pinch")?;
+/// let svg = draw_grasp(&grasp, state, Some(&[[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]]), "A pinch")?;
 /// assert!(svg.starts_with("<svg"));
+/// // The state of another grasp, or a corner that is nowhere, is no picture.
+/// assert!(draw_grasp(&Grasp::new([finger(-1.0)])?, state, None, "A finger").is_err());
+/// assert!(draw_grasp(&grasp, state, Some(&[[f64::INFINITY, 0.0]]), "A pinch").is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// [`PictureError`] if the back end fails.
+/// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the outline is not finite, or if the back end fails.
 pub fn draw_grasp(
     grasp: &Grasp,
     state: &Equilibrium,
     outline: Option<Outline>,
     title: &str,
 ) -> Result<String, PictureError> {
+    if state.contacts.len() != grasp.len() {
+        let (given, expected) = (state.contacts.len(), grasp.len());
+        return Err(PictureError(format!("the equilibrium has {given} contacts, the grasp has {expected}")));
+    }
+    if !outline.unwrap_or_default().iter().flatten().all(|x| x.is_finite()) {
+        return Err(PictureError("a corner of the outline is not finite".into()));
+    }
     let mut svg = String::new();
     Picture::new(grasp, state, outline).draw(&mut svg, title).map_err(PictureError::from_backend)?;
     Ok(svg)

@@ -24,7 +24,7 @@ use plotters::style::RGBColor;
 
 use crate::equilibrium::{ContactAnswer, ContactState};
 
-/// A picture could not be drawn.
+/// A picture could not be drawn; the message says what stood in the way.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("the picture could not be drawn: {0}")]
 pub struct PictureError(String);

@@ -49,21 +49,23 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first.
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] are spokes from the
+    /// middle.
     #[must_use]
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(Series { name: name.into(), points, stroke });
         self
     }
 
-    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the label stands in the legend.
+    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the label stands in the legend. A radius beyond the rim
+    /// is drawn on it.
     #[must_use]
     pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
         self.marks.push((points, label.into()));
         self
     }
 
-    /// Names a direction outside the rim.
+    /// Names a direction (angle in rad) outside the rim.
     #[must_use]
     pub fn ray(mut self, angle: f64, label: impl Into<String>) -> Self {
         self.rays.push((angle, label.into()));
@@ -77,7 +79,7 @@ impl Polar {
         self
     }
 
-    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the next ring outside it.
+    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the next ring at or outside it.
     #[must_use]
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);

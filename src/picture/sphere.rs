@@ -48,8 +48,8 @@ const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
 const MISSING: RGBColor = RGBColor(190, 190, 190);
 
 impl SphereMap {
-    /// A map of one value for each direction of the grid. An infinite value means that there is no bound that way, a value that is not a number that none
-    /// is known; both get colours of their own.
+    /// A map of one value for each of the grid's [directions](SphereGrid::directions), in their order; `quantity` stands at the scale of colours (say the unit).
+    /// An infinite value means that there is no bound that way, a value that is not a number that none is known; both get colours of their own.
     ///
     /// # Errors
     /// [`PictureError`] if there are more or fewer values than directions, or none of them is finite.
@@ -79,14 +79,14 @@ impl SphereMap {
         })
     }
 
-    /// Marks a direction with a dot and a label.
+    /// Marks a direction, of any length but zero, with a dot and a label.
     #[must_use]
     pub fn mark(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
         self.marks.push((direction, label.into()));
         self
     }
 
-    /// Marks a direction with a cross and a label, for what the map is about: a contact normal.
+    /// Marks a direction, of any length but zero, with a cross and a label, for what the map is about: a contact normal.
     #[must_use]
     pub fn ray(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
         self.rays.push((direction, label.into()));
@@ -100,7 +100,7 @@ impl SphereMap {
         self
     }
 
-    /// What infinite values, and values that are not numbers, mean.
+    /// What infinite values, and values that are not numbers, mean, for the legend; "no bound" and "not known" unless said otherwise.
     #[must_use]
     pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
         (self.unbounded, self.missing) = (unbounded.into(), missing.into());
@@ -110,7 +110,7 @@ impl SphereMap {
     /// Draws it.
     ///
     /// # Errors
-    /// [`PictureError`] if the back end fails.
+    /// [`PictureError`] if a direction that is marked has no length or is not finite, or the back end fails.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
         let (low, high) =

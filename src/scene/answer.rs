@@ -48,7 +48,7 @@ pub enum Proof<const D: usize> {
     FreeMotion {
         /// The motion.
         motion: Twist<D>,
-        /// Work of the load on it, J.
+        /// Work of the load on it, positive, J.
         #[serde(with = "numbers")]
         work: f64,
     },
@@ -56,7 +56,7 @@ pub enum Proof<const D: usize> {
     SeparatingMotion {
         /// The motion.
         motion: Twist<D>,
-        /// Work of the load on it, J.
+        /// Work of the load on it, positive, J.
         #[serde(with = "numbers")]
         work: f64,
     },
@@ -83,9 +83,9 @@ impl<const D: usize> From<&NoEquilibrium<D>> for Proof<D> {
 pub struct Equilibrium<const D: usize, const C: usize> {
     /// The load it balances.
     pub load: Wrench<D>,
-    /// Motion of the object.
+    /// Motion of the object: translation of the origin (m) and rotation (rad).
     pub twist: Twist<D>,
-    /// Contact by contact; a soft fingertip point by point.
+    /// Contact by contact, in the order of the scene; a soft fingertip point by point.
     pub contacts: Vec<Touch<C>>,
     /// How well it satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
@@ -99,7 +99,8 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Energy stored in the springs, J.
     #[serde(with = "numbers")]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists: the twist is known up to them.
+    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts as one unit says
+    /// [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_motions: Vec<Twist<D>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.

@@ -12,6 +12,18 @@ use crate::error::Error;
 use crate::grasp::{Contact, Hold, Stiffness};
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
+///
+/// ```
+/// use grasp_lcp::planar::Contact;
+/// use grasp_lcp::scene::{Finger, Setup, Tip};
+///
+/// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+/// let (hard, soft) = (Finger::from(jaw(-1.0)), Finger::from(jaw(1.0)).soft(Tip::Pair { width: 0.01 }));
+/// // The pair shares the stiffness of its contact.
+/// let grasp = Setup::<3, 2>::new([hard, soft]).grasp()?;
+/// assert_eq!(grasp.len(), 3);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Finger<const C: usize> {
@@ -30,7 +42,7 @@ impl<const C: usize> From<Contact<C>> for Finger<C> {
 }
 
 impl<const C: usize> Finger<C> {
-    /// The same, spread over a patch.
+    /// The same, spread over a patch: a ring or a disc in space, a pair or a pad in the plane; another one is an error of [`Setup::grasp`](super::Setup::grasp).
     #[must_use]
     pub fn soft(self, tip: Tip) -> Self {
         Self { soft: Some(tip), ..self }

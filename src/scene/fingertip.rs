@@ -5,21 +5,22 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::grasp::{Pressure, SoftFingertip};
 
-/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane. `{"disc": {"radius": 0.006, …}}`.
+/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane. `{"disc": {"radius": 0.006, …}}`. Which
+/// numbers are allowed say the functions named.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Tip {
     /// [`SoftFingertip::ring`].
     Ring {
-        /// m.
+        /// Radius of the ring, m.
         radius: f64,
         /// Points on it.
         points: usize,
     },
     /// [`SoftFingertip::disc`].
     Disc {
-        /// m.
+        /// Radius of the disc, m.
         radius: f64,
         /// Annuli of equal width, two rings of points each.
         annuli: usize,
@@ -31,12 +32,12 @@ pub enum Tip {
     },
     /// [`SoftFingertip::pair`].
     Pair {
-        /// m.
+        /// Width of the pad at whose edges the two points are, m.
         width: f64,
     },
     /// [`SoftFingertip::pad`].
     Pad {
-        /// m.
+        /// Width of the pad from edge to edge, m.
         width: f64,
         /// Strips of equal width on either side of the middle, two points each.
         strips: usize,

@@ -25,7 +25,8 @@
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
-//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames):
+//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and at most 1e50 in size; besides
+//! them friction may be `"infinite"` and a spring `"rigid"`:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -175,7 +176,7 @@ mod setup;
 mod wrench;
 mod written;
 
-pub use answer::{Answer, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
+pub use answer::{Accuracy, Answer, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
 pub use finger::Finger;
 pub use fingertip::Tip;
 pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};

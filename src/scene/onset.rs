@@ -46,7 +46,7 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Onset<const D: usize, const C: usize> {
-    /// Load factor.
+    /// Load factor τ, no unit.
     #[serde(with = "numbers")]
     pub factor: f64,
     /// The load there.
@@ -96,12 +96,12 @@ pub enum Departure<const C: usize> {
 pub enum Beyond<const D: usize, const C: usize> {
     /// The equilibrium goes on, with these rates per unit of load factor.
     Continues {
-        /// What every contact does next.
+        /// What every contact does next, in the order of [`Equilibrium::contacts`].
         states: Vec<Doing<C>>,
-        /// Rates of the contact forces in the contact frames, N.
+        /// Rates of the contact forces in the contact frames, N, contact by contact.
         #[serde(with = "list")]
         force_rates: Vec<SVector<f64, C>>,
-        /// Rate of the object's twist.
+        /// Rate of the object's twist, m and rad.
         twist_rate: Twist<D>,
         /// By which rule it was found.
         rule: Rung,

@@ -17,11 +17,12 @@ pub struct PathAnswer<const D: usize, const C: usize> {
     /// How it ended.
     #[serde(flatten)]
     pub end: PathEnd<D, C>,
-    /// What happened on the way.
+    /// What happened on the way, in order.
     pub events: Vec<Event<D, C>>,
     /// Of every leg that was entered, up to where the path was followed.
     pub energies: Vec<Energy>,
-    /// Sum of the estimated errors of the steps along sliding arcs.
+    /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
     #[serde(with = "numbers")]
     pub step_error: f64,
 }
@@ -102,7 +103,7 @@ pub struct Event<const D: usize, const C: usize> {
     /// Unit motions that nothing resists from here on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_motions: Vec<Twist<D>>,
-    /// Other ways in which the path could go on; left out if that is not known.
+    /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event.
@@ -176,16 +177,16 @@ impl<const C: usize> From<path::Change<C>> for Turn<C> {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Energy {
-    /// Work of the load on the object.
+    /// Work of the load on the object, `∫ W·dq`.
     #[serde(with = "numbers")]
     pub load_work: f64,
-    /// Work of the fingers' drives.
+    /// Work of the fingers' drives, `Σ ∫ F·du_f`.
     #[serde(with = "numbers")]
     pub finger_work: f64,
     /// Change of the energy stored in the springs.
     #[serde(with = "numbers")]
     pub stored: f64,
-    /// Heat from friction.
+    /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
     #[serde(with = "numbers")]
     pub dissipated: f64,
     /// What does not balance, over the sum of the sizes of all contributions: zero in exact arithmetic.

@@ -13,10 +13,10 @@ use crate::equilibrium::{ContactAnswer, ContactState};
 pub struct Place {
     /// Its place in the list of contacts, from 0.
     pub contact: usize,
-    /// Which point of a soft fingertip, from 0.
+    /// Which point of a soft fingertip, from 0; left out for a contact that is a point itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point: Option<usize>,
-    /// The name of the contact.
+    /// The name of the contact; left out if it has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
 }
@@ -70,10 +70,10 @@ pub struct Touch<const C: usize> {
     /// The same force along the coordinate axes, N.
     #[serde(with = "row")]
     pub force_world: SVector<f64, C>,
-    /// Gap between the surfaces, m.
+    /// Gap between the surfaces, m, never negative.
     #[serde(with = "numbers")]
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, m.
+    /// Slip of the finger over the body in the contact frame, m; its normal component is zero.
     #[serde(with = "row")]
     pub slip: SVector<f64, C>,
     /// Friction in reserve, N; "infinite" with infinite friction.

@@ -52,8 +52,8 @@ fn no_load<const D: usize>() -> Wrench<D> {
     Wrench::ZERO
 }
 
-/// Finger commands or changes of them: one for each contact of the scene in its contact frame, m. The points of a soft fingertip
-/// have that of their contact.
+/// Finger commands or changes of them: one for each contact of the scene in its contact frame, normal part first, m. The points of a soft
+/// fingertip have that of their contact. Another number of them is an error where the question is read or answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Commands<const C: usize>(pub Vec<SVector<f64, C>>);
 
@@ -70,17 +70,28 @@ impl<'de, const C: usize> Deserialize<'de> for Commands<C> {
     }
 }
 
-/// Where load or commands go.
+/// Where load or commands go along a leg, in a straight line.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal<T> {
-    /// By this much.
+    /// By this much from where they are when the leg begins.
     By(T),
-    /// To this.
+    /// To this, wherever they are.
     To(T),
 }
 
 /// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by` or `commands_to`, or one of each; what
 /// is not mentioned stays.
+///
+/// ```
+/// use grasp_lcp::planar::Wrench;
+/// use grasp_lcp::scene::{Commands, Goal, Leg};
+///
+/// let grip = Commands(vec![[0.002, 0.0].into(); 2]);
+/// let leg: Leg<3, 2> = Leg::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
+/// let written = r#"{"load_to": {"force": [0, -1]}, "commands_by": [[0.002, 0], [0.002, 0]]}"#;
+/// assert_eq!(serde_json::from_str::<Leg<3, 2>>(written)?, leg);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Leg<const D: usize, const C: usize> {
@@ -91,7 +102,7 @@ pub struct Leg<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Leg<D, C> {
-    /// A leg of load, of commands, or of both at once.
+    /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<D>>>, commands: Option<Goal<Commands<C>>>) -> Self {
         Self { load, commands }

@@ -15,19 +15,40 @@ use crate::error::{ContactLabel, Error};
 use crate::grasp::Grasp;
 use crate::load_path::{self, Ramp};
 
-/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact.
+/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact, 3 and 2 in the plane, 6 and 3 in space.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Wrench};
+/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup, SolveAnswer};
+///
+/// // Two jaws press with 1000 N/m · 0.01 m = 10 N each; μ = 0.5, so that they hold 10 N.
+/// let jaw = |side: f64| {
+///     Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0])
+/// };
+/// let down = Wrench::force([0.0, -1.0]);
+/// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()])
+///     .ask(Question::Solve { load: down * 4.0 })
+///     .ask(Question::Onset(RampAsked { base: Wrench::ZERO, direction: down, command_change: None }));
+///
+/// let [Answer::Solve(SolveAnswer::Equilibrium(state)), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
+///     panic!("it holds 4 N, and slides at some load")
+/// };
+/// assert!((state.contacts[0].force[0] - 10.0).abs() < 1e-13);
+/// assert!((onset.factor - 10.0).abs() < 1e-13);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Setup<const D: usize, const C: usize> {
-    /// At least one.
+    /// At least one; without any [`Setup::grasp`] is an error.
     pub contacts: Vec<Finger<C>>,
-    /// Corners of the object in order, m. They are only drawn.
+    /// Corners of the object in order, m. They are only drawn, by the caller.
     #[serde(with = "list", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<D, C>>,
-    /// For all questions.
+    /// For all questions. Where they are for the polygon, so are onsets ([`Grasp::onset_on_polygon`]).
     #[serde(skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -77,7 +98,8 @@ impl<const D: usize, const C: usize> From<&Grasp<D, C>> for Setup<D, C> {
 }
 
 impl<const D: usize, const C: usize> Setup<D, C> {
-    /// Contacts of which nothing is asked yet.
+    /// Contacts of which nothing is asked yet, without an outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a
+    /// [`Finger`].
     pub fn new(contacts: impl IntoIterator<Item = Finger<C>>) -> Self {
         Self {
             contacts: contacts.into_iter().collect(),

@@ -9,7 +9,7 @@ use crate::wide::{Loop, wide};
 /// Scenes side by side.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-/// Many grasps of `N` contacts each, to be screened under common loads.
+/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
 ///
 /// Numbers of eight grasps lie side by side, so that one instruction works on several of them. A grasp gets the same answer,
 /// to the last bit, as from [`Fingers::onset`] on its own, whatever the batch, the processor and the number of threads.
@@ -49,7 +49,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         Self { blocks: Vec::with_capacity(grasps.div_ceil(LANES)), len: 0 }
     }
 
-    /// Appends a grasp.
+    /// Appends a grasp; its answers come in the place of its number.
     pub fn push(&mut self, fingers: &Fingers<D, C, N>) {
         let lane = self.len % LANES;
         if lane == 0 {
@@ -82,7 +82,33 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 
     /// When the first contact of each grasp leaves rolling as each of the loads grows, on one thread; for all cores there is
     /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch). The answers come grasp by grasp, for each in the order of the loads: what does
-    /// not depend on the load is done once. `answers` is cleared first; with room for all of them nothing is allocated.
+    /// not depend on the load is done once. `answers` is cleared first and then holds the one of grasp g and pull p at
+    /// `g * pulls.len() + p`; with room for all of them nothing is allocated.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
+    ///
+    /// let mut batch = Batch::with_capacity(2);
+    /// for squeeze in [0.01, 0.02] {
+    ///     let jaw = |side: f64| {
+    ///         Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([squeeze, 0.0])
+    ///     };
+    ///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
+    /// }
+    /// // Jaws that press with 10 N or 20 N hold as much; a load of 4 N leaves the rest of it, an upward pull 4 N more.
+    /// let weight = Wrench::force([0.0, -4.0]);
+    /// let pulls = [
+    ///     Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?,
+    ///     Pull::new(&weight, &Wrench::force([0.0, -1.0]))?,
+    ///     Pull::new(&weight, &Wrench::force([0.0, 1.0]))?,
+    /// ];
+    /// let mut onsets = Vec::new();
+    /// batch.onsets_into(&pulls, &mut onsets);
+    /// for (onset, exact) in onsets.iter().zip([10.0, 6.0, 14.0, 20.0, 16.0, 24.0]) {
+    ///     assert!((onset.factor().unwrap() - exact).abs() < 1e-13);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
     pub fn onsets_into(&self, pulls: &[Pull<D>], answers: &mut Vec<Screened>) {
         for part in self.parts(pulls, self.blocks.len(), answers) {
             part.screen();

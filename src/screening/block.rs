@@ -35,10 +35,11 @@ pub struct Pull<const D: usize> {
 }
 
 impl<const D: usize> Pull<D> {
-    /// The load on the object `base + factor · direction`: forces in N, moments in N m about the origin of the coordinates of each grasp. The factor has no unit.
+    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
+    /// grasp. The factor has no unit, and no length is asked of the direction.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a load is not finite.
+    /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
     pub fn new(base: &Wrench<D>, direction: &Wrench<D>) -> Result<Self, Error> {
         for (what, wrench) in [("base load", base), ("load direction", direction)] {
             let w = wrench.as_vector();

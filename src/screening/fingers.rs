@@ -34,7 +34,7 @@ pub struct Fingers<const D: usize, const C: usize, const N: usize> {
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
-    /// Checks the contacts and makes them ready.
+    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not compile.
     ///
     /// # Errors
     /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
@@ -89,7 +89,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         Ok(Self { ready: Ready::new(&block), block })
     }
 
-    /// When the first contact leaves rolling as the load grows.
+    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening does not know.
     #[must_use]
     #[inline(never)]
     pub fn onset(&self, pull: &Pull<D>) -> Screened {

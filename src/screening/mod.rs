@@ -5,6 +5,10 @@
 //! leaves. This is what [`Grasp::onset`](crate::grasp::Grasp::onset) finds, too, wherever every contact rolls at factor zero and the numbers
 //! are not extreme; where they are, screening says so ([`Verdict`]) and leaves the answer to it. It does not ask what comes beyond the onset.
 //!
+//! ```text
+//! F_i(τ) = F_i(W₀) + τ F_i',   W = W₀ + τ W',   onset: the least τ > 0 beyond which |F_t| > μ F_n (if μ is 0 or infinite: F_n < 0) at some contact
+//! ```
+//!
 //! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and
 //! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) on all cores.
 

@@ -24,6 +24,9 @@ const NO_WORK: f64 = 1e-13;
 /// may). It looks for one equilibrium, in space
 /// on the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where it finds none.
 /// [`Grasp::solve`] knows more ways to one, proofs that there is none, the round cone and the answer as physics.
+///
+/// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the next one. `D` and `C` are 3 and 2 in the
+/// plane, 6 and 3 in space.
 #[derive(Debug, Clone)]
 pub struct Workspace<const D: usize, const C: usize> {
     path: Path<D, C>,
@@ -47,11 +50,12 @@ pub struct Workspace<const D: usize, const C: usize> {
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum Search<'a, const D: usize, const C: usize> {
-    /// An equilibrium.
+    /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`View::residual`]).
     Found(View<'a, D, C>),
     /// The load works on a motion that no contact resists: there is no equilibrium.
     FreeMotion,
-    /// Lemke's paths ended on rays or broke down: there may be an equilibrium or none.
+    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the kinematic form) or on a point that does not satisfy every
+    /// condition: there may be an equilibrium or none.
     NotFound {
         /// Pivots of all paths.
         pivots: usize,
@@ -65,20 +69,20 @@ pub struct View<'a, const D: usize, const C: usize> {
 }
 
 impl<'a, const D: usize, const C: usize> View<'a, D, C> {
-    /// Forces on the object in the contact frames, N: (`F_n`, `F_t`…).
+    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp: (`F_n`, `F_t`…), `F_n` > 0 pushes.
     #[must_use]
     pub fn forces(&self) -> &'a [SVector<f64, C>] {
         if self.workspace.by_newton { &self.workspace.newton.forces } else { &self.workspace.solution.forces }
     }
 
-    /// Motion of the object.
+    /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if the contacts leave it free motions.
     #[must_use]
     pub fn twist(&self) -> Twist<D> {
         self.workspace.twist
     }
 
     /// The largest violation of a condition, relative to the sizes of its terms: balance of forces and moments, friction cones,
-    /// gaps and slips.
+    /// gaps and slips. At most 1e-10, as a rule a few roundings.
     #[must_use]
     pub fn residual(&self) -> f64 {
         if self.workspace.by_newton {
@@ -88,7 +92,7 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
         }
     }
 
-    /// Pivots of Lemke's method.
+    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to the equilibrium.
     #[must_use]
     pub fn pivots(&self) -> usize {
         self.workspace.path.pivots
@@ -100,7 +104,8 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
         self.workspace.by_newton.then_some(self.workspace.newton.steps)
     }
 
-    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact.
+    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact: none for a contact that rolls,
+    /// [`Row::Gap`] for one that is open, one [`Row::Slip`] for one that slides across a facet, two at a corner of the polygon.
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
         let workspace = self.workspace;
         (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
@@ -114,7 +119,7 @@ impl<const D: usize, const C: usize> Default for Workspace<D, C> {
 }
 
 impl<const D: usize, const C: usize> Workspace<D, C> {
-    /// A workspace without memory yet. The polygonal cone is looked at in space only.
+    /// A workspace without memory yet, for answers on this polygonal cone, which is looked at in space only.
     #[must_use]
     pub fn new(cone: PolygonCone) -> Self {
         Self {
@@ -133,14 +138,14 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         }
     }
 
-    /// The polygonal cone.
+    /// The polygonal cone that answers are for.
     #[must_use]
     pub fn cone(&self) -> PolygonCone {
         self.cone
     }
 
-    /// An equilibrium of a grasp under a load: with many contacts by Newton's method if it arrives, else along Lemke's paths from the elastic
-    /// trial state.
+    /// An equilibrium of a grasp under a load on the object: from 32 contacts on by Newton's method if it arrives, else along up to four of Lemke's paths
+    /// from the elastic trial state. A step of Newton's method and a pivot cost O(n) with n contacts.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -163,15 +168,15 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Search<'_, D, C>, Error> {
         self.solve_along(OTHER_PATHS, grasp, load)
     }
 
-    /// The same along Lemke's first path only, that of the covering vector of ones.
+    /// The same along Lemke's first path only, that of the covering vector of ones, whatever the number of contacts.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite.
+    /// As for [`Workspace::solve`].
     pub fn solve_along_one_path(
         &mut self,
         grasp: &Grasp<D, C>,

@@ -85,7 +85,7 @@ impl SpatialPage {
         self
     }
 
-    /// An equilibrium of the grasp, with what its button says.
+    /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin with.
     #[must_use]
     pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
         let shown = Shown::State(Box::new(state.clone()));
