@@ -20,6 +20,7 @@ use nalgebra::DVector;
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Settings {
     /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the caller's units.
     ///

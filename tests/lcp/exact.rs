@@ -80,7 +80,7 @@ fn the_answer_is_a_solution_exactly_if_there_is_one() {
 
 #[test]
 fn one_path_is_enough_where_the_theory_says_so() {
-    let one_path = Settings { retries: 0, enumerate_up_to: 0, ..Settings::default() };
+    let one_path = Settings::default().with_retries(0).with_enumerate_up_to(0);
     let mut random = Random(11);
     let mut missed = [0; 7];
     for trial in 0..7000 {

@@ -131,9 +131,10 @@ proptest! {
         tolerances in vec(any_bits(), 3),
     ) {
         let lcp = Lcp::new(m, q).unwrap();
-        let settings = Settings { covering: Some(DVector::from_vec(covering)), max_pivots: Some(max_pivots), ..Settings::default() };
+        let settings = Settings::default().with_covering(DVector::from_vec(covering)).with_max_pivots(max_pivots);
         check(&lcp, &lcp.solve_with(&settings))?;
-        let settings = Settings { pivot_tolerance: tolerances[0], tie_tolerance: tolerances[1], ..Settings::default() };
+        let mut settings = Settings::default();
+        [settings.pivot_tolerance, settings.tie_tolerance] = [tolerances[0], tolerances[1]];
         check(&lcp, &lcp.solve_with(&settings))?;
     }
 
@@ -154,7 +155,7 @@ proptest! {
             let problem = Lcp::new(m.clone(), q.clone()).unwrap();
             check(&problem, &series.solve(q).unwrap().into_outcome())?;
         }
-        let mut path = Parametric::new(&lcp, &other, Settings { max_pivots: Some(50), ..Settings::default() }).unwrap();
+        let mut path = Parametric::new(&lcp, &other, Settings::default().with_max_pivots(50)).unwrap();
         check(&lcp, path.start())?;
         prop_assert!(path.by_ref().count() <= 50);
         prop_assert!(path.end().is_some());

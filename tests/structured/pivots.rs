@@ -70,12 +70,8 @@ impl Tallies {
     fn compare<const D: usize, const C: usize>(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) {
         let cone = PolygonCone::default();
         let Ok(Some(form)) = grasp.kinematic_form(load, &cone) else { return };
-        let settings = lcp::Settings {
-            covering: Some(DVector::from_element(form.rows.len(), 1.0)),
-            retries: 0,
-            enumerate_up_to: 0,
-            ..lcp::Settings::default()
-        };
+        let ones = DVector::from_element(form.rows.len(), 1.0);
+        let settings = lcp::Settings::default().with_covering(ones).with_retries(0).with_enumerate_up_to(0);
         let (mut dense, mut settled) = (None, true);
         if let Outcome::Solved(solution) = form.lcp.solve_with(&settings) {
             let found = states(grasp.len(), solution.basis.iter().map(|i| form.rows[i]));
