@@ -21,7 +21,7 @@
 //! | field | value | if left out |
 //! |---|---|---|
 //! | `contacts` | a list of contacts, at least one | an error |
-//! | `outline` | corners of the object in order, m; only drawn | none |
+//! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
