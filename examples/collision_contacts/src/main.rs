@@ -8,6 +8,7 @@
 //! the tips are now, which must be what the springs of the fingers say.
 
 mod hand;
+mod picture;
 
 use glamx::{DPose3, DVec3};
 use grasp_lcp::spatial::{Contact, ContactState, Departure, Equilibrium, Grasp, Ramp, Wrench};
@@ -85,7 +86,12 @@ fn main() -> Result<(), Failure> {
     let held = outcome.equilibrium().ok_or("the mug is not held")?;
     report(&grasp, held, &mug)?;
     directions(&grasp, centre)?;
-    moved_hands(&mug, centre)
+    moved_hands(&mug, centre)?;
+    let onset = grasp.onset_of_sliding(Wrench::ZERO, pull(-DVec3::Z, centre))?;
+    let slides = onset.event().map(|event| (format!("first slides, at {:.3} N", event.factor), &event.state));
+    let mut answers = vec![("held upright", held)];
+    answers.extend(slides.as_ref().map(|(label, state)| (label.as_str(), *state)));
+    picture::save(&grasp, &answers, &mug)
 }
 
 /// Contact forces, and whether parry finds the springs as long as they say at the predicted pose of the mug.

@@ -29,11 +29,12 @@ pub(super) struct Drawing<'p> {
 
 impl<'p> Drawing<'p> {
     pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
-        let corners = page.outlines.iter().flatten().map(|corner| Vector3::from(*corner));
+        let corners =
+            page.outlines.iter().chain(&page.fixtures).flatten().map(|corner| Vector3::from(*corner));
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         for point in page.grasp.contacts().iter().map(Contact::point).chain(corners) {
             if !point.iter().all(|x| x.is_finite()) {
-                return Err(PictureError("a corner of the outline is not finite".into()));
+                return Err(PictureError("a corner of an outline is not finite".into()));
             }
             (low, high) = (low.inf(&point), high.sup(&point));
         }
@@ -88,7 +89,8 @@ impl<'p> Drawing<'p> {
 
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let page = self.page;
-        let outlines = list(&page.outlines, |corners| list(corners, |corner| json_row(corner)))?;
+        let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
+        let (outlines, fixtures) = (lines(&page.outlines)?, lines(&page.fixtures)?);
         let contacts = list(page.grasp.contacts().iter().zip(page.grasp.frames()).enumerate(), {
             |(i, (contact, frame))| {
                 Ok(format!(
@@ -104,7 +106,7 @@ impl<'p> Drawing<'p> {
         })?;
         let frames = list(&page.frames, |frame| self.frame(frame))?;
         Ok(format!(
-            "{{\"centre\":{},\"span\":{},\"force\":{},\"moment\":{},\"displacement\":{},\n\"outlines\":{outlines},\n\"contacts\":{contacts},\n\"frames\":{frames}}}",
+            "{{\"centre\":{},\"span\":{},\"force\":{},\"moment\":{},\"displacement\":{},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"contacts\":{contacts},\n\"frames\":{frames}}}",
             json_row(self.centre.as_slice())?,
             json_number(self.span)?,
             json_number(self.force)?,

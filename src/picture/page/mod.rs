@@ -53,6 +53,7 @@ pub struct SpatialPage {
     grasp: Grasp,
     title: String,
     outlines: Vec<Vec<[f64; 3]>>,
+    fixtures: Vec<Vec<[f64; 3]>>,
     frames: Vec<Frame>,
 }
 
@@ -74,14 +75,27 @@ impl SpatialPage {
     /// A page without answers yet. The grasp alone can be drawn, too.
     #[must_use]
     pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
-        Self { grasp: grasp.clone(), title: title.into(), outlines: Vec::new(), frames: Vec::new() }
+        Self {
+            grasp: grasp.clone(),
+            title: title.into(),
+            outlines: Vec::new(),
+            fixtures: Vec::new(),
+            frames: Vec::new(),
+        }
     }
 
-    /// A closed line on the object, corner by corner, m; call it for as many as it takes. They are only drawn, where the object was
+    /// A closed line on the object, corner by corner, m (of two corners: the line between them); call it for as many as it takes. They are only drawn, where the object was
     /// and where it moves.
     #[must_use]
     pub fn outline(mut self, corners: impl Into<Vec<[f64; 3]>>) -> Self {
         self.outlines.push(corners.into());
+        self
+    }
+
+    /// A closed line on something that stays where it is, a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
+    #[must_use]
+    pub fn fixture(mut self, corners: impl Into<Vec<[f64; 3]>>) -> Self {
+        self.fixtures.push(corners.into());
         self
     }
 

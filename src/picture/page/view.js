@@ -23,7 +23,7 @@
 
   // Everything of every answer stays inside the picture, so that answers can be compared.
   const reach = (() => {
-    const ends = [...scene.outlines.flat()];
+    const ends = [...scene.outlines.flat(), ...scene.fixtures.flat()];
     for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -0.12 * scene.span));
     for (const frame of scene.frames.filter(Boolean)) {
       const { load } = frame;
@@ -64,7 +64,10 @@
     });
   };
   const loop = (points, ink, width, dashes) =>
-    points.forEach((p, k) => line(p, points[(k + 1) % points.length], ink, width, dashes));
+    points.forEach((p, k) => {
+      // Two corners are one line.
+      if (k + 1 < points.length || k > 1) line(p, points[(k + 1) % points.length], ink, width, dashes);
+    });
   const face = (points, ink, opacity) => {
     const corners = points.map(project);
     paint(corners.reduce((sum, c) => sum + c[2], 0) / corners.length, () => {
@@ -165,6 +168,7 @@
     look();
     strokes = [];
     const frame = scene.frames[shown];
+    for (const fixture of scene.fixtures) loop(fixture, "#ccc", 1);
     for (const outline of scene.outlines) {
       loop(outline, "#999", 1);
       if (frame && layers.displacements) loop(outline.map((p) => moved(frame.twist, p)), PINK, 1, [5, 4]);
