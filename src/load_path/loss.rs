@@ -14,8 +14,8 @@ use crate::lcp::{self, Outcome, Proof};
 const A_LITTLE: f64 = 1e-6;
 /// On the round cone that may be too little to tell: then a little more.
 const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-/// Forces closer than this part of them, that far beyond the end, are those of the same path.
-const NEAR: f64 = 1e-3;
+/// Where an equilibrium that far on has nearly the forces of the end, less: what leaves a path without a jump comes back to it.
+const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
 /// Among more contacts on round cones a search in vain takes seconds.
 const FEW_CONTACTS: usize = 8;
 /// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
@@ -36,10 +36,11 @@ pub(super) fn end_of_arc<const D: usize, const C: usize>(
     beyond_on_the_round_cone(segment, true, forces, loss, settings)
 }
 
-/// Whether forces are those of a path that goes on: on a way so short they change by the root of it at most.
-fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>]) -> bool {
+/// Whether forces are those of a path that goes on by this part: on a short way they change by the root of it at most.
+fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>], part: f64) -> bool {
     let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
-    found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= NEAR * largest)
+    let near = part.min(A_LITTLE).sqrt();
+    found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
 /// What a solution from scratch says a little further on, with the slip so far.
@@ -53,6 +54,11 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
     let here = segment.problem_at(loss.fraction);
     let rates = segment.rates(here.laws.clone());
     let past = |part: f64| segment.problem_at(loss.fraction + part * whole_way(&here, &rates));
+    // Some equilibrium, at a distance from the end that no path goes on so short a way.
+    let another = |part: &f64| match settle(&past(*part), settings).0 {
+        Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
+        _ => false,
+    };
     let few = (0..here.len()).filter(|&i| here.may_slide(i)).count() <= FEW_CONTACTS;
     for part in PARTS_BEYOND.into_iter().filter(|_| few) {
         match settle(&past(part), settings).0 {
@@ -60,7 +66,9 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
                 return PathEnd::LimitLoad(loss);
             }
             // Where another equilibrium is no other the path was not lost, but could not be followed.
-            Settled::Found(found, _) if ends && !is_near(&found.forces, forces) => {
+            Settled::Found(found, _)
+                if ends && (!is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another)) =>
+            {
                 return PathEnd::Snap(loss);
             }
             Settled::Undecided(_) if part == A_LITTLE => {

@@ -6,6 +6,7 @@ mod common;
 mod closed_forms;
 mod cut;
 mod energy;
+mod fold;
 mod free_motion;
 mod in_space;
 mod invariance;

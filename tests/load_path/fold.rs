@@ -1,0 +1,58 @@
+//! The end of a path at a fold: a contact that slides on while its force fades can turn its friction ever faster, until the load
+//! cannot grow any more, although another equilibrium with nearly the same forces waits beyond.
+
+use std::error::Error;
+
+use grasp_lcp::Settings;
+use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Leg, PathEnd, Wrench};
+
+/// The bottle of the scene files, pulled at the origin along x by as much as `pull`: what becomes of it at last, and how it ends.
+fn pulled(grasp: &Grasp, pull: f64, settings: &Settings) -> Result<(Equilibrium, PathEnd), Box<dyn Error>> {
+    let mut path =
+        grasp.follow_with(Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
+    path.by_ref().for_each(drop);
+    let end = path.end().ok_or("run to its end")?.clone();
+    let (_, _, state) = path.position().ok_or("it starts")?;
+    Ok((state, end))
+}
+
+#[test]
+fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), Box<dyn Error>> {
+    let scene: Scene = serde_json::from_str(include_str!("../../examples/scenes/bottle.json"))?;
+    let Space::Spatial(setup) = scene.space else { return Err("the bottle is spatial".into()) };
+    let (grasp, settings) = (setup.grasp()?, Settings::default());
+    let (last, end) = pulled(&grasp, 100.0, &settings)?;
+    let PathEnd::Snap(loss) = end else { return Err(format!("{end:?}").into()) };
+    let most = 100.0 * loss.fraction;
+
+    // A fold and not a failure of the integration: forces come to those of the end as the root of the distance to it, up to a term
+    // that is linear in the distance.
+    let away = |distance: f64| -> Result<f64, Box<dyn Error>> {
+        let (state, end) = pulled(&grasp, most - distance, &settings)?;
+        assert!(matches!(end, PathEnd::Completed));
+        Ok((state.contacts[0].force_world - last.contacts[0].force_world).norm())
+    };
+    for distance in [1e-6, 2.5e-7, 6.25e-8] {
+        let quotient = away(4.0 * distance)? / away(distance)?;
+        assert!((quotient - 2.0).abs() < 0.05, "{distance}: {quotient}");
+    }
+
+    // What is there beyond: the thumb, which still pressed, lets go.
+    assert!(last.contacts[0].normal_force() > 6e-4);
+    let beyond = grasp.solve(&Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
+    let beyond = beyond.equilibrium().ok_or("three fingers hold it")?;
+    assert_eq!(beyond.contacts[0].state, ContactState::Separated);
+    let largest = last.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+    for (there, here) in beyond.contacts.iter().zip(&last.contacts) {
+        assert!((there.force - here.force).norm() < 1e-3 * largest);
+    }
+
+    // The same fold, whatever the error of a step.
+    for step_error in [1e-6, 1e-8, 1e-10] {
+        let (_, end) = pulled(&grasp, 100.0, &settings.clone().with_step_error(step_error))?;
+        let PathEnd::Snap(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };
+        assert!((coarse.fraction / loss.fraction - 1.0).abs() < step_error, "{step_error}");
+    }
+    Ok(())
+}
