@@ -7,12 +7,12 @@ use grasp_lcp::scene::Setup;
 use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use crate::ask::{self, First};
-use crate::limit;
+use crate::limit::{self, End};
 use crate::{Failure, support, watch, weakest};
 
 /// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
 const ONSETS: (usize, usize) = (45, 120);
-const PATHS: (usize, usize) = (10, 26);
+const PATHS: (usize, usize) = (16, 42);
 /// Below every map.
 const NOTE: &str = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. Rings: angle from ±z.";
 /// Longer than this nobody waits for a map.
@@ -51,8 +51,11 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
     let lasts = if grasp.len() > MANY {
         None
     } else {
+        // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
         watch::sweep("load paths", &ways, ALL_PATHS, |d| {
-            limit::last(&grasp, &setup.settings, base, pull(*d), most)
+            let last = limit::last(&grasp, &quick, base, pull(*d), most)?;
+            let known = last.end != End::Unknown;
+            if known { Ok(last) } else { limit::last(&grasp, &setup.settings, base, pull(*d), most) }
         })?
     };
 
