@@ -53,21 +53,3 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Decomposition { equilibrating, interaction }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::planar::{Contact, Grasp, Wrench};
-
-    #[test]
-    fn an_equilibrium_of_another_grasp_is_no_panic() -> Result<(), Box<dyn std::error::Error>> {
-        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
-        let [two, three] = [Grasp::new([-1.0, 1.0].map(foot))?, Grasp::new([-1.0, 0.0, 1.0].map(foot))?];
-        let load = Wrench::force([0.0, -6.0]);
-        for (grasp, other) in [(&two, &three), (&three, &two)] {
-            let outcome = other.solve(&load)?;
-            let split = grasp.decompose(outcome.equilibrium().ok_or("the feet stand")?);
-            assert_eq!((split.equilibrating.len(), split.interaction.len()), (2, 2));
-        }
-        Ok(())
-    }
-}

@@ -253,34 +253,3 @@ pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Cone {
 pub(crate) fn only_lemke() -> lcp::Settings {
     lcp::Settings { retries: 0, enumerate_up_to: 0, ..lcp::Settings::default() }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{ContactState, Settings};
-    use crate::spatial::{Contact, Grasp, Wrench};
-
-    /// A body of 12 N on three feet of 4 N, pulled by 4.8 N towards the middle of a facet. The round cones carry 2 + 2 + 1 N and hold it
-    /// with the weakest foot sliding; the octagons inside carry 5 cos(π/8) = 4.62 N and do not.
-    #[test]
-    fn the_round_cone_may_hold_what_the_polygon_inside_does_not() -> Result<(), crate::Error> {
-        let foot = |x: f64, mu: f64| {
-            Contact::new([x, 0.0, 0.0], [0.0, 0.0, 1.0])
-                .series_stiffness(100.0, 100.0)
-                .friction(mu)
-                .tangent([1.0, 0.0, 0.0])
-                .command([0.04, 0.0, 0.0])
-        };
-        let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.5), foot(0.0, 0.25)])?;
-        let (sin, cos) = std::f64::consts::FRAC_PI_8.sin_cos();
-        let load = Wrench::force([4.8 * cos, 4.8 * sin, -12.0]);
-        assert!(grasp.equilibria(&load, &Settings::default().on_the_polygon())?.is_empty());
-        let all = grasp.equilibria(&load, &Settings::default())?;
-        assert_eq!(all.len(), 1);
-        let friction = [0, 1, 2].map(|i| all[0].contacts[i].friction_force());
-        for (found, expected) in friction.into_iter().zip([1.9, 1.9, 1.0]) {
-            assert!((found - expected).abs() < 1e-13, "{found} {expected}");
-        }
-        assert!(matches!(all[0].contacts[2].state, ContactState::Sliding { .. }));
-        Ok(())
-    }
-}

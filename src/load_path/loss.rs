@@ -14,7 +14,7 @@ use crate::lcp::{self, Outcome, Proof};
 const A_LITTLE: f64 = 1e-6;
 /// On the round cone that may be too little to tell: then a little more.
 const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-/// Where an equilibrium that far on has nearly the forces of the end, less: what leaves a path without a jump comes back to it.
+/// Where the equilibrium there has nearly the forces of the end, nearer: one on a path that goes on comes back to them, another does not.
 const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
 /// Among more contacts on round cones a search in vain takes seconds.
 const FEW_CONTACTS: usize = 8;

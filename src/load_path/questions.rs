@@ -124,24 +124,3 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(to.zip(from).map(|(to, from)| RollingRange { from: -from, to }))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::Settings;
-    use crate::planar::{Contact, Grasp, Ramp, Wrench};
-
-    /// A slider on two guides: nothing resists along them, and no load at all is held that way.
-    #[test]
-    fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), crate::Error> {
-        let guide = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();
-        let grasp = Grasp::new([guide(-1.0), guide(1.0)])?;
-        let reserve = |x: f64, y: f64| {
-            grasp.reserve(&Ramp::load(Wrench::ZERO, Wrench::force([x, y])), 100.0, &Settings::default())
-        };
-        let along = reserve(1.0, 0.0)?;
-        assert_eq!((along.limit, along.completed, along.loss), (Some(0.0), false, None));
-        let across = reserve(0.0, 1.0)?;
-        assert_eq!((across.limit, across.completed, across.loss), (None, true, None));
-        Ok(())
-    }
-}

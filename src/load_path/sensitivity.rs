@@ -369,22 +369,3 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         f
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::Settings;
-    use crate::planar::{Contact, Grasp, Ramp, Wrench};
-
-    #[test]
-    fn a_ramp_for_other_contacts_is_no_panic() -> Result<(), Box<dyn std::error::Error>> {
-        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
-        let grasp = Grasp::new([-1.0, 1.0].map(foot))?;
-        let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));
-        let onset = grasp.onset(&ramp, &Settings::default())?;
-        let event = onset.event().ok_or("it slides at 3 N")?;
-        assert_eq!(grasp.onset_gradients(&ramp, event).len(), 2);
-        let short = ramp.with_commands(vec![[0.0, 0.0].into()]);
-        assert!(grasp.onset_gradients(&short, event).is_empty());
-        Ok(())
-    }
-}

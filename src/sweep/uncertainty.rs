@@ -111,35 +111,3 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset(ramp, settings))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Uncertainty;
-    use crate::error::{Error, Field};
-    use crate::planar::{Contact, Grasp};
-
-    /// Infinite friction and zero friction are laws of their own: no finite coefficient may become one of them.
-    #[test]
-    fn friction_stays_finite_and_positive_or_is_refused() -> Result<(), Error> {
-        let contact = |mu| Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e3, 8e2).friction(mu);
-        let off = Uncertainty::seeded(3).with_friction(2000.0);
-        let (mut refused, mut accepted) = (0, 0);
-        for number in 0..200 {
-            match Grasp::new([contact(0.4)])?.sample(&off, number) {
-                Ok(sample) => {
-                    let mu = sample.contacts()[0].friction_coefficient();
-                    assert!(mu > 0.0 && mu.is_finite(), "{mu}");
-                    accepted += 1;
-                }
-                Err(Error::Contact { field: Field::Friction, .. }) => refused += 1,
-                Err(other) => return Err(other),
-            }
-        }
-        assert!(refused > 50 && accepted > 50, "{refused} {accepted}");
-        for mu in [0.0, f64::INFINITY] {
-            let sample = Grasp::new([contact(mu)])?.sample(&off, 0)?;
-            assert_eq!(sample.contacts()[0].friction_coefficient(), mu);
-        }
-        Ok(())
-    }
-}

@@ -272,14 +272,3 @@ fn squeezing_softens_the_grasp() {
         grasp.second_order_equilibrium(&Wrench::new([f64::NAN, 0.0], 0.0), &Settings::default()).is_err()
     );
 }
-
-/// An equilibrium of another grasp, with fewer contacts: those count, and nothing is asked of the others.
-#[test]
-fn an_equilibrium_of_fewer_contacts_is_no_panic() {
-    let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).command([0.01, 0.0]);
-    let pair = Grasp::new([finger(-1.0), finger(1.0)].map(|contact| contact.friction(0.5))).unwrap();
-    let three = Grasp::new([-1.0, 1.0, 2.0].map(|x| finger(x).friction(0.5))).unwrap();
-    let held = pair.solve(&Wrench::ZERO).unwrap();
-    let held = held.equilibrium().unwrap();
-    assert_eq!(three.stability(held).elastic, pair.stability(held).elastic);
-}

@@ -11,6 +11,7 @@ mod closed_forms;
 mod condition;
 mod exact_equilibria;
 mod exact_states;
+mod foreign_answers;
 mod foreign_vectors;
 mod frames;
 mod frictionless_sliding;

@@ -4,7 +4,7 @@
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::PathEnd;
-use grasp_lcp::{planar, spatial};
+use grasp_lcp::{Settings, planar, spatial};
 
 /// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
 /// body by as much; unloaded, it touches without force; lowered further it parts from the body, which stays where it is.
@@ -219,4 +219,20 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
         assert_close!(end.contacts[2].force_world[2], side * m);
         assert_close!(end.contacts[2].normal_force(), m / mu);
     }
+}
+
+/// A slider on two guides: along them no load at all is held, across them any.
+#[test]
+fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Error> {
+    let guide = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();
+    let grasp = planar::Grasp::new([guide(-1.0), guide(1.0)])?;
+    let reserve = |x: f64, y: f64| {
+        let ramp = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([x, y]));
+        grasp.reserve(&ramp, 100.0, &Settings::default())
+    };
+    let along = reserve(1.0, 0.0)?;
+    assert_eq!((along.limit, along.completed, along.loss), (Some(0.0), false, None));
+    let across = reserve(0.0, 1.0)?;
+    assert_eq!((across.limit, across.completed, across.loss), (None, true, None));
+    Ok(())
 }

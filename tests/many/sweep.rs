@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::sweep::{Uncertainty, map_watched, onset_of_each};
-use grasp_lcp::{Error, Settings};
+use grasp_lcp::{Error, Field, Settings};
 
 const MU: f64 = 0.4;
 const K: f64 = 1000.0;
@@ -132,4 +132,29 @@ fn samples_depend_on_seed_and_number_alone() {
     distinct.sort_unstable();
     distinct.dedup();
     assert_eq!(distinct.len(), 300);
+}
+
+/// Infinite friction and zero friction are laws of their own: no finite coefficient may become one of them.
+#[test]
+fn friction_of_samples_stays_finite_and_positive_or_is_refused() -> Result<(), Error> {
+    let contact = |mu| Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, 0.8 * K).friction(mu);
+    let off = Uncertainty::seeded(3).with_friction(2000.0);
+    let (mut refused, mut accepted) = (0, 0);
+    for number in 0..200 {
+        match Grasp::new([contact(MU)])?.sample(&off, number) {
+            Ok(sample) => {
+                let mu = sample.contacts()[0].friction_coefficient();
+                assert!(mu > 0.0 && mu.is_finite(), "{mu}");
+                accepted += 1;
+            }
+            Err(Error::Contact { field: Field::Friction, .. }) => refused += 1,
+            Err(other) => return Err(other),
+        }
+    }
+    assert!(refused > 50 && accepted > 50, "{refused} {accepted}");
+    for mu in [0.0, f64::INFINITY] {
+        let sample = Grasp::new([contact(mu)])?.sample(&off, 0)?;
+        assert_eq!(sample.contacts()[0].friction_coefficient(), mu);
+    }
+    Ok(())
 }

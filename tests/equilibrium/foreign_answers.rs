@@ -1,0 +1,43 @@
+//! An equilibrium or an onset of another grasp, with more or fewer contacts, is no panic: what it does not have counts for nothing.
+
+use std::error::Error;
+
+use grasp_lcp::Settings;
+use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+
+fn on_feet(places: &[f64]) -> Result<Grasp, grasp_lcp::Error> {
+    let foot = |x: &f64| Contact::new([*x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 8e2).friction(0.5);
+    Grasp::new(places.iter().map(foot))
+}
+
+#[test]
+fn forces_of_fewer_or_more_contacts_are_split() -> Result<(), Box<dyn Error>> {
+    let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 0.0, 1.0])?);
+    for (grasp, other) in [(&two, &three), (&three, &two)] {
+        let outcome = other.solve(&Wrench::force([0.0, -6.0]))?;
+        let split = grasp.decompose(outcome.equilibrium().ok_or("the feet stand")?);
+        assert_eq!((split.equilibrating.len(), split.interaction.len()), (2, 2));
+    }
+    Ok(())
+}
+
+#[test]
+fn stability_counts_the_contacts_that_there_are() -> Result<(), Box<dyn Error>> {
+    let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 1.0, 2.0])?);
+    let outcome = two.solve(&Wrench::force([0.0, -6.0]))?;
+    let stands = outcome.equilibrium().ok_or("the feet stand")?;
+    assert_eq!(three.stability(stands).elastic, two.stability(stands).elastic);
+    Ok(())
+}
+
+#[test]
+fn an_onset_has_no_gradients_by_another_ramp() -> Result<(), Box<dyn Error>> {
+    let grasp = on_feet(&[-1.0, 1.0])?;
+    let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));
+    let onset = grasp.onset(&ramp, &Settings::default())?;
+    let event = onset.event().ok_or("it slides at 3 N")?;
+    assert_eq!(grasp.onset_gradients(&ramp, event).len(), 2);
+    let short = ramp.with_commands(vec![[0.0, 0.0].into()]);
+    assert!(grasp.onset_gradients(&short, event).is_empty());
+    Ok(())
+}
