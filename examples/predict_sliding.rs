@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example predict_sliding`
 //!
-//! The same for any grasp in a file, planar or spatial: what the file asks is printed; the first equilibrium of a planar one is drawn, a spatial one
-//! becomes a page that one can turn with the mouse.
+//! The same for any grasp in a file, planar or spatial: what the file asks is printed; the first equilibrium is drawn, and a spatial grasp
+//! becomes a page, too, that one can turn with the mouse.
 //!
 //! `cargo run --release --example predict_sliding -- --scene examples/scenes/mug.json`
 
@@ -18,7 +18,7 @@ mod support;
 use std::path::Path;
 use std::process::ExitCode;
 
-use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
+use grasp_lcp::picture::{Chart, Stroke, View, draw_grasp};
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};
 use grasp_lcp::scene::Space;
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
@@ -72,7 +72,10 @@ fn of_file(file: &Path) -> Result<(), Failure> {
         Space::Spatial(setup) => {
             predict::predict(setup).map_err(in_file)?;
             println!();
-            support::save(&format!("scene_{stem}.html"), &scene_picture::spatial(setup, &title)?)?;
+            let page = scene_picture::spatial(setup, &title)?;
+            support::save(&format!("scene_{stem}.html"), &page.to_html()?)?;
+            let first = (page.answers() > 0).then_some(0);
+            support::save(&format!("scene_{stem}.svg"), &page.to_svg(first, View::default())?)?;
         }
     }
     Ok(())

@@ -1,16 +1,22 @@
 //! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, beyond it an answer on the round cone
-//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed; a page on which one can turn it.
+//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed; a picture of it
+//! at its onset, and a page on which one can turn it.
 //!
 //! `cargo run --release --example spatial_grasp`
 
 mod support;
 
-use grasp_lcp::picture::{Chart, SpatialPage, Stroke};
+use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
 
 /// Where the answer beyond the onset is asked for, in units of the onset.
 const BEYOND: f64 = 1.02;
+/// Which of the answers on the page is drawn.
+const ONSET: usize = 2;
+
+/// Radius and height of the edges of the bottle, m: foot, shoulder, neck, mouth.
+const PROFILE: [[f64; 2]; 4] = [[0.035, -0.052], [0.035, 0.029], [0.013, 0.042], [0.013, 0.052]];
 
 /// Radius 35 mm, fingers at different heights, the thumb opposite; a rubber tip is softer than the glass.
 fn bottle() -> Result<Grasp, Error> {
@@ -107,8 +113,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     support::save("spatial_grasp_facets.svg", &chart.to_svg()?)?;
 
     let mut page = SpatialPage::new(&grasp, "A bottle in a thumb and three fingers, poured from");
-    for height in [-0.05, 0.05] {
-        page = page.outline(circle(height));
+    for [radius, height] in PROFILE {
+        page = page.outline(circle(radius, height, 10));
+    }
+    for ends in PROFILE.windows(2) {
+        let [low, high] = [0, 1].map(|k| circle(ends[k][0], ends[k][1], 90));
+        for (low, high) in low.into_iter().zip(high) {
+            page = page.outline([low, high]);
+        }
     }
     let part = |factor: f64| grasp.solve(&(direction * (factor * event.factor)));
     let page = page
@@ -119,16 +131,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .outcome("1.5 of the onset", &part(1.5)?)
         .outcome("3 times the onset", &part(3.0)?);
     support::save("spatial_grasp.html", &page.to_html()?)?;
+    support::save("spatial_grasp.svg", &page.to_svg(Some(ONSET), View::default())?)?;
     Ok(())
 }
 
-/// The bottle at a height, m.
-fn circle(height: f64) -> Vec<[f64; 3]> {
+/// Points on a circle around the axis of the bottle, m, every so many degrees.
+fn circle(radius: f64, height: f64, degrees: u32) -> Vec<[f64; 3]> {
     let corner = |k: u32| {
-        let (sin, cos) = f64::from(10 * k).to_radians().sin_cos();
-        [0.035 * cos, 0.035 * sin, height]
+        let (sin, cos) = f64::from(degrees * k).to_radians().sin_cos();
+        [radius * cos, radius * sin, height]
     };
-    (0..36).map(corner).collect()
+    (0..360 / degrees).map(corner).collect()
 }
 
 fn sliding(states: &[grasp_lcp::spatial::ContactState]) -> usize {

@@ -68,7 +68,7 @@
 //! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
-//! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps as HTML pages (feature `plot`) |
+//! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
 //! | `scene` | scenes and answers as JSON, or in any other format of serde that describes itself (feature `serde`) |
 //!
 //! # Answers

@@ -1,4 +1,4 @@
-//! Draws what a scene asks: a planar grasp in its first equilibrium, a spatial one as a page with all its answers.
+//! Draws what a scene asks: a planar grasp in its first equilibrium, a spatial one in its first answer and as a page with all of them.
 
 use grasp_lcp::picture::{SpatialPage, draw_grasp};
 use grasp_lcp::planar;
@@ -35,7 +35,7 @@ fn first_equilibrium(setup: &Setup<3, 2>) -> Result<Option<planar::Equilibrium>,
 }
 
 /// The page of a spatial scene: one answer for each question that has a state to show.
-pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<String, Failure> {
+pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, Failure> {
     let (grasp, settings) = (setup.grasp()?, &setup.settings);
     let mut page = SpatialPage::new(&grasp, title);
     if !setup.outline.is_empty() {
@@ -76,5 +76,5 @@ pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<String, Failur
             _ => page,
         };
     }
-    Ok(page.to_html()?)
+    Ok(page)
 }

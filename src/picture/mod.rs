@@ -1,4 +1,4 @@
-//! Grasps, load curves and maps over all directions as SVG, spatial grasps as pages to turn (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG, spatial grasps also as pages to turn (feature `plot`).
 //!
 //! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's business.
 
@@ -15,7 +15,7 @@ mod sphere_grid;
 
 pub use chart::{Chart, Series, Stroke};
 pub use grasp_picture::{Outline, draw_grasp};
-pub use page::SpatialPage;
+pub use page::{SpatialPage, View};
 pub use polar::Polar;
 pub use sphere::SphereMap;
 pub use sphere_grid::SphereGrid;
@@ -51,6 +51,17 @@ const VERMILION: RGBColor = PALETTE[1];
 const GREEN: RGBColor = PALETTE[2];
 const GREY: RGBColor = RGBColor(110, 110, 110);
 const FONT: &str = "sans-serif";
+
+/// The colour of what a contact does.
+fn ink<const C: usize>(answer: &ContactAnswer<C>) -> RGBColor {
+    match word(answer) {
+        "separated" => GREY,
+        "sliding" => VERMILION,
+        "frictionless" => GREEN,
+        "about to slide" => PALETTE[4],
+        _ => BLUE,
+    }
+}
 
 /// What a contact does, for a picture: a contact on the edge of its cone that has not slipped yet is told apart.
 fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {

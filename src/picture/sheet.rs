@@ -131,19 +131,27 @@ impl Sheet<'_> {
             _ => HPos::Center,
         };
         let style = (FONT, fine(size)).into_font().color(&color).pos(Pos::new(side, VPos::Center));
-        self.root.draw(&Text::new(words.to_owned(), pixel(place), style)).map_err(PictureError::from_backend)
+        // XML has no place for these.
+        let forbidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
+        let words: String = words.chars().map(|c| if forbidden(c) { '\u{fffd}' } else { c }).collect();
+        self.root.draw(&Text::new(words, pixel(place), style)).map_err(PictureError::from_backend)
     }
 
     /// The same on a light ground, so that it can be read on anything.
     pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Result<(), PictureError> {
-        // Letters of a sans serif face are a little more than half as wide as high.
-        let wide = 0.54 * size * words.chars().count() as f64 + 4.0;
+        let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
-        let high = 0.62 * size;
-        let corners = [(x, y - high), (x + wide, y - high), (x + wide, y + high), (x, y + high)];
+        let half = high / 2.0;
+        let corners = [(x, y - half), (x + wide, y - half), (x + wide, y + half), (x, y + half)];
         self.area(corners, WHITE.mix(0.75))?;
         self.text(place, words, size, left, BLACK)
     }
+}
+
+/// Width and height of a text with the ground it stands on.
+pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
+    // Letters of a sans serif face are a little more than half as wide as high.
+    (0.54 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 
 fn fine(length: f64) -> u32 {

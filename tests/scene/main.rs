@@ -12,3 +12,4 @@ mod format;
 mod lines;
 mod messages;
 mod spatial_page;
+mod spatial_still;

@@ -1,10 +1,10 @@
-//! What a page draws, as JSON: places and arrows in the coordinates of the grasp, and the scales that turn newtons into metres.
+//! What page and still have in common: places in the coordinates of the grasp, and the scales that turn newtons into metres.
 
 use nalgebra::{Vector3, Vector6};
 
-use super::text::{json_number, json_row, json_string, short};
+use super::text::short;
 use super::{Frame, Shown, SpatialPage};
-use crate::picture::{PictureError, word};
+use crate::picture::PictureError;
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
 /// Parts of the size of the picture that the largest force, moment and displacement take in the picture.
@@ -13,22 +13,57 @@ const LARGEST_MOMENT: f64 = 0.3;
 const LARGEST_DISPLACEMENT: f64 = 0.15;
 /// A steeper cone is drawn like this one.
 const STEEPEST: f64 = 1e3;
+/// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis of a free motion.
+pub(super) const FINGER: f64 = 0.12;
+pub(super) const SLIP: f64 = 0.09;
+pub(super) const AXIS: f64 = 0.75;
+/// How much longer a cone is than the arrow of the normal force in it.
+pub(super) const CONE: f64 = 1.15;
+/// More contacts are not named in the picture.
+pub(super) const MANY: usize = 12;
 
 pub(super) struct Drawing<'p> {
-    page: &'p SpatialPage,
-    centre: Vector3<f64>,
+    pub(super) page: &'p SpatialPage,
+    pub(super) centre: Vector3<f64>,
     /// Largest extent of the contacts and the outline along an axis, m.
-    span: f64,
+    pub(super) span: f64,
     /// The same, or the distance of the load where that is larger, m.
-    size: f64,
+    pub(super) size: f64,
     /// m per N, m per N m, and how many times displacements are magnified.
+    pub(super) force: f64,
+    pub(super) moment: f64,
+    pub(super) displacement: f64,
+}
+
+/// The largest force, moment and displacement among answers: N, N m, m.
+#[derive(Default)]
+struct Largest {
     force: f64,
     moment: f64,
     displacement: f64,
 }
 
+/// A load as a force on its line of action, at the point next to the middle of the grasp, and the moment that is left.
+pub(super) struct Load {
+    pub(super) at: Vector3<f64>,
+    pub(super) force: Vector3<f64>,
+    pub(super) moment: Vector3<f64>,
+}
+
+/// Axis of a motion: of its rotation, or, where it has none, the direction in which it moves.
+pub(super) struct Axis {
+    pub(super) at: Vector3<f64>,
+    pub(super) along: Vector3<f64>,
+    pub(super) turns: bool,
+}
+
 impl<'p> Drawing<'p> {
     pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
+        for Frame { label, shown } in &page.frames {
+            if let Shown::State(state) = shown {
+                check(page, label, state)?;
+            }
+        }
         let corners =
             page.outlines.iter().chain(&page.fixtures).flatten().map(|corner| Vector3::from(*corner));
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
@@ -49,100 +84,62 @@ impl<'p> Drawing<'p> {
             moment: 0.0,
             displacement: 0.0,
         };
-        let (mut force, mut moment, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let states = || page.frames.iter().filter_map(Frame::state);
         // Arrows are to be seen beside a load that acts far away.
-        let mut size = span;
-        for state in page.frames.iter().filter_map(Frame::state) {
-            let load = drawing.load(state);
-            (force, moment) = (force.max(load.force.norm()), moment.max(load.moment.norm()));
-            size = size.max((load.at - drawing.centre).norm());
-            for contact in &state.contacts {
-                force = force.max(contact.force_world.norm());
-                displacement = displacement.max(contact.body_core.norm());
-            }
-        }
+        let away = |state: &Equilibrium| (drawing.load(state).at - drawing.centre).norm();
+        let size = states().map(away).fold(span, f64::max);
+        let largest = drawing.largest(states());
         let part = |of: f64, largest: f64| if largest > 0.0 { of * size / largest } else { 0.0 };
         drawing.size = size;
-        drawing.force = part(LARGEST_FORCE, force);
-        drawing.moment = part(LARGEST_MOMENT, moment);
-        drawing.displacement = part(LARGEST_DISPLACEMENT, displacement);
+        drawing.force = part(LARGEST_FORCE, largest.force);
+        drawing.moment = part(LARGEST_MOMENT, largest.moment);
+        drawing.displacement = part(LARGEST_DISPLACEMENT, largest.displacement);
+        let Largest { force, moment, displacement } = largest;
+        let scales = [drawing.force, drawing.moment, drawing.displacement, size, force, moment, displacement];
+        if !scales.iter().chain(drawing.centre.iter()).all(|x| x.is_finite()) {
+            return Err(PictureError(
+                "a length, force or moment is too large or too small to be drawn".into(),
+            ));
+        }
         Ok(drawing)
     }
 
-    /// The scales in words.
-    pub(super) fn scales(&self) -> String {
-        let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
-        for (what, largest, unit, scale) in
-            [("force", LARGEST_FORCE, "N", self.force), ("moment", LARGEST_MOMENT, "N m", self.moment)]
-        {
-            if scale > 0.0 {
-                let size = short(largest * self.size / scale);
-                sentences.push(format!("The longest arrow of a {what} is {size} {unit}."));
+    fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Largest {
+        let mut most = Largest::default();
+        for state in states {
+            let load = self.load(state);
+            most.force = most.force.max(load.force.norm());
+            most.moment = most.moment.max(load.moment.norm());
+            for contact in &state.contacts {
+                most.force = most.force.max(contact.force_world.norm());
+                most.displacement = most.displacement.max(contact.body_core.norm());
             }
         }
-        if self.displacement > 0.0 {
+        most
+    }
+
+    /// The scales in words, for a picture of these answers.
+    pub(super) fn scales<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Vec<String> {
+        let largest = self.largest(states);
+        let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
+        for (what, largest, unit) in [("force", largest.force, "N"), ("moment", largest.moment, "N m")] {
+            if largest > 0.0 {
+                sentences.push(format!("The longest arrow of a {what} is {} {unit}.", short(largest)));
+            }
+        }
+        if largest.displacement > 0.0 {
             let factor = short(self.displacement);
             sentences.push(format!("Displacements are drawn {factor} times as large."));
         }
-        sentences.join(" ")
+        sentences
     }
 
-    pub(super) fn json(&self) -> Result<String, PictureError> {
-        let page = self.page;
-        let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
-        let (outlines, fixtures) = (lines(&page.outlines)?, lines(&page.fixtures)?);
-        let contacts = list(page.grasp.contacts().iter().zip(page.grasp.frames()).enumerate(), {
-            |(i, (contact, frame))| {
-                Ok(format!(
-                    "{{\"name\":{},\"point\":{},\"normal\":{},\"tangents\":[{},{}],\"mu\":{}}}",
-                    json_string(&contact.label_text(i)),
-                    json_row(contact.point().as_slice())?,
-                    json_row(frame.column(0).as_slice())?,
-                    json_row(frame.column(1).as_slice())?,
-                    json_row(frame.column(2).as_slice())?,
-                    json_number(contact.friction_coefficient().min(STEEPEST))?
-                ))
-            }
-        })?;
-        let frames = list(&page.frames, |frame| self.frame(frame))?;
-        Ok(format!(
-            "{{\"centre\":{},\"span\":{},\"force\":{},\"moment\":{},\"displacement\":{},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"contacts\":{contacts},\n\"frames\":{frames}}}",
-            json_row(self.centre.as_slice())?,
-            json_number(self.span)?,
-            json_number(self.force)?,
-            json_number(self.moment)?,
-            json_number(self.displacement)?,
-        ))
+    /// The slope of a contact's cone in the picture.
+    pub(super) fn slope(contact: &Contact) -> f64 {
+        contact.friction_coefficient().min(STEEPEST)
     }
 
-    fn frame(&self, frame: &Frame) -> Result<String, PictureError> {
-        let Some(state) = frame.state() else { return Ok("null".to_owned()) };
-        let contacts = list(&state.contacts, |answer| {
-            let slides = match answer.state {
-                ContactState::Sliding { direction } => json_row(direction.as_slice())?,
-                _ => "null".to_owned(),
-            };
-            Ok(format!(
-                "{{\"state\":\"{}\",\"force\":{},\"normal_force\":{},\"displacement\":{},\"slides\":{slides}}}",
-                word(answer).replace(' ', "-"),
-                json_row(answer.force_world.as_slice())?,
-                json_number(answer.normal_force())?,
-                json_row(answer.body_core.as_slice())?,
-            ))
-        })?;
-        let free = list(&state.free_motions, |motion| self.axis(motion))?;
-        let load = self.load(state);
-        Ok(format!(
-            "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free}}}",
-            json_row(state.twist.as_vector().as_slice())?,
-            json_row(load.at.as_slice())?,
-            json_row(load.force.as_slice())?,
-            json_row(load.moment.as_slice())?,
-        ))
-    }
-
-    /// The load as a force on its line of action, at the point next to the middle of the grasp, and the moment that is left.
-    fn load(&self, state: &Equilibrium) -> Load {
+    pub(super) fn load(&self, state: &Equilibrium) -> Load {
         let (force, moment) = halves(state.load.as_vector());
         let about_centre = moment - self.centre.cross(&force);
         let size = force.norm();
@@ -156,29 +153,20 @@ impl<'p> Drawing<'p> {
         Load { at: self.centre + along.cross(&(about_centre / size)), force, moment: left }
     }
 
-    /// Axis of a motion: of its rotation, or, where it has none, the direction in which it moves.
-    fn axis(&self, motion: &Twist) -> Result<String, PictureError> {
+    pub(super) fn axis(&self, motion: &Twist) -> Axis {
         let (moves, turns) = halves(motion.as_vector());
         let at_centre = moves + turns.cross(&self.centre);
-        let rotates = turns.norm() * self.span > 1e-9 * at_centre.norm();
-        let (at, along) = if rotates {
-            (self.centre + turns.cross(&at_centre) / turns.norm_squared(), turns.normalize())
+        if turns.norm() * self.span > 1e-9 * at_centre.norm() {
+            let at = self.centre + turns.cross(&at_centre) / turns.norm_squared();
+            Axis { at, along: turns.normalize(), turns: true }
         } else {
-            (self.centre, at_centre.normalize())
-        };
-        let (at, along) = (json_row(at.as_slice())?, json_row(along.as_slice())?);
-        Ok(format!("{{\"at\":{at},\"along\":{along},\"turns\":{rotates}}}"))
+            Axis { at: self.centre, along: at_centre.normalize(), turns: false }
+        }
     }
 }
 
-struct Load {
-    at: Vector3<f64>,
-    force: Vector3<f64>,
-    moment: Vector3<f64>,
-}
-
 impl Frame {
-    fn state(&self) -> Option<&Equilibrium> {
+    pub(super) fn state(&self) -> Option<&Equilibrium> {
         match &self.shown {
             Shown::State(state) => Some(state),
             Shown::Nothing(_) => None,
@@ -186,14 +174,28 @@ impl Frame {
     }
 }
 
-fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
-    (Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]))
+/// Whether an answer is one of this grasp, and its numbers are such as can be drawn.
+fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
+    let (given, expected) = (state.contacts.len(), page.grasp.len());
+    if given != expected {
+        return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));
+    }
+    let whole = state.free_motions.iter().chain([&state.twist]).map(Twist::as_vector);
+    let whole = whole.chain([state.load.as_vector()]).flat_map(|v| v.iter().copied());
+    let of_contacts = state.contacts.iter().flat_map(|answer| {
+        let slides = match answer.state {
+            ContactState::Sliding { direction } => direction,
+            _ => Vector3::zeros(),
+        };
+        let [u, f] = [answer.body_core, answer.force_world];
+        [answer.normal_force(), u.x, u.y, u.z, f.x, f.y, f.z, slides.x, slides.y, slides.z]
+    });
+    match whole.chain(of_contacts).find(|x| !x.is_finite()) {
+        Some(x) => Err(PictureError(format!("\"{label}\" has {x} among its numbers"))),
+        None => Ok(()),
+    }
 }
 
-fn list<T>(
-    items: impl IntoIterator<Item = T>,
-    write: impl Fn(T) -> Result<String, PictureError>,
-) -> Result<String, PictureError> {
-    let items: Vec<_> = items.into_iter().map(write).collect::<Result<_, _>>()?;
-    Ok(format!("[{}]", items.join(",")))
+fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    (Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]))
 }

@@ -1,19 +1,28 @@
-//! A spatial grasp as a page that one can turn with the mouse.
+//! A spatial grasp as a page that one can turn with the mouse, and as a picture that stands still.
 
+mod data;
 mod drawing;
+mod eye;
+mod labels;
+mod legend;
+mod marks;
+mod paint;
+mod still;
 mod table;
 mod text;
 
 use std::fmt::Write;
 
 use self::drawing::Drawing;
+pub use self::eye::View;
 use self::text::html;
 use super::PictureError;
 use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 
-/// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no network, no installation.
+/// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no network, no installation
+/// ([`Self::to_html`]); or one of the answers from one side as an SVG, for paper ([`Self::to_svg`]).
 ///
-/// The picture is turned by dragging, enlarged by the wheel and reset by a double click; buttons choose among the answers. Drawn are, in
+/// On the page the picture is turned by dragging, enlarged by the wheel and reset by a double click; buttons choose among the answers. Drawn are, in
 /// the coordinates of the grasp (z upwards to begin with):
 ///
 /// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
@@ -22,7 +31,7 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 /// * displacements u_c of the object, magnified, the same for all answers; the factor is written beside;
 /// * axes of the motions that no contact resists.
 ///
-/// A table has the numbers of the answer shown, in N, m and rad.
+/// A table on the page has the numbers of the answer shown, in N, m and rad.
 ///
 /// ```
 /// use grasp_lcp::picture::SpatialPage;
@@ -125,24 +134,21 @@ impl SpatialPage {
         self
     }
 
+    /// How many answers were given so far.
+    #[must_use]
+    pub fn answers(&self) -> usize {
+        self.frames.len()
+    }
+
     /// Writes the page. Names and labels may contain any characters.
     ///
     /// # Errors
     /// [`PictureError`] if a corner of the outline is not finite, a number of an answer that must be drawn is not, or an answer has not as many contacts as the
     /// grasp.
     pub fn to_html(&self) -> Result<String, PictureError> {
-        for Frame { label, shown } in &self.frames {
-            if let Shown::State(state) = shown
-                && state.contacts.len() != self.grasp.len()
-            {
-                let (given, expected) = (state.contacts.len(), self.grasp.len());
-                return Err(PictureError(format!(
-                    "\"{label}\" has {given} contacts, the grasp has {expected}"
-                )));
-            }
-        }
         let drawing = Drawing::new(self)?;
         let title = html(&self.title);
+        let scales = drawing.scales(self.frames.iter().filter_map(Frame::state)).join(" ");
         let mut page = String::new();
         page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
         page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
@@ -157,11 +163,39 @@ impl SpatialPage {
             "<p class=\"hint\">Drag to turn, wheel to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         self.write_buttons(&mut page);
         page += LEGEND;
-        let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", html(&drawing.scales()));
+        let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", html(&scales));
         table::write(&mut page, &self.grasp, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
         let _ = write!(page, "<script>\n{VIEW}</script>\n</body>\n</html>\n");
         Ok(page)
+    }
+
+    /// Draws one of the answers as it is seen from one side, as the page shows it, with a legend: `answer` counts them from 0 in the order in which they
+    /// were given, `None` is the grasp alone. Scales of forces, moments, displacements and lengths are the same for all answers of the
+    /// page seen from the same side, so that their pictures can be compared; everything of every answer is inside.
+    ///
+    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
+    ///
+    /// ```
+    /// use grasp_lcp::picture::{SpatialPage, View};
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    ///
+    /// let finger = |x: f64| Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1000.0, 600.0).friction(0.5).command([0.004, 0.0, 0.0]);
+    /// let grasp = Grasp::new([finger(-0.03), finger(0.03)])?;
+    /// let page = SpatialPage::new(&grasp, "A pinch").outcome("0.5 N", &grasp.solve(&Wrench::force([0.0, 0.0, -0.5]))?);
+    ///
+    /// let svg = page.to_svg(Some(0), View::default())?;
+    /// assert!(svg.starts_with("<svg") && svg.contains("turns freely"));
+    /// // The fingers alone, from the front; of answers there is only one.
+    /// assert!(page.to_svg(None, View::FRONT).is_ok());
+    /// assert!(page.to_svg(Some(1), View::FRONT).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, for the reasons of [`Self::to_html`], or if the back end fails.
+    pub fn to_svg(&self, answer: Option<usize>, view: View) -> Result<String, PictureError> {
+        still::draw(self, answer, view)
     }
 
     fn write_buttons(&self, page: &mut String) {

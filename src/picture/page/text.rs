@@ -73,6 +73,21 @@ pub(super) fn vector(components: &[f64]) -> String {
     format!("({})", components.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
 
+/// A text in lines of so many letters; a longer word has a line of its own.
+pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= letters => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// How it is known that no equilibrium exists.
 pub(super) fn proof(proof: &Proof) -> String {
     match proof {

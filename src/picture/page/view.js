@@ -8,8 +8,8 @@
     "rolling": "#0072b2", "about-to-slide": "#e69f00", "sliding": "#d55e00", "separated": "#6e6e6e", "frictionless": "#009e73",
   };
   const [BLACK, GREY, PINK, SKY] = ["#000", "#6e6e6e", "#cc79a7", "#3a8fc8"];
-  const SIDES = 32, MANY = 12;
-  const START = { yaw: -0.6, pitch: 0.45, zoom: 1 };
+  const SIDES = 32;
+  const START = { ...scene.view, zoom: 1 };
   let { yaw, pitch, zoom } = START;
   let shown = 0, lit = -1;
   const layers = {};
@@ -24,7 +24,7 @@
   // Everything of every answer stays inside the picture, so that answers can be compared.
   const reach = (() => {
     const ends = [...scene.outlines.flat(), ...scene.fixtures.flat()];
-    for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -0.12 * scene.span));
+    for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -scene.finger));
     for (const frame of scene.frames.filter(Boolean)) {
       const { load } = frame;
       frame.contacts.forEach(({ force }, i) => ends.push(add(scene.contacts[i].point, force, scene.force)));
@@ -111,7 +111,7 @@
   };
 
   const drawCone = ({ point, normal, tangents, mu }, normalForce, ink) => {
-    const high = 1.15 * normalForce * scene.force, wide = mu * high;
+    const high = scene.cone * normalForce * scene.force, wide = mu * high;
     if (!(high > 0 && wide > 0)) return;
     const rim = Array.from({ length: SIDES }, (_, k) => {
       const [c, s] = [Math.cos((2 * Math.PI * k) / SIDES), Math.sin((2 * Math.PI * k) / SIDES)];
@@ -125,12 +125,12 @@
     const { point, normal, name } = contact;
     const ink = answer ? COLOURS[answer.state] : GREY;
     // The finger, behind the contact.
-    line(add(point, normal, -0.12 * scene.span), point, GREY, 5);
+    line(add(point, normal, -scene.finger), point, GREY, 5);
     if (answer) {
       if (layers.cones) drawCone(contact, answer.normal_force, ink);
       if (layers.forces) arrow(point, answer.force.map((f) => f * scene.force), ink, 3);
       if (layers.displacements) arrow(point, answer.displacement.map((u) => u * scene.displacement), PINK, 2);
-      if (answer.slides) arrow(point, answer.slides.map((d) => 0.09 * scene.span * d), "#7a3600", 2);
+      if (answer.slides) arrow(point, answer.slides.map((d) => scene.slip * d), "#7a3600", 2);
     }
     const [x, y, depth] = project(point);
     paint(depth + 1e-2, () => {
@@ -141,7 +141,7 @@
       pen.fill();
       pen.stroke();
     });
-    if (i === lit || (layers.names && scene.contacts.length <= MANY)) text(point, name, "#222", i === lit);
+    if (i === lit || (layers.names && scene.contacts.length <= scene.many)) text(point, name, "#222", i === lit);
   };
 
   const drawAxes = () => {
@@ -183,8 +183,8 @@
     }
     if (frame && layers.free) {
       for (const { at, along, turns } of frame.free) {
-        line(add(at, along, -0.75 * scene.span), add(at, along, 0.75 * scene.span), SKY, 2, [9, 6]);
-        text(add(at, along, 0.75 * scene.span), turns ? "turns freely" : "moves freely", SKY, false);
+        line(add(at, along, -scene.axis), add(at, along, scene.axis), SKY, 2, [9, 6]);
+        text(add(at, along, scene.axis), turns ? "turns freely" : "moves freely", SKY, false);
       }
     }
     drawAxes();

@@ -1,0 +1,89 @@
+//! What a page draws, as JSON.
+
+use super::Frame;
+use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
+use super::eye::View;
+use super::text::{json_number, json_row, json_string};
+use crate::picture::{PictureError, word};
+use crate::spatial::ContactState;
+
+impl Drawing<'_> {
+    pub(super) fn json(&self) -> Result<String, PictureError> {
+        let page = self.page;
+        let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
+        let (outlines, fixtures) = (lines(&page.outlines)?, lines(&page.fixtures)?);
+        let contacts = list(page.grasp.contacts().iter().zip(page.grasp.frames()).enumerate(), {
+            |(i, (contact, frame))| {
+                Ok(format!(
+                    "{{\"name\":{},\"point\":{},\"normal\":{},\"tangents\":[{},{}],\"mu\":{}}}",
+                    json_string(&contact.label_text(i)),
+                    json_row(contact.point().as_slice())?,
+                    json_row(frame.column(0).as_slice())?,
+                    json_row(frame.column(1).as_slice())?,
+                    json_row(frame.column(2).as_slice())?,
+                    json_number(Self::slope(contact))?
+                ))
+            }
+        })?;
+        let frames = list(&page.frames, |frame| self.frame(frame))?;
+        let lengths: Vec<_> = [
+            ("span", self.span),
+            ("finger", FINGER * self.span),
+            ("slip", SLIP * self.span),
+            ("axis", AXIS * self.span),
+            ("cone", CONE),
+            ("force", self.force),
+            ("moment", self.moment),
+            ("displacement", self.displacement),
+        ]
+        .into_iter()
+        .map(|(name, length)| Ok(format!("\"{name}\":{}", json_number(length)?)))
+        .collect::<Result<_, PictureError>>()?;
+        let View { yaw, pitch } = View::default();
+        Ok(format!(
+            "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{MANY},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"contacts\":{contacts},\n\"frames\":{frames}}}",
+            json_number(yaw)?,
+            json_number(pitch)?,
+            json_row(self.centre.as_slice())?,
+            lengths.join(","),
+        ))
+    }
+
+    fn frame(&self, frame: &Frame) -> Result<String, PictureError> {
+        let Some(state) = frame.state() else { return Ok("null".to_owned()) };
+        let contacts = list(&state.contacts, |answer| {
+            let slides = match answer.state {
+                ContactState::Sliding { direction } => json_row(direction.as_slice())?,
+                _ => "null".to_owned(),
+            };
+            Ok(format!(
+                "{{\"state\":\"{}\",\"force\":{},\"normal_force\":{},\"displacement\":{},\"slides\":{slides}}}",
+                word(answer).replace(' ', "-"),
+                json_row(answer.force_world.as_slice())?,
+                json_number(answer.normal_force())?,
+                json_row(answer.body_core.as_slice())?,
+            ))
+        })?;
+        let free = list(&state.free_motions, |motion| {
+            let axis = self.axis(motion);
+            let (at, along) = (json_row(axis.at.as_slice())?, json_row(axis.along.as_slice())?);
+            Ok(format!("{{\"at\":{at},\"along\":{along},\"turns\":{}}}", axis.turns))
+        })?;
+        let load = self.load(state);
+        Ok(format!(
+            "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free}}}",
+            json_row(state.twist.as_vector().as_slice())?,
+            json_row(load.at.as_slice())?,
+            json_row(load.force.as_slice())?,
+            json_row(load.moment.as_slice())?,
+        ))
+    }
+}
+
+fn list<T>(
+    items: impl IntoIterator<Item = T>,
+    write: impl Fn(T) -> Result<String, PictureError>,
+) -> Result<String, PictureError> {
+    let items: Vec<_> = items.into_iter().map(write).collect::<Result<_, _>>()?;
+    Ok(format!("[{}]", items.join(",")))
+}

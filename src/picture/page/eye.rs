@@ -1,0 +1,149 @@
+//! The eye: from where a grasp is seen, and where its points come to lie on paper.
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::{Vector2, Vector3};
+
+use crate::picture::PictureError;
+
+/// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and looks at the middle of the grasp; z points
+/// upwards on paper unless it points to the eye.
+///
+/// Before any turn it is on the side of −y: x points to the right, z upwards. `yaw` takes it around z, counterclockwise seen from above, `pitch`
+/// then raises it, both in rad. The direction from the grasp to the eye is
+///
+/// ```text
+/// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
+/// ```
+///
+/// The default is the view with which the [page](super::SpatialPage::to_html) begins: yaw −0.6, pitch 0.45.
+///
+/// ```
+/// use grasp_lcp::picture::View;
+///
+/// // Ten degrees to the right of the front, a little from above.
+/// let view = View::FRONT.with_yaw(10f64.to_radians()).with_pitch(0.2);
+/// assert_eq!(view.pitch, 0.2);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct View {
+    /// Turn of the eye around z, from −y towards x, rad.
+    pub yaw: f64,
+    /// Height of the eye above the plane of x and y, rad.
+    pub pitch: f64,
+}
+
+impl View {
+    /// From −y: x to the right, z upwards.
+    pub const FRONT: Self = Self { yaw: 0.0, pitch: 0.0 };
+    /// From x: y to the right, z upwards.
+    pub const RIGHT: Self = Self { yaw: FRAC_PI_2, pitch: 0.0 };
+    /// From z: x to the right, y upwards.
+    pub const ABOVE: Self = Self { yaw: 0.0, pitch: FRAC_PI_2 };
+
+    /// Sets the turn around z, rad.
+    #[must_use]
+    pub fn with_yaw(mut self, yaw: f64) -> Self {
+        self.yaw = yaw;
+        self
+    }
+
+    /// Sets the height above the plane of x and y, rad.
+    #[must_use]
+    pub fn with_pitch(mut self, pitch: f64) -> Self {
+        self.pitch = pitch;
+        self
+    }
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { yaw: -0.6, pitch: 0.45 }
+    }
+}
+
+/// Part of the paper, pixels from its upper left corner.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Window {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) wide: f64,
+    pub(super) high: f64,
+}
+
+impl Window {
+    /// Without a border.
+    pub(super) fn within(&self, border: f64) -> Self {
+        let Self { left, top, wide, high } = *self;
+        Self { left: left + border, top: top + border, wide: wide - 2.0 * border, high: high - 2.0 * border }
+    }
+
+    pub(super) fn middle(&self) -> (f64, f64) {
+        (self.left + self.wide / 2.0, self.top + self.high / 2.0)
+    }
+}
+
+/// Projects along parallel lines.
+pub(super) struct Eye {
+    /// Unit vectors to the right and up on paper, and towards the eye.
+    right: Vector3<f64>,
+    up: Vector3<f64>,
+    towards: Vector3<f64>,
+    /// What is shown in the middle of the window.
+    target: Vector3<f64>,
+    window: Window,
+    /// Pixels per metre.
+    scale: f64,
+}
+
+impl Eye {
+    /// An eye that sees all these points in the window as large as it allows, but never a length of `span` larger than the window.
+    pub(super) fn new(
+        view: View,
+        window: Window,
+        span: f64,
+        points: impl IntoIterator<Item = Vector3<f64>>,
+    ) -> Result<Self, PictureError> {
+        let View { yaw, pitch } = view;
+        if !(yaw.is_finite() && pitch.is_finite()) {
+            return Err(PictureError(format!("a view of yaw {yaw} and pitch {pitch}: both must be finite")));
+        }
+        let ((sy, cy), (sp, cp)) = (yaw.sin_cos(), pitch.sin_cos());
+        let (right, towards) = (Vector3::new(cy, sy, 0.0), Vector3::new(sy * cp, -cy * cp, sp));
+        let axes = [right, towards.cross(&right), towards];
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let mut drawable = true;
+        for point in points {
+            for (k, axis) in axes.iter().enumerate() {
+                let along = axis.dot(&point);
+                drawable &= along.is_finite();
+                (low[k], high[k]) = (low[k].min(along), high[k].max(along));
+            }
+        }
+        let [wide, tall] = [0, 1].map(|k| high[k] - low[k]);
+        let metres = (wide / window.wide).max(tall / window.high).max(span / window.wide.max(window.high));
+        let scale = 1.0 / metres;
+        let middle = [0, 1, 2].map(|k| axes[k] * (low[k] / 2.0 + high[k] / 2.0));
+        let target = middle[0] + middle[1] + middle[2];
+        if !(drawable && scale.is_finite() && scale > 0.0 && target.iter().all(|x| x.is_finite())) {
+            return Err(PictureError("a length is too large or too small to be drawn".into()));
+        }
+        let [right, up, towards] = axes;
+        Ok(Self { right, up, towards, target, window, scale })
+    }
+
+    /// Pixels to the right and downwards on paper, and towards the eye.
+    pub(super) fn see(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        let (x, y) = self.window.middle();
+        let away = point - self.target;
+        let [right, up, towards] =
+            [self.right, self.up, self.towards].map(|axis| self.scale * axis.dot(&away));
+        Vector3::new(x + right, y - up, towards)
+    }
+
+    /// A unit vector along a coordinate axis, to the right and downwards.
+    pub(super) fn along(&self, axis: usize) -> Vector2<f64> {
+        Vector2::new(self.right[axis], -self.up[axis])
+    }
+}

@@ -1,0 +1,96 @@
+//! One answer of a page as a picture that stands still.
+
+use nalgebra::Vector2;
+use plotters::style::colors::BLACK;
+
+use super::drawing::Drawing;
+use super::eye::{Eye, View, Window};
+use super::labels::Labels;
+use super::legend::{self, Legend};
+use super::marks::{Mark, marks};
+use super::paint::Painting;
+use super::text::lines;
+use super::{Frame, SpatialPage};
+use crate::picture::sheet::{Place, Sheet, sheet};
+use crate::picture::{GREY, PictureError};
+
+const WIDE: u32 = 860;
+const MARGIN: f64 = 12.0;
+/// Room for the grasp; a border of it is for what has a size in pixels.
+const ROOM: (f64, f64) = (600.0, 520.0);
+const BORDER: f64 = 18.0;
+/// Letters of a line of the title and of the label.
+const LETTERS: (usize, usize) = (70, 96);
+/// Size of names.
+const NAMES: f64 = 15.0;
+/// Length of the coordinate axes, a letter beyond their ends, and room for both.
+const AXES: f64 = 32.0;
+const LETTER: f64 = 11.0;
+const AXES_ROOM: f64 = 110.0;
+
+pub(super) fn draw(page: &SpatialPage, answer: Option<usize>, view: View) -> Result<String, PictureError> {
+    let given = page.frames.len();
+    let chosen = |k: usize| {
+        let none = || PictureError(format!("there is no answer {k}: the page has {given}, counted from 0"));
+        page.frames.get(k).ok_or_else(none)
+    };
+    let frame = answer.map(chosen).transpose()?;
+    let drawing = Drawing::new(page)?;
+    let title = lines(&page.title, LETTERS.0);
+    let label = frame.map_or_else(Vec::new, |frame| lines(&frame.label, LETTERS.1));
+    let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
+    let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };
+    // Everything of every answer has room, so that stills can be compared.
+    let states = page.frames.iter().map(Frame::state).chain([None]);
+    let points = states.flat_map(|state| marks(&drawing, state)).flat_map(|mark| mark.points());
+    let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
+    let marks = marks(&drawing, frame.and_then(Frame::state));
+    let legend = Legend::new(&drawing, frame);
+    let foot = top + ROOM.1.max(legend.high() + AXES_ROOM);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds of pixels")]
+    let high = (foot + MARGIN) as u32;
+    sheet((WIDE, high), |paper| {
+        for (k, line) in title.iter().enumerate() {
+            paper.text((18.0, 26.0 + 24.0 * k as f64), line, 20.0, 0.0, BLACK)?;
+        }
+        for (k, line) in label.iter().rev().enumerate() {
+            paper.text((18.0, top - 14.0 - 20.0 * k as f64), line, 15.0, 0.0, GREY)?;
+        }
+        let painting = Painting::new(&eye, &marks);
+        painting.draw(paper)?;
+        draw_names(paper, &eye, &marks, Labels::new(window, painting.ink()))?;
+        legend.draw(paper, top + 12.0)?;
+        draw_axes(paper, &eye, (legend::LEFT + AXES_ROOM / 2.0, foot - AXES_ROOM / 2.0))
+    })
+}
+
+fn draw_names(paper: &Sheet, eye: &Eye, marks: &[Mark], mut labels: Labels) -> Result<(), PictureError> {
+    for mark in marks {
+        if let Mark::Name { at, words } = mark {
+            let seen = eye.see(at);
+            let place = labels.place((seen.x, seen.y), words, NAMES);
+            paper.plaque(place, words, NAMES, 0.5)?;
+        }
+    }
+    Ok(())
+}
+
+/// The coordinate axes, in a corner where nothing else is drawn.
+fn draw_axes(paper: &Sheet, eye: &Eye, (x, y): Place) -> Result<(), PictureError> {
+    let axes = [0, 1, 2].map(|axis| eye.along(axis));
+    let mut named: Vec<Vector2<f64>> = Vec::new();
+    for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
+        let end = axis * AXES;
+        paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5)?;
+        // An axis towards the eye is a point: its name goes where the others are not.
+        let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
+        let way = way.normalize() * LETTER;
+        let mut place = end + way;
+        while named.iter().any(|other| (other - place).norm() < LETTER) {
+            place += way;
+        }
+        named.push(place);
+        paper.text((x + place.x, y + place.y), name, NAMES, 0.5, BLACK)?;
+    }
+    Ok(())
+}
