@@ -1,7 +1,7 @@
 //! Curves against a load factor, with events marked.
 
 use plotters::coord::Shift;
-use plotters::element::IntoDynElement;
+use plotters::element::{DashedPathElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters::style::text_anchor as text_style;
 
@@ -218,12 +218,13 @@ impl Chart {
                     chart.draw_series(points.map(bar))?
                 }
             };
-            let circles = matches!(series.stroke, Stroke::Circles | Stroke::Dots);
+            let stroke = series.stroke;
             drawn.label(&series.name).legend(move |(x, y)| {
-                if circles {
-                    Circle::new((x + 10, y), 4, style).into_dyn()
-                } else {
-                    PathElement::new([(x, y), (x + 20, y)], style).into_dyn()
+                let line = [(x, y), (x + 20, y)];
+                match stroke {
+                    Stroke::Circles | Stroke::Dots => Circle::new((x + 10, y), 4, style).into_dyn(),
+                    Stroke::Dashed => DashedPathElement::new(line, 5, 3, style).into_dyn(),
+                    Stroke::Line | Stroke::Marked | Stroke::Bars => PathElement::new(line, style).into_dyn(),
                 }
             });
         }
