@@ -9,3 +9,16 @@ macro_rules! assert_close {
     };
 }
 pub(crate) use assert_close;
+
+/// Equal to 1e-12 of the expected number, however small.
+pub(crate) fn relatively_close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * b.abs()
+}
+
+macro_rules! assert_relatively_close {
+    ($a:expr, $b:expr) => {
+        let (a, b) = ($a, $b);
+        assert!($crate::common::close::relatively_close(a, b), "{} = {a}, expected {b}", stringify!($a));
+    };
+}
+pub(crate) use assert_relatively_close;

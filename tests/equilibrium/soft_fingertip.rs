@@ -4,21 +4,11 @@
 
 use std::f64::consts::TAU;
 
+use crate::common::close::assert_relatively_close;
 use crate::common::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, ContactState, Departure, Grasp, Pressure, Wrench};
 use nalgebra::Vector3;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * b.abs()
-}
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
 
 /// The points lie in the tangent plane around the one contact, in its frame, and add up to its springs; the rest they
 /// inherit. A rigid side stays rigid.
@@ -67,13 +57,13 @@ fn numbers_are_those_of_the_continuum() {
     for (tip, mean, square) in tips() {
         let finger = finger(1.0);
         assert_eq!(tip.radius(), R);
-        assert_close!(tip.torsional_stiffness(&finger), KT * square * R * R);
-        assert_close!(tip.torsional_limit(&finger, N), MU * N * mean * R);
-        assert_close!(tip.first_sliding(&finger, N), MU * N * square * R);
-        assert_close!(tip.tilting_stiffness(&finger), KN * square * R * R / 2.0);
-        assert_close!(tip.first_opening(N), N * square * R / 2.0);
+        assert_relatively_close!(tip.torsional_stiffness(&finger), KT * square * R * R);
+        assert_relatively_close!(tip.torsional_limit(&finger, N), MU * N * mean * R);
+        assert_relatively_close!(tip.first_sliding(&finger, N), MU * N * square * R);
+        assert_relatively_close!(tip.tilting_stiffness(&finger), KN * square * R * R / 2.0);
+        assert_relatively_close!(tip.first_opening(N), N * square * R / 2.0);
         let uneven = finger.series_stiffness_axes([KN, KT, 0.3 * KT]);
-        assert_close!(tip.torsional_stiffness(&uneven), 0.65 * KT * square * R * R);
+        assert_relatively_close!(tip.torsional_stiffness(&uneven), 0.65 * KT * square * R * R);
     }
 }
 
@@ -92,12 +82,15 @@ fn a_tip_tilts_until_it_opens() {
         let tilt = Wrench::new([0.0; 3], [0.0, -1.0, 0.0]);
         let onset = grasp.onset_of_sliding(press, tilt).unwrap();
         let event = onset.event().expect("it opens");
-        assert_close!(event.factor, N * square * R / 2.0);
+        assert_relatively_close!(event.factor, N * square * R / 2.0);
         assert!(event.leaving.iter().any(|l| l.how == Departure::Opens), "{:?}", event.leaving);
         let state = grasp.solve(&(press + tilt * (0.5 * event.factor))).unwrap();
         let state = state.equilibrium().expect("pressed all over");
-        assert_close!(state.twist.rotation()[1], -0.5 * event.factor / tip.tilting_stiffness(&table));
-        assert_close!(tip.first_opening(N), event.factor);
+        assert_relatively_close!(
+            state.twist.rotation()[1],
+            -0.5 * event.factor / tip.tilting_stiffness(&table)
+        );
+        assert_relatively_close!(tip.first_opening(N), event.factor);
     }
 }
 
@@ -119,20 +112,26 @@ fn planar_pads() {
         let one =
             planar::Contact::new([0.2, 0.1], [-0.6, 0.8]).name("pad").series_stiffness(KN, KT).friction(MU);
         let grasp = Grasp::new(tip.contacts(&one).unwrap()).unwrap();
-        assert_close!(grasp.contacts().iter().map(|c| c.series_stiffness_of_axes()[1]).sum::<f64>(), KT);
-        assert_close!(tip.tilting_stiffness(&one), KN * square * half * half);
-        assert_close!(tip.first_opening(N), N * square * half);
+        assert_relatively_close!(
+            grasp.contacts().iter().map(|c| c.series_stiffness_of_axes()[1]).sum::<f64>(),
+            KT
+        );
+        assert_relatively_close!(tip.tilting_stiffness(&one), KN * square * half * half);
+        assert_relatively_close!(tip.first_opening(N), N * square * half);
         let press = Wrench::force_at([0.6 * N, -0.8 * N], [0.2, 0.1]);
         for side in [-1.0, 1.0] {
             let onset = grasp.onset_of_sliding(press, Wrench::new([0.0; 2], side)).unwrap();
             let event = onset.event().expect("it opens");
-            assert_close!(event.factor, N * square * half);
+            assert_relatively_close!(event.factor, N * square * half);
             let [leaving] = &event.leaving[..] else { panic!("{:?}", event.leaving) };
             assert_eq!(leaving.how, Departure::Opens);
             assert!(leaving.contact == 0 || leaving.contact == grasp.len() - 1);
             let state = grasp.solve(&(press + Wrench::new([0.0; 2], 0.5 * side * event.factor))).unwrap();
             let state = state.equilibrium().expect("pressed all over");
-            assert_close!(state.twist.rotation(), 0.5 * side * event.factor / tip.tilting_stiffness(&one));
+            assert_relatively_close!(
+                state.twist.rotation(),
+                0.5 * side * event.factor / tip.tilting_stiffness(&one)
+            );
         }
     }
 }
@@ -156,7 +155,7 @@ fn the_choice_of_tangents_changes_nothing() {
             let other = with_tangent(TAU * f64::from(step) / 10.0 + 0.1);
             assert!((twist(&other) - first).amax() < 1e-12 * first.amax());
             let onset = other.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
-            assert_close!(onset.factor().expect("a rolling base"), 2.0 * MU * N * square * R);
+            assert_relatively_close!(onset.factor().expect("a rolling base"), 2.0 * MU * N * square * R);
         }
     }
 }

@@ -3,26 +3,16 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
+use crate::common::close::{assert_relatively_close, relatively_close};
 use crate::common::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::spatial::{
     Beyond, Change, ContactState, Departure, Grasp, Leg, Outcome, PathEnd, Pressure, SoftFingertip, Wrench,
 };
 use grasp_lcp::{Fit, PolygonCone, Settings};
 
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-12 * b.abs()
-}
-
 /// Pressure and ⟨r⟩/R.
 const PROFILES: [(Pressure, f64); 3] =
     [(Pressure::Uniform, 2.0 / 3.0), (Pressure::Parabolic, 8.0 / 15.0), (Pressure::Hertz, 3.0 * PI / 16.0)];
-
-macro_rules! assert_close {
-    ($a:expr, $b:expr) => {
-        let (a, b) = ($a, $b);
-        assert!(close(a, b), "{} = {a}, expected {b}", stringify!($a));
-    };
-}
 
 /// Two points turn freely; two tips turn by M/2k_θ. Against forces through the line of the pinch they are as stiff as
 /// points; the first points slide at the closed form, all of a ring at once, only the rim of a disc.
@@ -40,7 +30,7 @@ fn a_pinch_no_longer_turns_freely() {
         let turned = grasp.solve(&spin(moment)).unwrap();
         let turned = turned.equilibrium().expect("within friction");
         assert!(turned.free_motions.is_empty());
-        assert_close!(turned.twist.rotation()[0], moment / (2.0 * KT * square * R * R));
+        assert_relatively_close!(turned.twist.rotation()[0], moment / (2.0 * KT * square * R * R));
         let pushed = grasp.solve(&push).unwrap();
         let pushed = pushed.equilibrium().expect("within friction");
         assert!(pushed.free_motions.is_empty());
@@ -48,7 +38,7 @@ fn a_pinch_no_longer_turns_freely() {
         assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "as stiff as one contact: {a} {b}");
         let onset = grasp.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
-        assert_close!(event.factor, 2.0 * MU * N * square * R);
+        assert_relatively_close!(event.factor, 2.0 * MU * N * square * R);
         let rim: Vec<_> = [tip.points(), tip.points()]
             .into_iter()
             .flatten()
@@ -85,12 +75,12 @@ fn uneven_tangential_stiffness() {
         let onset = grasp.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         let exact = 2.0 * MU * N * R * 0.5 * (k1 + k2) / k1.max(k2);
-        assert_close!(event.factor, exact);
-        assert_close!(2.0 * tip.first_sliding(&finger(1.0), N), exact);
+        assert_relatively_close!(event.factor, exact);
+        assert_relatively_close!(2.0 * tip.first_sliding(&finger(1.0), N), exact);
         let contacts: Vec<_> = event.leaving.iter().map(|l| l.contact).collect();
         let start = if first == 2 { points / 4 } else { 0 };
         assert_eq!(contacts, [0, points / 2, points, 3 * points / 2].map(|i| i + start));
-        assert_close!(event.state.twist.rotation()[0], exact / ((k1 + k2) * R * R));
+        assert_relatively_close!(event.state.twist.rotation()[0], exact / ((k1 + k2) * R * R));
     }
 }
 
@@ -121,7 +111,7 @@ fn slip_spreads_from_the_rim_up_to_the_limit() {
                 }
             }
             let limit = 2.0 * MU * N * mean * R;
-            assert_close!(2.0 * tip.torsional_limit(&finger(1.0), N), limit);
+            assert_relatively_close!(2.0 * tip.torsional_limit(&finger(1.0), N), limit);
             assert!(grasp.solve(&spin(limit * (1.0 - 1e-9))).unwrap().equilibrium().is_some());
             // Beyond the limit every polygon is tried in vain: quick for few contacts.
             if annuli == 1 {
@@ -149,16 +139,16 @@ fn a_path_of_torsion() {
             let sticks_inside = |r: f64| (r / radius).min(1.0);
             let moment: f64 =
                 tip.points().map(|(at, w)| 2.0 * MU * N * w * at.norm() * sticks_inside(at.norm())).sum();
-            assert_close!(event.fraction * 2.0 * limit, moment);
+            assert_relatively_close!(event.fraction * 2.0 * limit, moment);
             assert_eq!(event.changes.len(), 8);
             assert!(event.changes.iter().all(|(i, change)| {
                 matches!(change, Change::Slides { .. })
-                    && close(tip.points().nth(i % 16).unwrap().0.norm(), *radius)
+                    && relatively_close(tip.points().nth(i % 16).unwrap().0.norm(), *radius)
             }));
         }
         assert!(events.len() >= 3 && !matches!(path.end(), Some(PathEnd::Completed) | None));
         let (_, fraction, state) = path.position().expect("where it stopped");
-        assert_close!(fraction, 0.5);
+        assert_relatively_close!(fraction, 0.5);
         assert!(state.contacts.iter().all(|c| (c.friction_used() / MU - 1.0).abs() < 1e-11));
     }
 }

@@ -4,27 +4,17 @@
 
 use std::mem::discriminant;
 
-use crate::programs::Scene;
 use crate::programs::draw::{over, planar_scenes, spatial_scenes};
 use crate::programs::tally::Tally;
 use crate::programs::views::View;
+use crate::programs::{Scene, direction};
 use grasp_lcp::equilibrium::{ContactAnswer, Outcome};
-use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
+use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use nalgebra::SVector;
 use proptest::prelude::*;
 
 /// Fractions agree to this.
 const FRACTION: f64 = 1e-12;
-
-fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
-    match change {
-        Change::Slides { direction }
-        | Change::Reverses { direction }
-        | Change::Turns { direction }
-        | Change::ClosesSliding { direction } => Some(*direction),
-        _ => None,
-    }
-}
 
 fn told<const D: usize, const C: usize>(events: &[Event<D, C>], path: &LoadPath<'_, D, C>) -> String {
     let all: Vec<_> = events.iter().map(|e| (e.leg, e.fraction, &e.changes)).collect();

@@ -9,10 +9,9 @@ use crate::programs::draw::{
 };
 use crate::programs::tally::Tally;
 use crate::programs::views::View;
-use crate::programs::{Goal, Scene, same_state, sizes};
+use crate::programs::{Goal, Scene, direction, same_state, sizes};
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::load_path::{Change, Event, PatchEvent, PathEnd};
-use nalgebra::SVector;
 use proptest::prelude::*;
 
 /// Fractions agree to this as a rule,
@@ -22,16 +21,6 @@ const FRACTION: f64 = 1e-12;
 const STIFF_FRACTION: f64 = 1e-9;
 /// Forces and motions agree to this part of them.
 const STATE: f64 = 1e-9;
-
-fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
-    match change {
-        Change::Slides { direction }
-        | Change::Reverses { direction }
-        | Change::Turns { direction }
-        | Change::ClosesSliding { direction } => Some(*direction),
-        _ => None,
-    }
-}
 
 /// One change of one contact.
 struct Told<const C: usize> {

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
-use grasp_lcp::load_path::Leg;
+use grasp_lcp::load_path::{Change, Leg};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 
@@ -270,4 +270,15 @@ pub(crate) fn same_state<const D: usize, const C: usize>(
         prop_assert!(moved <= within * motion, "contact {i} by {moved:e}: {} against {}", brief(a), brief(b));
     }
     Ok(())
+}
+
+/// In which direction a contact slides from a change on.
+pub(crate) fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
+    match change {
+        Change::Slides { direction }
+        | Change::Reverses { direction }
+        | Change::Turns { direction }
+        | Change::ClosesSliding { direction } => Some(*direction),
+        _ => None,
+    }
 }
