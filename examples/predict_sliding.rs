@@ -13,7 +13,6 @@ mod predict;
 mod scene_file;
 #[path = "support/scene_picture.rs"]
 mod scene_picture;
-mod support;
 
 use std::path::Path;
 use std::process::ExitCode;

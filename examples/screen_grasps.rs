@@ -4,8 +4,6 @@
 //! first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked with
 //! `Grasp::onset`, the throughput, and draws how the million are distributed.
 
-mod support;
-
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;

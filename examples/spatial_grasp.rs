@@ -4,8 +4,6 @@
 //!
 //! `cargo run --release --example spatial_grasp`
 
-mod support;
-
 use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};

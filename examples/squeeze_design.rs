@@ -2,8 +2,6 @@
 //!
 //! `cargo run --release --example squeeze_design`
 
-mod support;
-
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Error, Settings};

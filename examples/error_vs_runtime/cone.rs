@@ -7,10 +7,11 @@ use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcom
 use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::{Vector3, Vector6};
 
-use crate::best_time::timed;
 use crate::onset::pinch;
 use crate::report::{Panel, Report};
-use crate::scene::{Failure, three_fingers};
+use support::Failure;
+use support::best_time::timed;
+use support::loaded::three_fingers;
 
 const FACETS: [usize; 7] = [4, 8, 16, 32, 64, 128, 256];
 const FITS: [(&str, Fit); 3] = [

@@ -9,7 +9,7 @@ use grasp_lcp::scene::Setup;
 
 use crate::ask::{self, First};
 use crate::limit::{self, End, Last};
-use crate::{Failure, support, watch, weakest};
+use crate::{Failure, watch, weakest};
 
 /// Directions of the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;

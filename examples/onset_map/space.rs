@@ -8,7 +8,7 @@ use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End};
-use crate::{Failure, support, watch, weakest};
+use crate::{Failure, watch, weakest};
 
 /// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
 const ONSETS: (usize, usize) = (45, 120);

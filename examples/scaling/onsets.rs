@@ -10,8 +10,8 @@ use grasp_lcp::{Settings, planar, spatial};
 
 use crate::Outcome;
 use crate::report::{best, row};
-use crate::scenes::uneven;
 use crate::today::bisected_onset;
+use support::patches::uneven;
 
 /// Grasps a family: with their numbers they stay in the processor's nearer memory.
 const GRASPS: usize = 4000;

@@ -6,10 +6,10 @@ use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome};
 use grasp_lcp::grasp::Grasp;
 
 use crate::Failure;
-use crate::exact::scene::Scene;
-use crate::exact::truth::Truth;
 use crate::ring::SQUEEZE;
 use crate::textbook;
+use support::scene::Scene;
+use support::truth::Truth;
 
 /// As many directions of sliding in space can be afforded as unknowns of exact equations.
 const MOST_TURNING: usize = 12;
@@ -82,7 +82,7 @@ impl Table {
         question: Question,
         scene: &Scene<D, C>,
     ) -> Result<Option<Equilibrium<D, C>>, Failure> {
-        let grasp = Grasp::new(scene.contacts.iter().map(crate::exact::scene::Datum::contact))?;
+        let grasp = Grasp::new(scene.contacts.iter().map(support::scene::Datum::contact))?;
         self.ask_of(question, scene, &grasp)
     }
 
@@ -209,7 +209,7 @@ impl Table {
             )?;
         }
         println!();
-        crate::support::save("stiff_and_extreme.csv", &csv)?;
+        support::save("stiff_and_extreme.csv", &csv)?;
         Ok(())
     }
 }

@@ -11,8 +11,8 @@ use grasp_lcp::load_path::{Departure, Onset, OnsetEvent};
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-use crate::common::ramps::ramps;
-use crate::common::random::{Spread, for_all};
+use support::ramps::ramps;
+use support::random::{Spread, for_all};
 
 #[derive(Debug, Default)]
 struct Tally {

@@ -3,7 +3,7 @@
 //! Every fault must come back as a typed error that names what was given and what would have been allowed, message text
 //! included.
 
-use crate::common::valid::{MODERATE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
+use crate::valid::{MODERATE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
 use grasp_lcp::grasp::{Grasp, Wrench};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::{Error, Field, Fit, PolygonCone, Settings, planar, spatial};

@@ -1,11 +1,11 @@
 //! The condition of an answer against what really happens when the data change a little.
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::{Datum, Scene};
 use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;
 use proptest::prelude::*;
 use std::cell::Cell;
+use support::random::{Spread, for_all, scene};
+use support::scene::{Datum, Scene};
 
 /// Every number of the data changes by at most this part of itself.
 const PART: f64 = 1e-9;

@@ -1,15 +1,15 @@
 //! Forces, displacements, states and error estimates against the same contact states solved in exact arithmetic.
 //!
-//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `crate::common::truth` takes every number of a scene for
+//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `support::truth` takes every number of a scene for
 //! what it is and solves for the states that the library returned: what differs is the library's rounding alone.
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::Scene;
-use crate::common::truth::{Errors, Truth};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Accuracy, ContactState, Equilibrium};
 use proptest::prelude::*;
 use std::cell::RefCell;
+use support::random::{Spread, for_all, scene};
+use support::scene::Scene;
+use support::truth::{Errors, Truth};
 
 /// Errors below this part of the largest force or displacement are none.
 const NONE: f64 = 1e-18;

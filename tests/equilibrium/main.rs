@@ -1,8 +1,5 @@
 //! The equilibrium of one grasp under one load.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod any_numbers;
 mod bad_contacts;
 mod bad_fingertips;
@@ -16,7 +13,9 @@ mod foreign_vectors;
 mod frames;
 mod frictionless_sliding;
 mod invariance;
+mod pinch;
 mod properties_law;
 mod round_cone;
 mod soft_fingertip;
 mod soft_fingertip_torsion;
+mod valid;

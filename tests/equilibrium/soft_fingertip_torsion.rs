@@ -3,12 +3,12 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use crate::common::close::{assert_relatively_close, relatively_close};
-use crate::common::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
+use crate::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::spatial::{
     Beyond, Change, ContactState, Departure, Grasp, Leg, Outcome, PathEnd, Pressure, SoftFingertip, Wrench,
 };
 use grasp_lcp::{Fit, PolygonCone, Settings};
+use support::{assert_relatively_close, relatively_close};
 
 /// Pressure and ⟨r⟩/R.
 const PROFILES: [(Pressure, f64); 3] =

@@ -1,8 +1,5 @@
 //! Load programs, followed with the memory of slip.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod closed_forms;
 mod cut;
 mod energy;
@@ -15,7 +12,6 @@ mod leg_ends;
 mod memory;
 mod on_facets;
 mod partial_slip;
-mod programs;
 mod recontact;
 mod rings;
 mod round_cone;

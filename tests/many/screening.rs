@@ -4,8 +4,6 @@
 //! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;
 //! every lane of a batch, full or not, answers as the grasp on its own, to the last bit.
 
-use crate::common::random::{Spread, datum, for_all};
-use crate::common::scene::Datum;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
@@ -14,6 +12,8 @@ use grasp_lcp::sweep::onsets_of_batch;
 use grasp_lcp::{Settings, planar, spatial};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::random::{Spread, datum, for_all};
+use support::scene::Datum;
 
 /// How often each verdict came.
 type Tally = std::cell::RefCell<std::collections::BTreeMap<String, usize>>;

@@ -4,13 +4,13 @@
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-use crate::common::close::assert_close;
-use crate::common::ramps::{Change, Tally, for_both};
-use crate::common::scene::Scene;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar};
 use proptest::prelude::*;
+use support::assert_close;
+use support::ramps::{Change, Tally, for_both};
+use support::scene::Scene;
 
 fn polygon(facets: usize, fit: Fit) -> Settings {
     // Rolling states need no search through all combinations.

@@ -4,14 +4,14 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::ramps::{CASES, Change, Friction, Tally, close, for_both, ramps, slack};
-use crate::common::random::{Spread, for_all};
-use crate::common::scene::Scene;
-use crate::common::transform::Transform;
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::OnsetEvent;
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::ramps::{CASES, Change, Friction, Tally, close, for_both, ramps, slack};
+use support::random::{Spread, for_all};
+use support::scene::Scene;
+use support::transform::Transform;
 
 /// The same contacts leave; one that leaves on one side only must stand at the very edge of its cone on the other.
 fn same_leave<const D: usize, const C: usize>(

@@ -1,16 +1,16 @@
 //! The onset of sliding against a search that knows nothing of how it was found.
 //!
-//! While everything rolls the forces solve a linear least-squares problem (`crate::common::rolling`); the largest load factor at
+//! While everything rolls the forces solve a linear least-squares problem (`support::rolling`); the largest load factor at
 //! which all of them lie in their cones is found here by bisection and must be the onset, in the plane and in space, on
 //! the round cone and on the polygon, for loads and for finger commands. Just below the onset the solver must find that
 //! everything rolls, just above it must not.
 
-use crate::common::ramps::{Change, Friction, Tally, close, for_both, slack};
-use crate::common::scene::Scene;
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Outcome, Rung};
 use grasp_lcp::load_path::{Onset, OnsetEvent};
 use proptest::prelude::*;
+use support::ramps::{Change, Friction, Tally, close, for_both, slack};
+use support::scene::Scene;
 
 /// The factor at which rolling ends, by doubling and bisection; infinite if it does not end before 2^40.
 fn bisected<const D: usize, const C: usize>(

@@ -1,11 +1,11 @@
 //! The paper's two grasps: its tables to the digits printed, and the exact onset of the second.
 
-use crate::paper::{
-    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
-};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Onset, Outcome, Proof, Ramp, Wrench};
+use support::paper::{
+    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
+};
 
 /// Half a digit of the print and what rounding adds.
 const PRINTED: f64 = 0.5001e-4;

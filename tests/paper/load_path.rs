@@ -1,7 +1,7 @@
 //! Load paths whose every event can be written down.
 
-use crate::common::close::assert_close;
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
+use support::assert_close;
 
 fn pull(force: f64) -> Wrench {
     Wrench::force([force, 0.0])
@@ -232,7 +232,7 @@ fn rings_have_one_event() {
 /// The paper's second grasp: onset and limit load coincide.
 #[test]
 fn the_paper_ends_at_its_onset() {
-    let grasp = crate::paper::two_fingers().unwrap();
+    let grasp = support::paper::two_fingers().unwrap();
     let (path, events) = run(&grasp, &[Leg::load_to(Wrench::force([0.0, -1.0]))]);
     assert!(events.is_empty());
     let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };

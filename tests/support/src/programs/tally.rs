@@ -4,31 +4,46 @@ use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
 
 /// What happened on many paths.
 #[derive(Debug, Default, Clone)]
-pub(crate) struct Tally {
-    pub(crate) scenes: usize,
-    pub(crate) events: usize,
-    pub(crate) slides: usize,
-    pub(crate) sticks: usize,
-    pub(crate) reverses: usize,
-    pub(crate) turns: usize,
-    pub(crate) opens: usize,
-    pub(crate) closes: usize,
-    pub(crate) completed: usize,
-    pub(crate) limits: usize,
-    pub(crate) snaps: usize,
-    pub(crate) gives_way: usize,
-    pub(crate) no_start: usize,
-    pub(crate) undecided: usize,
+pub struct Tally {
+    /// Paths.
+    pub scenes: usize,
+    /// Of all kinds.
+    pub events: usize,
+    /// Contacts that start to slide.
+    pub slides: usize,
+    /// That stop.
+    pub sticks: usize,
+    /// That slide the other way.
+    pub reverses: usize,
+    /// That go on along another edge.
+    pub turns: usize,
+    /// That open.
+    pub opens: usize,
+    /// That close.
+    pub closes: usize,
+    /// Paths followed to the end of the last leg.
+    pub completed: usize,
+    /// To a limit load.
+    pub limits: usize,
+    /// To a snap, or to where nothing more is known than that they end.
+    pub snaps: usize,
+    /// To where the object gives way.
+    pub gives_way: usize,
+    /// Without an equilibrium to start from.
+    pub no_start: usize,
+    /// With any other end.
+    pub undecided: usize,
     /// Losses just beyond which another method finds no equilibrium at all.
-    pub(crate) nothing_beyond: usize,
+    pub nothing_beyond: usize,
     /// Paths whose steps add up to a large error.
-    pub(crate) inaccurate: usize,
+    pub inaccurate: usize,
     /// What the property itself was checked on.
-    pub(crate) checked: usize,
+    pub checked: usize,
 }
 
 impl Tally {
-    pub(crate) fn count<const D: usize, const C: usize>(
+    /// Adds a path with its events.
+    pub fn count<const D: usize, const C: usize>(
         &mut self,
         events: &[Event<D, C>],
         path: &LoadPath<'_, D, C>,

@@ -8,7 +8,7 @@ use super::scene::{Datum, Scene, displacement, wrench};
 
 /// How stiffnesses and friction coefficients are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Spread {
+pub enum Spread {
     /// Stiffness 1 to 20, friction 0.2 to 1.5: most contacts roll.
     Narrow,
     /// Stiffness 1 to 1e6; friction zero, tiny, ordinary, huge or infinite.
@@ -53,7 +53,7 @@ fn friction(spread: Spread) -> BoxedStrategy<f64> {
 }
 
 /// A contact about a unit away from the origin, its normal inward within some 40 degrees, its finger pushing.
-pub(crate) fn datum<const C: usize>(spread: Spread) -> impl Strategy<Value = Datum<C>> {
+pub fn datum<const C: usize>(spread: Spread) -> impl Strategy<Value = Datum<C>> {
     let clearance = prop_oneof![6 => Just(0.0), 1 => 0.0..0.3];
     (
         vector::<C>(),
@@ -100,7 +100,7 @@ fn balancing_load<const D: usize, const C: usize>(
 }
 
 /// `count` contacts under a load that a motion of the given size would meet.
-pub(crate) fn scene<const D: usize, const C: usize>(
+pub fn scene<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     spread: Spread,
     motion: f64,
@@ -113,7 +113,7 @@ pub(crate) fn scene<const D: usize, const C: usize>(
 }
 
 /// Runs a property on `cases` random scenes, the same on every run.
-pub(crate) fn for_all<S: Strategy>(
+pub fn for_all<S: Strategy>(
     source_file: &'static str,
     cases: u32,
     strategy: &S,

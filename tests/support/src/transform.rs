@@ -6,7 +6,7 @@ use super::scene::{Datum, Scene};
 
 /// `x -> length (R x + shift)` for points, `f -> force R f` for forces, with R orthogonal.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Transform<const C: usize> {
+pub struct Transform<const C: usize> {
     rotation: SMatrix<f64, C, C>,
     shift: SVector<f64, C>,
     length: f64,
@@ -19,7 +19,7 @@ impl<const C: usize> Transform<C> {
     }
 
     /// Turns each coordinate plane (i, i + 1) by an angle, one after the other.
-    pub(crate) fn turned(angles: [f64; 3]) -> Self {
+    pub fn turned(angles: [f64; 3]) -> Self {
         let mut rotation = SMatrix::<f64, C, C>::identity();
         for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
             let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
@@ -31,18 +31,19 @@ impl<const C: usize> Transform<C> {
     }
 
     /// The first axis changes sign.
-    pub(crate) fn mirrored() -> Self {
+    pub fn mirrored() -> Self {
         let mut rotation = SMatrix::identity();
         rotation[(0, 0)] = -1.0;
         Self { rotation, ..Self::identity() }
     }
 
-    pub(crate) fn moved(shift: SVector<f64, C>) -> Self {
+    /// By a shift.
+    pub fn moved(shift: SVector<f64, C>) -> Self {
         Self { shift, ..Self::identity() }
     }
 
     /// Numbers for lengths become this much larger, and for forces.
-    pub(crate) fn in_units(length: f64, force: f64) -> Self {
+    pub fn in_units(length: f64, force: f64) -> Self {
         Self { length, force, ..Self::identity() }
     }
 
@@ -67,12 +68,12 @@ impl<const C: usize> Transform<C> {
     }
 
     /// A force of the image as the first scene sees it.
-    pub(crate) fn force_back(&self, f: &SVector<f64, C>) -> SVector<f64, C> {
+    pub fn force_back(&self, f: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(f) / self.force
     }
 
     /// A displacement of the image as the first scene sees it.
-    pub(crate) fn displacement_back(&self, u: &SVector<f64, C>) -> SVector<f64, C> {
+    pub fn displacement_back(&self, u: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(u) / self.length
     }
 
@@ -107,7 +108,8 @@ impl<const C: usize> Transform<C> {
         }
     }
 
-    pub(crate) fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
+    /// The image of a scene.
+    pub fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
         Scene {
             contacts: scene.contacts.iter().map(|datum| self.datum(datum)).collect(),
             load: self.wrench(&scene.load),
@@ -115,7 +117,7 @@ impl<const C: usize> Transform<C> {
     }
 
     /// A load direction and command changes.
-    pub(crate) fn ramp<const D: usize>(
+    pub fn ramp<const D: usize>(
         &self,
         direction: &SVector<f64, D>,
         change: &[SVector<f64, C>],

@@ -37,32 +37,40 @@ const NO_FORCE: f64 = 1e-20;
 const SMALL: f64 = 1e-14;
 
 /// What the contacts really do in these states.
-pub(crate) struct Truth<const C: usize> {
+pub struct Truth<const C: usize> {
     /// In the contact frames.
-    pub(crate) forces: Vec<[Dyadic; C]>,
+    pub forces: Vec<[Dyadic; C]>,
     /// Displacement of the body at the contacts, in the contact frames.
     moved: Vec<[Dyadic; C]>,
     /// Size of the largest force, load included, N: at least 1e-20 of what the softest spring could have from the displacements.
-    pub(crate) largest: f64,
+    pub largest: f64,
     /// The largest of displacements and commands, m.
-    pub(crate) travel: f64,
-    pub(crate) conditions: Vec<Condition>,
+    pub travel: f64,
+    /// Of all contacts.
+    pub conditions: Vec<Condition>,
 }
 
 /// A condition `value >= 0` of the state of a contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Condition {
-    pub(crate) contact: usize,
-    pub(crate) kind: Kind,
+pub struct Condition {
+    /// By its index.
+    pub contact: usize,
+    /// Which condition.
+    pub kind: Kind,
     /// The value over the size of its terms: exactly zero, or with the exact sign.
-    pub(crate) part: f64,
+    pub part: f64,
 }
 
+/// What a contact must keep to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// An open contact does not overlap.
     Gap,
+    /// A closed one presses.
     Push,
+    /// Friction stays within its limit.
     Margin,
+    /// Friction works against the slip.
     Slip,
 }
 
@@ -87,21 +95,22 @@ enum Exactly<const C: usize> {
 
 /// Errors of an answer.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Errors {
+pub struct Errors {
     /// Largest error of a contact force over the largest force, load included.
-    pub(crate) force: f64,
+    pub force: f64,
     /// Largest error of a component of a force over that component.
-    pub(crate) component: f64,
+    pub component: f64,
     /// Largest error of the displacement of the body at a contact, over the largest of displacements and commands.
-    pub(crate) motion: f64,
-    /// The same two in their units, N and m.
-    pub(crate) newtons: f64,
-    pub(crate) metres: f64,
+    pub motion: f64,
+    /// The error of a contact force, N.
+    pub newtons: f64,
+    /// The error of a displacement, m.
+    pub metres: f64,
 }
 
 impl<const C: usize> Truth<C> {
     /// `None` where the states do not determine the twist, or Newton's method does not arrive.
-    pub(crate) fn of<const D: usize>(
+    pub fn of<const D: usize>(
         scene: &Scene<D, C>,
         grasp: &Grasp<D, C>,
         answer: &Equilibrium<D, C>,
@@ -231,7 +240,7 @@ impl<const C: usize> Truth<C> {
     }
 
     /// Errors of the answer.
-    pub(crate) fn errors<const D: usize>(&self, grasp: &Grasp<D, C>, answer: &Equilibrium<D, C>) -> Errors {
+    pub fn errors<const D: usize>(&self, grasp: &Grasp<D, C>, answer: &Equilibrium<D, C>) -> Errors {
         let mut errors = Errors::default();
         for (i, c) in answer.contacts.iter().enumerate() {
             let off: [Dyadic; C] = std::array::from_fn(|a| &Dyadic::new(c.force[a]) - &self.forces[i][a]);
@@ -249,11 +258,6 @@ impl<const C: usize> Truth<C> {
         }
         (errors.force, errors.motion) = (errors.newtons / self.largest, errors.metres / self.travel);
         errors
-    }
-
-    /// The least of all conditions.
-    pub(crate) fn narrowest(&self) -> f64 {
-        self.conditions.iter().map(|c| c.part).fold(f64::INFINITY, f64::min)
     }
 }
 

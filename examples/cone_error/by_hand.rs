@@ -3,7 +3,8 @@
 use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Wrench};
 use nalgebra::{Vector3, Vector6};
 
-use crate::scene::{Failure, Scene};
+use support::Failure;
+use support::loaded::Scene;
 
 /// The onset from two elastic states and a quadratic equation for each contact.
 pub(crate) fn onset_by_hand(scene: &Scene) -> Result<f64, Failure> {

@@ -29,7 +29,9 @@ pub fn disk_load() -> Wrench {
 
 /// A force as the paper prints it, with the true value where the print is wrong.
 pub struct Printed {
+    /// What is printed.
     pub force: [f64; 2],
+    /// What is wrong with it, and what it must be.
     pub misprint: Option<(&'static str, [f64; 2])>,
 }
 

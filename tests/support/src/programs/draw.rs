@@ -13,7 +13,7 @@ use super::{Goal, Scene, Spot};
 
 /// Runs a property over `cases` scenes, always the same ones, and returns what it counted. A scene that breaks it is made
 /// smaller before it is shown.
-pub(crate) fn over<S: Strategy>(
+pub fn over<S: Strategy>(
     cases: u32,
     scenes: &S,
     property: impl Fn(S::Value, &mut Tally) -> Result<(), TestCaseError>,
@@ -41,22 +41,22 @@ fn draws(contacts: std::ops::Range<usize>) -> impl Strategy<Value = (Vec<Draw>, 
 }
 
 /// Planar scenes of 2–5 contacts around an object with programs of 1–4 legs.
-pub(crate) fn planar_scenes() -> impl Strategy<Value = Scene<3, 2>> {
+pub fn planar_scenes() -> impl Strategy<Value = Scene<3, 2>> {
     draws(2..6).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
 /// The same with 2 or 3 contacts.
-pub(crate) fn few_planar_contacts() -> impl Strategy<Value = Scene<3, 2>> {
+pub fn few_planar_contacts() -> impl Strategy<Value = Scene<3, 2>> {
     draws(2..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
 /// Scenes in space of 3–5 contacts.
-pub(crate) fn spatial_scenes() -> impl Strategy<Value = Scene<6, 3>> {
+pub fn spatial_scenes() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..6).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
 /// Exactly 3 contacts in space.
-pub(crate) fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
+pub fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 

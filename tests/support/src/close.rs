@@ -1,24 +1,24 @@
 //! When a number is the one that was worked out by hand.
-#![allow(unused_imports, unused_macros, reason = "not every test file has numbers worked out by hand")]
 
 /// Equal to 1e-12, relative for large numbers and absolute for small ones.
+#[macro_export]
 macro_rules! assert_close {
     ($a:expr, $b:expr) => {
         let (a, b): (f64, f64) = ($a, $b);
         assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{} = {a}, expected {b}", stringify!($a));
     };
 }
-pub(crate) use assert_close;
 
 /// Equal to 1e-12 of the expected number, however small.
-pub(crate) fn relatively_close(a: f64, b: f64) -> bool {
+pub fn relatively_close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * b.abs()
 }
 
+/// Equal to 1e-12 of the expected number, however small.
+#[macro_export]
 macro_rules! assert_relatively_close {
     ($a:expr, $b:expr) => {
         let (a, b) = ($a, $b);
-        assert!($crate::common::close::relatively_close(a, b), "{} = {a}, expected {b}", stringify!($a));
+        assert!($crate::relatively_close(a, b), "{} = {a}, expected {b}", stringify!($a));
     };
 }
-pub(crate) use assert_relatively_close;

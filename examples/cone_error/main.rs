@@ -9,23 +9,16 @@
 //!
 //! `cargo run --release --example cone_error`
 
-mod support;
-
-#[path = "support/best_time.rs"]
-mod best_time;
-#[path = "support/by_hand.rs"]
 mod by_hand;
-#[path = "support/polish_cost.rs"]
 mod polish_cost;
-#[path = "support/scene.rs"]
-mod scene;
 
-use best_time::{best_in_turns, once, timed};
 use by_hand::{difference, onset_by_hand, residual};
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{ContactState, Grasp};
 use grasp_lcp::{Fit, PolygonCone, Settings};
-use scene::{Failure, Scene, dragged_block, four_fingers, three_fingers};
+use support::Failure;
+use support::best_time::{best_in_turns, once, timed};
+use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
 
 const FACETS: [u32; 6] = [4, 8, 16, 32, 64, 128];
 /// The finest polygon is affordable on so many contacts.

@@ -10,7 +10,7 @@ const FRICTION: f64 = 0.5;
 /// Commanded squeeze, m.
 const SQUEEZE: f64 = 1e-3;
 /// The way of the finger after the corner, in leashes.
-pub(crate) const WAY: f64 = 4.0;
+pub const WAY: f64 = 4.0;
 
 /// Springs in series.
 fn series(finger: f64) -> f64 {
@@ -18,17 +18,17 @@ fn series(finger: f64) -> f64 {
 }
 
 /// Friction force once it slides, N.
-pub(crate) fn limit() -> f64 {
+pub fn limit() -> f64 {
     FRICTION * series(FINGER[0]) * SQUEEZE
 }
 
 /// How far the finger is ahead of what it drags, m.
-pub(crate) fn leash() -> f64 {
+pub fn leash() -> f64 {
     limit() / series(FINGER[1])
 }
 
 /// The finger first, then the support; its way up to the corner, as far as the leash goes, and off at a right angle.
-pub(crate) fn scene() -> Result<(Grasp, [[f64; 2]; 2]), grasp_lcp::Error> {
+pub fn scene() -> Result<(Grasp, [[f64; 2]; 2]), grasp_lcp::Error> {
     let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0])
         .name("finger")
         .tangent([1.0, 0.0, 0.0])
@@ -46,24 +46,24 @@ pub(crate) fn scene() -> Result<(Grasp, [[f64; 2]; 2]), grasp_lcp::Error> {
 }
 
 /// What the fingers are commanded to do more on a part of the way.
-pub(crate) fn drag([x, y]: [f64; 2]) -> Vec<Vector3<f64>> {
+pub fn drag([x, y]: [f64; 2]) -> Vec<Vector3<f64>> {
     let mut commands = vec![Vector3::zeros(); 5];
     commands[0] = Vector3::new(0.0, x, y);
     commands
 }
 
 /// The legs of the way.
-pub(crate) fn legs(ways: [[f64; 2]; 2]) -> [Leg; 2] {
+pub fn legs(ways: [[f64; 2]; 2]) -> [Leg; 2] {
     ways.map(|way| Leg::commands_by(drag(way)))
 }
 
 /// The angle of the friction force to the way after the corner: tan(θ/2) = exp(-x/L).
-pub(crate) fn exact(leashes: f64) -> f64 {
+pub fn exact(leashes: f64) -> f64 {
     2.0 * (-leashes).exp().atan()
 }
 
 /// How far a force, in the frame of the finger, is off the tractrix, over its size.
-pub(crate) fn off(force: &Vector3<f64>, leashes: f64) -> f64 {
+pub fn off(force: &Vector3<f64>, leashes: f64) -> f64 {
     let (sin, cos) = exact(leashes).sin_cos();
     (force[1] / limit() - cos).hypot(force[2] / limit() - sin)
 }

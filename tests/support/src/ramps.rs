@@ -13,27 +13,30 @@ use super::rolling;
 use super::scene::{Datum, Scene};
 
 /// Corners of the polygon in space (the library's default).
-pub(crate) const FACETS: usize = 8;
+pub const FACETS: usize = 8;
 
 /// A load direction and a change of commands; the base is the scene itself.
 #[derive(Debug, Clone)]
-pub(crate) struct Change<const D: usize, const C: usize> {
-    pub(crate) load: SVector<f64, D>,
-    pub(crate) commands: Vec<SVector<f64, C>>,
+pub struct Change<const D: usize, const C: usize> {
+    /// Of the load.
+    pub load: SVector<f64, D>,
+    /// Of the commands, contact by contact.
+    pub commands: Vec<SVector<f64, C>>,
 }
 
 impl<const D: usize, const C: usize> Change<D, C> {
-    pub(crate) fn ramp(&self, scene: &Scene<D, C>) -> Ramp<D, C> {
+    /// The ramp from the scene on.
+    pub fn ramp(&self, scene: &Scene<D, C>) -> Ramp<D, C> {
         Ramp::load(scene.wrench(), Wrench::from_vector(self.load)).with_commands(self.commands.clone())
     }
 
     /// Whether the load works on a motion that no contact resists: then nothing holds from the start.
-    pub(crate) fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
+    pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
         rolling::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
     }
 
     /// The scene at a factor.
-    pub(crate) fn at(&self, scene: &Scene<D, C>, factor: f64) -> Scene<D, C> {
+    pub fn at(&self, scene: &Scene<D, C>, factor: f64) -> Scene<D, C> {
         let mut there = scene.clone();
         there.load += self.load * factor;
         for (datum, change) in there.contacts.iter_mut().zip(&self.commands) {
@@ -45,7 +48,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
 
 /// The cone that friction is measured with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Friction {
+pub enum Friction {
     /// The round cone; in the plane the cone itself.
     Round,
     /// The polygon with `FACETS` corners on the circle.
@@ -53,7 +56,7 @@ pub(crate) enum Friction {
 }
 
 /// The least slack of all rolling conditions relative to the largest force of the scene; negative when something cannot roll.
-pub(crate) fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
+pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
     let forces = rolling::forces(scene)?;
     // Where the forces cancel, what the softest spring would exert over the largest command.
     let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
@@ -81,14 +84,18 @@ pub(crate) fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, frictio
 
 /// What the onset was found to be.
 #[derive(Debug, Default)]
-pub(crate) struct Tally {
-    pub(crate) slides: Cell<u32>,
-    pub(crate) opens: Cell<u32>,
-    pub(crate) never: Cell<u32>,
+pub struct Tally {
+    /// A contact slides.
+    pub slides: Cell<u32>,
+    /// Contacts open, and none slides.
+    pub opens: Cell<u32>,
+    /// Nothing happens at any factor.
+    pub never: Cell<u32>,
 }
 
 impl Tally {
-    pub(crate) fn count<const D: usize, const C: usize>(&self, onset: &Onset<D, C>) {
+    /// Adds one.
+    pub fn count<const D: usize, const C: usize>(&self, onset: &Onset<D, C>) {
         let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
         add(&self.never, matches!(onset, Onset::Never));
         if let Onset::At(event) = onset {
@@ -98,26 +105,29 @@ impl Tally {
         }
     }
 
-    pub(crate) fn assert_at_least(&self, slides: u32, opens: u32, never: u32) {
+    /// So many of each were found.
+    pub fn assert_at_least(&self, slides: u32, opens: u32, never: u32) {
         println!("{self:?}");
         let enough = self.slides.get() >= slides && self.opens.get() >= opens && self.never.get() >= never;
         assert!(enough, "{self:?}");
     }
 }
 
-pub(crate) fn close(a: f64, b: f64) -> bool {
+/// Equal to 1e-9 of the larger.
+pub fn close(a: f64, b: f64) -> bool {
     a == b || (a.is_finite() && b.is_finite() && (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
 }
 
 /// What changes along the ramp.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Driven {
+enum Driven {
     Load,
     Commands,
     Both,
 }
 
-pub(crate) fn ramps<const D: usize, const C: usize>(
+/// Scenes in which everything touches, and what changes.
+pub fn ramps<const D: usize, const C: usize>(
     counts: std::ops::Range<usize>,
     spread: Spread,
 ) -> impl Strategy<Value = (Scene<D, C>, Change<D, C>)> {
@@ -144,10 +154,11 @@ pub(crate) fn ramps<const D: usize, const C: usize>(
     )
 }
 
-pub(crate) const CASES: u32 = 2000;
+/// Ramps of each kind.
+pub const CASES: u32 = 2000;
 
 /// Runs a property on ramps of grasps with similar springs and with very different ones.
-pub(crate) fn for_both<const D: usize, const C: usize>(
+pub fn for_both<const D: usize, const C: usize>(
     source_file: &'static str,
     counts: &std::ops::Range<usize>,
     property: impl Fn(&Scene<D, C>, &Change<D, C>, &Tally) -> Result<(), TestCaseError>,

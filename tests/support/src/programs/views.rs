@@ -6,21 +6,22 @@ use super::{Goal, Scene, Spot};
 
 /// `x -> length (R x + shift)` for points, `f -> force R f` for forces, with R orthogonal.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct View<const C: usize> {
+pub struct View<const C: usize> {
     rotation: SMatrix<f64, C, C>,
     shift: SVector<f64, C>,
     length: f64,
-    pub(crate) force: f64,
+    /// Numbers for forces become this much larger.
+    pub force: f64,
 }
 
 impl<const C: usize> View<C> {
     /// Numbers for lengths become this much larger, and for forces.
-    pub(crate) fn in_units(length: f64, force: f64) -> Self {
+    pub fn in_units(length: f64, force: f64) -> Self {
         Self { rotation: SMatrix::identity(), shift: SVector::zeros(), length, force }
     }
 
     /// Turned in each coordinate plane (i, i + 1) by an angle, one after the other, and moved.
-    pub(crate) fn moved(angles: [f64; 3], shift: [f64; 3]) -> Self {
+    pub fn moved(angles: [f64; 3], shift: [f64; 3]) -> Self {
         let mut rotation = SMatrix::<f64, C, C>::identity();
         for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
             let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
@@ -32,14 +33,14 @@ impl<const C: usize> View<C> {
     }
 
     /// The first axis changes sign.
-    pub(crate) fn mirrored() -> Self {
+    pub fn mirrored() -> Self {
         let mut view = Self::in_units(1.0, 1.0);
         view.rotation[(0, 0)] = -1.0;
         view
     }
 
     /// A unit vector of the first scene as this view sees it.
-    pub(crate) fn direction(&self, d: &SVector<f64, C>) -> SVector<f64, C> {
+    pub fn direction(&self, d: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation * d
     }
 
@@ -79,7 +80,8 @@ impl<const C: usize> View<C> {
         })
     }
 
-    pub(crate) fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
+    /// A scene as this view sees it.
+    pub fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
         let spot = |spot: &Spot<C>| {
             let mut frame = self.rotation * spot.frame;
             if self.turns_over() {
@@ -104,7 +106,7 @@ impl<const C: usize> View<C> {
 
 impl<const D: usize, const C: usize> Scene<D, C> {
     /// Contact i of the new scene is contact `order[i]` of this one.
-    pub(crate) fn reordered(&self, order: &[usize]) -> Self {
+    pub fn reordered(&self, order: &[usize]) -> Self {
         let goal = |goal: &Goal<D, C>| Goal {
             load: goal.load,
             commands: order.iter().map(|&i| goal.commands[i]).collect(),
@@ -116,7 +118,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// A contact becomes two at the same place with half its stiffness each, the second at the end.
-    pub(crate) fn halved(&self, contact: usize) -> Self {
+    pub fn halved(&self, contact: usize) -> Self {
         let mut order: Vec<usize> = (0..self.spots.len()).collect();
         order.push(contact);
         let mut scene = self.reordered(&order);

@@ -25,15 +25,16 @@ fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
 
 /// What the interior-point method says.
 #[derive(Debug)]
-#[allow(dead_code)] // not every example asks for the tolerance
 pub enum Oracle {
     /// A minimum, and the relative tolerance to which the method believes it.
     Minimum(DVector<f64>, f64),
+    /// There is no minimum.
     None,
     /// It could not tell: programs whose constraints leave no interior are hard for it.
     Silent,
 }
 
+/// To a tolerance of 1e-12.
 pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
     interior_point_within(qp, 1e-12)
 }

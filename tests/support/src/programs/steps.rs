@@ -9,10 +9,12 @@ use super::{Scene, Spot};
 
 /// What a contact does during a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Does {
+pub enum Does {
+    /// Is open at the end.
     Opens,
     /// Comes from being open: its slip follows the surfaces once more, F_t = 0.
     Closes,
+    /// Holds with the slip so far.
     Sticks,
     /// The finger slips along +t or -t.
     Slips(f64),
@@ -23,23 +25,25 @@ const SLACK: f64 = 1e-9;
 
 /// The end of a step.
 #[derive(Debug, Clone)]
-pub(crate) struct Step {
-    pub(crate) does: Vec<Does>,
-    pub(crate) forces: Vec<Vector2<f64>>,
+pub struct Step {
+    /// In order of the contacts.
+    pub does: Vec<Does>,
+    /// In the contact frames.
+    pub forces: Vec<Vector2<f64>>,
     twist: Vector3<f64>,
     slips: Vec<f64>,
 }
 
 impl Step {
     /// How far apart two steps are, the largest difference of forces.
-    pub(crate) fn distance(&self, forces: &[SVector<f64, 2>]) -> f64 {
+    pub fn distance(&self, forces: &[SVector<f64, 2>]) -> f64 {
         self.forces.iter().zip(forces).map(|(f, g)| (f - g).norm()).fold(0.0, f64::max)
     }
 }
 
 impl Scene<3, 2> {
     /// What each contact does in a state of the crate.
-    pub(crate) fn does(&self, state: &Equilibrium<3, 2>) -> Vec<Does> {
+    pub fn does(&self, state: &Equilibrium<3, 2>) -> Vec<Does> {
         let of = |(spot, c): (&Spot<2>, &ContactAnswer<2>)| match c.state {
             ContactState::Separated => Does::Opens,
             ContactState::Sliding { direction } => Does::Slips(spot.frame.column(1).dot(&direction).signum()),
@@ -49,7 +53,7 @@ impl Scene<3, 2> {
     }
 
     /// The start of a path.
-    pub(crate) fn first_step(&self, state: &Equilibrium<3, 2>) -> Step {
+    pub fn first_step(&self, state: &Equilibrium<3, 2>) -> Step {
         Step {
             does: self.does(state),
             forces: state.contacts.iter().map(|c| c.force).collect(),
@@ -60,13 +64,7 @@ impl Scene<3, 2> {
 
     /// Goes on to another fraction of a leg; where a contact changes its state or the forces change much, in halves. Several
     /// states may follow: what the contacts do already goes on if it can, and else the nearest is taken.
-    pub(crate) fn advance(
-        &self,
-        leg: usize,
-        [from, to]: [f64; 2],
-        last: &Step,
-        halvings: usize,
-    ) -> Option<Step> {
+    pub fn advance(&self, leg: usize, [from, to]: [f64; 2], last: &Step, halvings: usize) -> Option<Step> {
         let steps = self.steps_to(leg, to, last);
         let next = steps.iter().find(|next| next.does == last.does).or(steps.first());
         match next {
@@ -81,7 +79,7 @@ impl Scene<3, 2> {
     }
 
     /// All states at a fraction of a leg that follow from `last` in one step, the nearest first.
-    pub(crate) fn steps_to(&self, leg: usize, fraction: f64, last: &Step) -> Vec<Step> {
+    pub fn steps_to(&self, leg: usize, fraction: f64, last: &Step) -> Vec<Step> {
         let choices: Vec<Vec<Does>> = self
             .spots
             .iter()
@@ -186,7 +184,7 @@ impl Scene<3, 2> {
 
 impl Step {
     /// Distance of forces and motion together.
-    pub(crate) fn apart(&self, next: &Self) -> f64 {
+    pub fn apart(&self, next: &Self) -> f64 {
         let size = self.forces.iter().map(Vector2::norm).fold(0.0, f64::max);
         let travel = self.twist.norm();
         self.distance(&next.forces) / (size + 1e-12) + (self.twist - next.twist).norm() / (travel + 1e-12)

@@ -14,7 +14,9 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 
 /// Where the object goes, and the forces (F_n, F_t) of every contact.
 pub struct Answer {
+    /// Of the object.
     pub twist: Twist,
+    /// In order of the contacts.
     pub forces: Vec<Vector2<f64>>,
 }
 

@@ -5,18 +5,21 @@ use std::ops::{Add, Mul, Neg, Sub};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 
+/// Such a number.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Dyadic {
+pub struct Dyadic {
     mantissa: BigInt,
     exponent: i64,
 }
 
 impl Dyadic {
-    pub(crate) fn zero() -> Self {
+    /// 0.
+    pub fn zero() -> Self {
         Self { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    pub(crate) fn new(x: f64) -> Self {
+    /// Exactly a finite x.
+    pub fn new(x: f64) -> Self {
         assert!(x.is_finite(), "a finite number");
         let bits = x.to_bits();
         let (biased, fraction) = (((bits >> 52) & 0x7ff).cast_signed(), bits & ((1 << 52) - 1));
@@ -28,7 +31,7 @@ impl Dyadic {
     }
 
     /// The nearest f64, or one of its neighbours; zero below the least.
-    pub(crate) fn float(&self) -> f64 {
+    pub fn float(&self) -> f64 {
         let short = self.rounded(60);
         let mantissa = short.mantissa.to_f64().expect("60 bits");
         // In two steps: 2^e alone may overflow where the product does not.
@@ -38,28 +41,31 @@ impl Dyadic {
     }
 
     /// Cut to so many bits.
-    pub(crate) fn rounded(&self, bits: u64) -> Self {
+    pub fn rounded(&self, bits: u64) -> Self {
         let excess = self.mantissa.bits().saturating_sub(bits);
         // Shifts of a BigInt round downwards: within one unit of the last bit.
         Self { mantissa: &self.mantissa >> excess, exponent: self.exponent + excess.cast_signed() }
     }
 
     /// `self / other` to so many bits.
-    pub(crate) fn over(&self, other: &Self, bits: u64) -> Self {
+    pub fn over(&self, other: &Self, bits: u64) -> Self {
         let shift = (bits + other.mantissa.bits()).saturating_sub(self.mantissa.bits());
         let mantissa = (&self.mantissa << shift) / &other.mantissa;
         Self { mantissa, exponent: self.exponent - other.exponent - shift.cast_signed() }.reduced()
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
         self.mantissa.is_zero()
     }
 
-    pub(crate) fn is_negative(&self) -> bool {
+    /// Whether it is below 0.
+    pub fn is_negative(&self) -> bool {
         self.mantissa.is_negative()
     }
 
-    pub(crate) fn abs(&self) -> Self {
+    /// Its size.
+    pub fn abs(&self) -> Self {
         Self { mantissa: self.mantissa.abs(), exponent: self.exponent }
     }
 
@@ -117,7 +123,7 @@ impl Neg for &Dyadic {
 ///
 /// Bareiss: each step of elimination divides by the pivot before, which leaves no remainder, so that the integers are
 /// minors of A and nothing larger.
-pub(crate) fn solve(a: &[Vec<Dyadic>], b: &[Dyadic], bits: u64) -> Option<Vec<Dyadic>> {
+pub fn solve(a: &[Vec<Dyadic>], b: &[Dyadic], bits: u64) -> Option<Vec<Dyadic>> {
     let n = b.len();
     // Rows in integers, each with its own power of two.
     let mut rows: Vec<Vec<BigInt>> = a

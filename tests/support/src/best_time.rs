@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use crate::scene::Failure;
+use crate::Failure;
 
 /// Each call is repeated for so long, and its shortest time taken.
 const PATIENCE: Duration = Duration::from_millis(60);
@@ -12,14 +12,14 @@ const REPEATS: u32 = 3;
 const AT_MOST: Duration = Duration::from_secs(1);
 
 /// A value and the time it took, s.
-pub(crate) fn once<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
+pub fn once<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let value = black_box(call()?);
     Ok((value, start.elapsed().as_secs_f64()))
 }
 
 /// A value and the shortest of several times, s.
-pub(crate) fn timed<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
+pub fn timed<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let (mut value, mut best) = once(&mut call)?;
     let mut repeats = 1;
@@ -32,7 +32,7 @@ pub(crate) fn timed<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(
 }
 
 /// The shortest times, s, of several calls made in turns, so that whatever else the machine does slows all of them.
-pub(crate) fn best_in_turns<const N: usize>(
+pub fn best_in_turns<const N: usize>(
     mut calls: [&mut dyn FnMut() -> Result<(), Failure>; N],
 ) -> Result<[f64; N], Failure> {
     let mut best = [f64::INFINITY; N];

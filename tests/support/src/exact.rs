@@ -27,34 +27,42 @@ use super::scene as plain;
 
 /// A contact whose data are exact.
 #[derive(Debug, Clone)]
-pub(crate) struct Contact {
-    pub(crate) point: [f64; 2],
+pub struct Contact {
+    /// Place, m.
+    pub point: [f64; 2],
     /// Into the object; its length is an integer.
-    pub(crate) normal: [i32; 2],
+    pub normal: [i32; 2],
     /// Series stiffness (k_n, k_t).
-    pub(crate) stiffness: [f64; 2],
-    pub(crate) friction: f64,
-    pub(crate) command: [f64; 2],
-    pub(crate) clearance: f64,
+    pub stiffness: [f64; 2],
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Of the finger, along normal and tangent, m.
+    pub command: [f64; 2],
+    /// Left between finger and object before the command, m.
+    pub clearance: f64,
 }
 
 /// A planar grasp under a load.
 #[derive(Debug, Clone)]
-pub(crate) struct Scene {
-    pub(crate) contacts: Vec<Contact>,
+pub struct Scene {
+    /// In order.
+    pub contacts: Vec<Contact>,
     /// Force and moment about the origin.
-    pub(crate) load: [f64; 3],
+    pub load: [f64; 3],
 }
 
 /// The state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum State {
+pub enum State {
+    /// No force.
     Open,
+    /// Stuck to the finger.
     Rolling,
     /// The finger slips over the body along +t.
     SlidingForward,
     /// Along -t.
     SlidingBackward,
+    /// Closed, without a tangential force.
     Frictionless,
 }
 
@@ -68,9 +76,9 @@ struct Branch {
 
 /// One equilibrium, or a connected family of them with the same states.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry {
+pub struct Entry {
     /// States that describe it; a tie is described by more than one combination, this is the first.
-    pub(crate) states: Vec<State>,
+    pub states: Vec<State>,
     solution: Solution,
     force: Vec<[Affine<Rational>; 2]>,
 }
@@ -87,20 +95,21 @@ enum Solution {
 
 /// All equilibria of a scene.
 #[derive(Debug, Clone)]
-pub(crate) struct Census {
-    pub(crate) entries: Vec<Entry>,
+pub struct Census {
+    /// Those found.
+    pub entries: Vec<Entry>,
     /// Some equilibrium lies exactly on the boundary of its conditions.
-    pub(crate) tied: bool,
+    pub tied: bool,
     /// Some combination holds or fails by less than 2e-9 of the size of its terms, but not exactly: working precision
     /// cannot be expected to tell.
-    pub(crate) narrow: bool,
+    pub narrow: bool,
     /// Some entry is a family.
-    pub(crate) families: bool,
+    pub families: bool,
 }
 
 impl Scene {
     /// The same scene as plain numbers.
-    pub(crate) fn plain(&self) -> plain::Scene<3, 2> {
+    pub fn plain(&self) -> plain::Scene<3, 2> {
         let datum = |c: &Contact| plain::Datum {
             point: c.point.into(),
             normal: c.normal.map(f64::from).into(),
@@ -114,7 +123,7 @@ impl Scene {
     }
 
     /// Tries every combination of states.
-    pub(crate) fn census(&self) -> Census {
+    pub fn census(&self) -> Census {
         let (load, branches) = self.branches();
         let mut census = Census { entries: Vec::new(), tied: false, narrow: false, families: false };
         let mut at = vec![0; branches.len()];
@@ -254,7 +263,7 @@ impl Census {
 
     /// How far the equilibrium that the library returned is from the nearest of the list: forces relative to the
     /// largest force of the scene, displacements of the contact points relative to the largest displacement or command.
-    pub(crate) fn distance(&self, scene: &Scene, returned: &planar::Equilibrium) -> f64 {
+    pub fn distance(&self, scene: &Scene, returned: &planar::Equilibrium) -> f64 {
         self.entries.iter().map(|entry| entry.distance(scene, returned)).fold(f64::INFINITY, f64::min)
     }
 }

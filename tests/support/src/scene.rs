@@ -20,40 +20,47 @@ use nalgebra::{SMatrix, SVector};
 
 /// One contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Datum<const C: usize> {
-    pub(crate) point: SVector<f64, C>,
-    pub(crate) normal: SVector<f64, C>,
+pub struct Datum<const C: usize> {
+    /// Place.
+    pub point: SVector<f64, C>,
+    /// Into the object, of any length.
+    pub normal: SVector<f64, C>,
     /// Direction of the first tangent in space; not used in the plane.
-    pub(crate) tangent: SVector<f64, C>,
+    pub tangent: SVector<f64, C>,
     /// Series stiffness.
-    pub(crate) stiffness: SVector<f64, C>,
-    pub(crate) friction: f64,
-    pub(crate) command: SVector<f64, C>,
-    pub(crate) clearance: f64,
+    pub stiffness: SVector<f64, C>,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Of the finger, in the contact frame.
+    pub command: SVector<f64, C>,
+    /// Left open before the command.
+    pub clearance: f64,
 }
 
 /// A grasp under a load.
 #[derive(Debug, Clone)]
-pub(crate) struct Scene<const D: usize, const C: usize> {
-    pub(crate) contacts: Vec<Datum<C>>,
-    pub(crate) load: SVector<f64, D>,
+pub struct Scene<const D: usize, const C: usize> {
+    /// In order.
+    pub contacts: Vec<Datum<C>>,
+    /// On the object: force, and moment about the origin.
+    pub load: SVector<f64, D>,
 }
 
 /// The sizes that errors are measured against.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sizes {
+pub struct Sizes {
     /// The largest of load, contact forces, and what the softest spring would exert over the
     /// largest command or clearance.
-    pub(crate) force: f64,
+    pub force: f64,
     /// The largest of commands, clearances, displacements of the body at the contacts, gaps and slips.
-    pub(crate) motion: f64,
+    pub motion: f64,
     /// The largest distance of a contact from the origin.
-    pub(crate) length: f64,
+    pub length: f64,
 }
 
 impl<const C: usize> Datum<C> {
     /// Columns n, t (and t₂).
-    pub(crate) fn frame(&self) -> SMatrix<f64, C, C> {
+    pub fn frame(&self) -> SMatrix<f64, C, C> {
         let n = self.normal.normalize();
         let mut frame = SMatrix::<f64, C, C>::zeros();
         frame.set_column(0, &n);
@@ -71,13 +78,14 @@ impl<const C: usize> Datum<C> {
     }
 
     /// Command less clearance.
-    pub(crate) fn drive(&self) -> SVector<f64, C> {
+    pub fn drive(&self) -> SVector<f64, C> {
         let mut drive = self.command;
         drive[0] -= self.clearance;
         drive
     }
 
-    pub(crate) fn contact(&self) -> Contact<C> {
+    /// For the library.
+    pub fn contact(&self) -> Contact<C> {
         let contact = Contact::new(self.point, self.normal)
             .series_stiffness_axes(self.stiffness)
             .friction(self.friction)
@@ -87,18 +95,18 @@ impl<const C: usize> Datum<C> {
     }
 
     /// The smallest stiffness that resists.
-    pub(crate) fn softest(&self) -> f64 {
+    pub fn softest(&self) -> f64 {
         (0..self.axes()).map(|a| self.stiffness[a]).fold(f64::INFINITY, f64::min)
     }
 
     /// Number of axes with a spring.
-    pub(crate) fn axes(&self) -> usize {
+    pub fn axes(&self) -> usize {
         if self.friction == 0.0 { 1 } else { C }
     }
 }
 
 /// Displacement of a point under a twist.
-pub(crate) fn displacement<const D: usize, const C: usize>(
+pub fn displacement<const D: usize, const C: usize>(
     point: &SVector<f64, C>,
     twist: &SVector<f64, D>,
 ) -> SVector<f64, C> {
@@ -116,7 +124,7 @@ pub(crate) fn displacement<const D: usize, const C: usize>(
 }
 
 /// Force and moment about the origin of a force at a point.
-pub(crate) fn wrench<const D: usize, const C: usize>(
+pub fn wrench<const D: usize, const C: usize>(
     point: &SVector<f64, C>,
     force: &SVector<f64, C>,
 ) -> SVector<f64, D> {
@@ -136,15 +144,18 @@ pub(crate) fn wrench<const D: usize, const C: usize>(
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    pub(crate) fn grasp(&self) -> Grasp<D, C> {
+    /// For the library.
+    pub fn grasp(&self) -> Grasp<D, C> {
         Grasp::new(self.contacts.iter().map(Datum::contact)).expect("a scene is a valid grasp")
     }
 
-    pub(crate) fn wrench(&self) -> Wrench<D> {
+    /// The load, for the library.
+    pub fn wrench(&self) -> Wrench<D> {
         Wrench::from_vector(self.load)
     }
 
-    pub(crate) fn sizes(&self, answer: &Equilibrium<D, C>) -> Sizes {
+    /// Of the scene in this equilibrium.
+    pub fn sizes(&self, answer: &Equilibrium<D, C>) -> Sizes {
         let load = SVector::<f64, C>::from_fn(|a, _| self.load[a]).norm();
         let mut sizes = Sizes { force: load, motion: 0.0, length: 0.0 };
         let (mut softest, mut command) = (f64::INFINITY, 0.0_f64);
@@ -163,7 +174,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 
     /// The worst violation of the conditions above, relative to the sizes of the scene. `facets` is the number of
     /// corners of the polygon in space.
-    pub(crate) fn violation(&self, answer: &Equilibrium<D, C>, facets: usize) -> f64 {
+    pub fn violation(&self, answer: &Equilibrium<D, C>, facets: usize) -> f64 {
         let sizes = self.sizes(answer);
         let mut worst = 0.0_f64;
         let mut check = |violation: f64, size: f64| {

@@ -57,7 +57,7 @@ fn jacobi<const D: usize>(mut rows: Vec<SVector<f64, D>>) -> (Vec<SVector<f64, D
 }
 
 /// The contact forces, each in its contact frame, with everything rolling; `None` if the load works on a free motion.
-pub(crate) fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec<SVector<f64, C>>> {
+pub fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec<SVector<f64, C>>> {
     let axes: Vec<(usize, usize)> = scene
         .contacts
         .iter()

@@ -1,11 +1,10 @@
 //! Scenes with load programs and the contact law written out once more. Nothing here uses the arithmetic of the crate: frames,
 //! grasp maps, springs and cones are made anew from points, normals and tangents.
-#![allow(dead_code, clippy::doc_markdown)]
 
-pub(crate) mod draw;
-pub(crate) mod steps;
-pub(crate) mod tally;
-pub(crate) mod views;
+pub mod draw;
+pub mod steps;
+pub mod tally;
+pub mod views;
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,33 +18,44 @@ use proptest::prelude::*;
 /// Facets of the crate's default cone in space: inscribed, the first corner along the first tangent.
 const FACETS: usize = 8;
 
+/// A contact.
 #[derive(Debug, Clone)]
-pub(crate) struct Spot<const C: usize> {
-    pub(crate) point: SVector<f64, C>,
+pub struct Spot<const C: usize> {
+    /// Place.
+    pub point: SVector<f64, C>,
     /// Columns n, t….
-    pub(crate) frame: SMatrix<f64, C, C>,
-    pub(crate) k: SVector<f64, C>,
-    pub(crate) mu: f64,
-    pub(crate) clearance: f64,
-    pub(crate) hold: Hold,
+    pub frame: SMatrix<f64, C, C>,
+    /// Series stiffness.
+    pub k: SVector<f64, C>,
+    /// Coefficient of friction.
+    pub mu: f64,
+    /// Left open before the command.
+    pub clearance: f64,
+    /// Whether it can open, or slide.
+    pub hold: Hold,
 }
 
+/// Where a leg goes.
 #[derive(Debug, Clone)]
-pub(crate) struct Goal<const D: usize, const C: usize> {
-    pub(crate) load: SVector<f64, D>,
-    pub(crate) commands: Vec<SVector<f64, C>>,
+pub struct Goal<const D: usize, const C: usize> {
+    /// On the object.
+    pub load: SVector<f64, D>,
+    /// Of the fingers, in the contact frames.
+    pub commands: Vec<SVector<f64, C>>,
 }
 
 /// Goal 0 is where it starts, goal j + 1 where leg j ends.
 #[derive(Debug, Clone)]
-pub(crate) struct Scene<const D: usize, const C: usize> {
-    pub(crate) spots: Vec<Spot<C>>,
-    pub(crate) goals: Vec<Goal<D, C>>,
+pub struct Scene<const D: usize, const C: usize> {
+    /// The contacts.
+    pub spots: Vec<Spot<C>>,
+    /// Of the load program.
+    pub goals: Vec<Goal<D, C>>,
 }
 
 impl<const C: usize> Spot<C> {
     /// Along the axes of the contact frame, the wrench of a unit force; its transpose gives the displacement.
-    pub(crate) fn map<const D: usize>(&self) -> SMatrix<f64, D, C> {
+    pub fn map<const D: usize>(&self) -> SMatrix<f64, D, C> {
         let mut map = SMatrix::zeros();
         for axis in 0..C {
             let (r, e) = (&self.point, self.frame.column(axis));
@@ -64,23 +74,24 @@ impl<const C: usize> Spot<C> {
         map
     }
 
-    pub(crate) fn rubs(&self) -> bool {
+    /// Friction limits what it holds.
+    pub fn rubs(&self) -> bool {
         self.mu > 0.0 && self.mu.is_finite() && self.hold != Hold::Bonded
     }
 
     /// It has springs along its tangents.
-    pub(crate) fn holds_along(&self) -> bool {
+    pub fn holds_along(&self) -> bool {
         self.mu > 0.0 || self.hold == Hold::Bonded
     }
 }
 
 /// The exact cone in the plane, the polygon whose law is written out below in space.
-pub(crate) fn polygon() -> Settings {
+pub fn polygon() -> Settings {
     Settings::default().on_the_polygon()
 }
 
 /// Tangential vectors in the contact frame: facet normals h of `h·F_t <= μ F_n`.
-pub(crate) fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
+pub fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
     if C == 2 {
         return [1.0, -1.0].iter().map(|s| SVector::from_fn(|a, _| if a == 1 { *s } else { 0.0 })).collect();
     }
@@ -89,7 +100,7 @@ pub(crate) fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
 }
 
 /// Corners of the polygon; corner j lies between the facets j and j + 1.
-pub(crate) fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
+pub fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
     if C == 2 {
         return facets();
     }
@@ -105,14 +116,15 @@ fn flat<const C: usize>(angle: f64, length: f64) -> SVector<f64, C> {
 }
 
 /// The tangential part.
-pub(crate) fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
+pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
     let mut t = *f;
     t[0] = 0.0;
     t
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    pub(crate) fn grasp(&self) -> Grasp<D, C> {
+    /// With the commands of goal 0.
+    pub fn grasp(&self) -> Grasp<D, C> {
         let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
             let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
             let contact = if C == 3 { contact.tangent(spot.frame.column(1).into_owned()) } else { contact };
@@ -130,11 +142,13 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         Grasp::new(contacts).expect("a valid scene")
     }
 
-    pub(crate) fn start(&self) -> Wrench<D> {
+    /// The load of goal 0.
+    pub fn start(&self) -> Wrench<D> {
         Wrench::from_vector(self.goals[0].load)
     }
 
-    pub(crate) fn legs(&self) -> Vec<Leg<D, C>> {
+    /// One to each further goal.
+    pub fn legs(&self) -> Vec<Leg<D, C>> {
         let to = |goal: &Goal<D, C>| {
             Leg::load_to(Wrench::from_vector(goal.load)).and_commands_to(goal.commands.clone())
         };
@@ -142,7 +156,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// Load and drives (commands less clearances) on the way.
-    pub(crate) fn at(&self, leg: usize, fraction: f64) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
+    pub fn at(&self, leg: usize, fraction: f64) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
         let (from, to) = (&self.goals[leg], &self.goals[leg + 1]);
         let drives = (0..self.spots.len()).map(|i| {
             let mut a = from.commands[i] + (to.commands[i] - from.commands[i]) * fraction;
@@ -153,25 +167,20 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// The largest force that the commands at rest would press with: a size that stays where all forces vanish.
-    pub(crate) fn press(&self) -> f64 {
+    pub fn press(&self) -> f64 {
         let presses = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, a)| spot.k[0] * a[0].abs());
         presses.fold(0.0, f64::max)
     }
 
     /// By how much a state breaks the contact law at its worst, relative to the sizes of what is compared; the law is
     /// written out as in the crate's first page, with the slip that the state carries.
-    pub(crate) fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+    pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
         let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
         self.breach_of(leg, fraction, state, reach)
     }
 
     /// The same on the round cone.
-    pub(crate) fn breach_on_the_round_cone(
-        &self,
-        leg: usize,
-        fraction: f64,
-        state: &Equilibrium<D, C>,
-    ) -> f64 {
+    pub fn breach_on_the_round_cone(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
         self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
     }
 
@@ -237,7 +246,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 }
 
 /// The size of forces and of displacements here: what rounding is measured against.
-pub(crate) fn sizes<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> (f64, f64) {
+pub fn sizes<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> (f64, f64) {
     let load = SVector::<f64, C>::from_fn(|a, _| state.load.as_vector()[a]).norm();
     let force = state.contacts.iter().fold(load, |most, c| most.max(c.force.norm()));
     let motion = state.contacts.iter().map(|c| c.body_core.norm() + c.slip.norm() + c.gap);
@@ -245,13 +254,13 @@ pub(crate) fn sizes<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -
 }
 
 /// State and force of each contact, for messages.
-pub(crate) fn brief<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> String {
+pub fn brief<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> String {
     let of = |c: &ContactAnswer<C>| (c.state, c.force.as_slice().to_vec(), c.slip.as_slice().to_vec(), c.gap);
     format!("{:?}", state.contacts.iter().map(of).collect::<Vec<_>>())
 }
 
 /// The forces of two states, compared; and their motions.
-pub(crate) fn same_state<const D: usize, const C: usize>(
+pub fn same_state<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     a: &Equilibrium<D, C>,
     b: &Equilibrium<D, C>,
@@ -273,7 +282,7 @@ pub(crate) fn same_state<const D: usize, const C: usize>(
 }
 
 /// In which direction a contact slides from a change on.
-pub(crate) fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
+pub fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
     match change {
         Change::Slides { direction }
         | Change::Reverses { direction }

@@ -3,20 +3,27 @@
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Ramp, Wrench};
 use nalgebra::{Vector2, Vector3};
 
-pub(crate) type Failure = Box<dyn std::error::Error>;
+use crate::Failure;
 
 /// A grasp, a load and finger commands that grow along a ramp, and the multiple of the onset at which contacts slide far.
-pub(crate) struct Scene {
-    pub(crate) name: &'static str,
-    pub(crate) contacts: Vec<Contact>,
-    pub(crate) base: Wrench,
-    pub(crate) direction: Wrench,
-    pub(crate) commands: Vec<Vector3<f64>>,
-    pub(crate) deep: f64,
+pub struct Scene {
+    /// For tables and pictures.
+    pub name: &'static str,
+    /// At rest.
+    pub contacts: Vec<Contact>,
+    /// The load at factor 0.
+    pub base: Wrench,
+    /// What the load changes by per unit of the factor.
+    pub direction: Wrench,
+    /// What the finger commands change by per unit of the factor, in the contact frames.
+    pub commands: Vec<Vector3<f64>>,
+    /// The multiple of the onset.
+    pub deep: f64,
 }
 
 impl Scene {
-    pub(crate) fn ramp(&self) -> Ramp {
+    /// From factor 0 on.
+    pub fn ramp(&self) -> Ramp {
         Ramp::load(self.base, self.direction).with_commands(self.commands.clone())
     }
 
@@ -24,13 +31,14 @@ impl Scene {
         self.contacts.iter().zip(&self.commands).map(|(c, change)| c.commanded() + change * factor).collect()
     }
 
-    pub(crate) fn at(&self, factor: f64) -> Result<(Grasp, Wrench), Failure> {
+    /// The grasp with its commands at a factor, and the load.
+    pub fn at(&self, factor: f64) -> Result<(Grasp, Wrench), Failure> {
         let grasp = Grasp::new(self.contacts.clone())?.with_commands(&self.commands_at(factor))?;
         Ok((grasp, self.base + self.direction * factor))
     }
 
     /// Contact forces at a factor if nothing could slide or open: the elastic trial state.
-    pub(crate) fn trial(&self, factor: f64) -> Result<Equilibrium, Failure> {
+    pub fn trial(&self, factor: f64) -> Result<Equilibrium, Failure> {
         let stuck = Grasp::new(self.contacts.iter().map(|c| c.clone().bonded()))?;
         let stuck = stuck.with_commands(&self.commands_at(factor))?;
         let held = stuck.solve(&(self.base + self.direction * factor))?;
@@ -38,7 +46,7 @@ impl Scene {
     }
 
     /// The first tangent is also the axis of a stiffness, and of commands along it: only where neither notices can it be turned.
-    pub(crate) fn may_turn(&self) -> bool {
+    pub fn may_turn(&self) -> bool {
         self.contacts.iter().enumerate().all(|(i, c)| {
             let k = c.series_stiffness_of_axes();
             let sideways =
@@ -48,12 +56,12 @@ impl Scene {
     }
 
     /// Bonded: it has no cone.
-    pub(crate) fn is_hand(&self, i: usize) -> bool {
+    pub fn is_hand(&self, i: usize) -> bool {
         self.contacts[i].label_text(i) == "hand"
     }
 
     /// The same with each polygon's first corner along the elastic trial traction at a factor.
-    pub(crate) fn turned(&self, factor: f64) -> Result<Self, Failure> {
+    pub fn turned(&self, factor: f64) -> Result<Self, Failure> {
         let trial = self.trial(factor)?;
         let frames = Grasp::new(self.contacts.clone())?;
         let mut contacts = self.contacts.clone();
@@ -69,7 +77,7 @@ impl Scene {
 }
 
 /// Three fingertips around an object of 60 mm, pulled down and to the side off its middle.
-pub(crate) fn three_fingers() -> Scene {
+pub fn three_fingers() -> Scene {
     let finger = |degrees: f64, height: f64, mu: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Contact::new([0.03 * cos, 0.03 * sin, height], [-cos, -sin, 0.0])
@@ -90,7 +98,7 @@ pub(crate) fn three_fingers() -> Scene {
 }
 
 /// Four fingertips with ridged skin: three times softer across the ridges than along.
-pub(crate) fn four_fingers() -> Scene {
+pub fn four_fingers() -> Scene {
     let finger = |degrees: f64, height: f64, squeeze: f64, mu: f64, ridges: [f64; 3]| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Contact::new([0.035 * cos, 0.035 * sin, height], [-cos, -sin, 0.0])
@@ -116,7 +124,7 @@ pub(crate) fn four_fingers() -> Scene {
 }
 
 /// A block of 20 N on twelve feet, drawn by a hand at one of its corners: it turns as it goes.
-pub(crate) fn dragged_block() -> Scene {
+pub fn dragged_block() -> Scene {
     let mut contacts = Vec::new();
     for row in 0..3 {
         for column in 0..4 {
@@ -145,7 +153,7 @@ pub(crate) fn dragged_block() -> Scene {
 
 /// Fingertips on a ball of 60 mm that press towards its middle within some 20 degrees, pulled in a random direction off its
 /// middle. The drawing is the same on every run.
-pub(crate) fn random_fingers(count: usize, random: &mut Random) -> Scene {
+pub fn random_fingers(count: usize, random: &mut Random) -> Scene {
     let contacts: Vec<_> = (0..count)
         .map(|_| {
             let outward = random.vector().normalize();
@@ -169,7 +177,7 @@ pub(crate) fn random_fingers(count: usize, random: &mut Random) -> Scene {
 }
 
 /// Xorshift: the drawing needs no more.
-pub(crate) struct Random(pub(crate) u64);
+pub struct Random(pub u64);
 
 impl Random {
     /// Between 0 and 1.

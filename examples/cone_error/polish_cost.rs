@@ -16,8 +16,9 @@ use grasp_lcp::spatial::{ContactState, Grasp};
 use grasp_lcp::structured::Workspace;
 use grasp_lcp::{PolygonCone, Settings};
 
-use crate::best_time::best_in_turns;
-use crate::scene::{Failure, Random, random_fingers};
+use support::Failure;
+use support::best_time::best_in_turns;
+use support::loaded::{Random, random_fingers};
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
 /// From so many on the ladder pivots on contact states.
