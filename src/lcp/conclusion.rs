@@ -1,24 +1,16 @@
 //! From the end of a path to a point that is checked against the data given.
 
-use super::Lcp;
 use super::dictionary::Unknown;
-use super::lemke::Path;
 use super::outcome::{BreakdownCause, Outcome};
+use super::path::Path;
 use super::principal;
-use super::residuals::{Residuals, ignores_q, residuals_from, rounded, slack_and_terms};
+use super::problem::Lcp;
+use super::residuals::{Residuals, ignores_q, rounded};
 use super::settings::Settings;
 use super::workspace::Workspace;
 
 /// Values below this fraction of the largest term they were computed from are zero.
 pub(crate) const ZERO: f64 = 1e-13;
-
-/// z, w = M z + q, and the sizes of the terms of w.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Point {
-    pub(super) z: Vec<f64>,
-    pub(super) w: Vec<f64>,
-    pub(super) terms: Vec<f64>,
-}
 
 impl Workspace {
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
@@ -220,15 +212,5 @@ impl Workspace {
         }
         self.residuals = Some(residuals);
         None
-    }
-}
-
-impl Point {
-    fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
-        let n = lcp.len();
-        self.w.resize(n, 0.0);
-        self.terms.resize(n, 0.0);
-        slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
-        residuals_from(&lcp.m, &self.z, &self.w, &self.terms)
     }
 }

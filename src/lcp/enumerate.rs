@@ -1,12 +1,14 @@
 //! All solutions of a small problem.
 
-use super::certificate::least_violation;
+use super::basis::Basis;
 use super::conclusion::ZERO;
+use super::linear_program::least_violation;
 use super::outcome::Solution;
+use super::principal;
+use super::problem::Lcp;
 use super::residuals::{Residuals, ignores_q, residuals_from, slack_and_terms};
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::{Basis, Lcp, principal};
 use nalgebra::{DMatrix, DVector};
 
 /// The largest n for which 2ⁿ bases are tried.
@@ -23,6 +25,28 @@ pub struct AllSolutions {
     /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be
     /// a whole face of solutions; one point of it is among the solutions.
     pub singular: Vec<Basis>,
+}
+
+impl Lcp {
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases: one factorisation of at most n rows each, and a linear
+    /// program for each singular one. `None` if n > 20. Of the settings only the tolerances count.
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Lcp, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = 1 − z in both rows: z_i = 0 or z_i = 1, each by itself.
+    /// let problem = Lcp::new(-DMatrix::identity(2, 2), DVector::from_element(2, 1.0))?;
+    /// let all = problem.all_solutions(&Settings::default()).expect("n <= 20");
+    /// let z: Vec<[f64; 2]> = all.solutions.iter().map(|solution| [solution.z[0], solution.z[1]]).collect();
+    /// assert_eq!(z, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    /// assert!(all.singular.is_empty());
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    #[must_use]
+    pub fn all_solutions(&self, settings: &Settings) -> Option<AllSolutions> {
+        (self.len() <= LARGEST).then(|| all_solutions(self, settings))
+    }
 }
 
 /// Tries all 2ⁿ complementary bases; n is at most [`LARGEST`].

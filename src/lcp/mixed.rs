@@ -3,10 +3,11 @@
 use super::basis::Basis;
 use super::error::LcpError;
 use super::outcome::Outcome;
+use super::principal;
+use super::problem::Lcp;
 use super::reduction::Reduction;
-use super::residuals::{residuals_from, slack_and_terms};
+use super::residuals::{Residuals, residuals_from, slack_and_terms};
 use super::settings::Settings;
-use super::{Lcp, Residuals, principal};
 use nalgebra::{DMatrix, DVector};
 
 /// The mixed problem: find u (m entries, free) and z (n entries) with

@@ -1,10 +1,10 @@
 //! The path of solutions of q(τ) = q₀ + τ dq.
 
-use super::Lcp;
 use super::basis::{Basis, Variable};
 use super::dictionary::{Unknown, largest};
 use super::error::LcpError;
 use super::outcome::{BreakdownCause, Outcome};
+use super::problem::Lcp;
 use super::ratio::Covering;
 use super::settings::Settings;
 use super::workspace::Workspace;

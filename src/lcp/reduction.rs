@@ -1,7 +1,8 @@
 //! Eliminating free variables by pivoting.
 
+use super::outcome::Solution;
+use super::problem::Lcp;
 use super::scaling::Scaling;
-use super::{Lcp, Solution};
 use nalgebra::{DMatrix, DVector};
 
 /// A pivot below this fraction of the balanced entries is taken for zero.

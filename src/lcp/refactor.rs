@@ -1,8 +1,8 @@
 //! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
-use super::lemke::Path;
 use super::outcome::BreakdownCause;
+use super::path::Path;
 use crate::draw::generic;
 
 /// An elimination pivot below this fraction of its column before elimination makes the basis singular.

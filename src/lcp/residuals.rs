@@ -1,5 +1,6 @@
 //! How well a point solves the problem, from the data as given.
 
+use super::problem::Lcp;
 use nalgebra::{DMatrix, DVector};
 
 /// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, as pure numbers.
@@ -37,6 +38,21 @@ impl Residuals {
     /// Residuals that no test accepts.
     pub(crate) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
+}
+
+impl Lcp {
+    /// How well z solves the problem. A z of another length, or with entries that are not finite, solves nothing: its
+    /// residuals are infinite.
+    #[must_use]
+    pub fn residuals(&self, z: &DVector<f64>) -> Residuals {
+        if z.len() != self.len() {
+            return Residuals::UNUSABLE;
+        }
+        let mut w = vec![0.0; z.len()];
+        let mut terms = vec![0.0; z.len()];
+        slack_and_terms(&self.m, self.q.as_slice(), z.as_slice(), &mut w, &mut terms);
+        residuals_from(&self.m, z.as_slice(), &w, &terms)
+    }
 }
 
 /// Residuals of a point of n rows up to this are rounding: a row of so many terms cannot be summed much better.
@@ -135,14 +151,6 @@ pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
         }
     }
     out
-}
-
-/// The residuals at z of the problem (M, q); z must have as many entries as q.
-pub(crate) fn residuals(m: &DMatrix<f64>, q: &DVector<f64>, z: &[f64]) -> Residuals {
-    let mut w = vec![0.0; z.len()];
-    let mut terms = vec![0.0; z.len()];
-    slack_and_terms(m, q.as_slice(), z, &mut w, &mut terms);
-    residuals_from(m, z, &w, &terms)
 }
 
 /// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is so too.

@@ -1,8 +1,10 @@
 //! Many right-hand sides, one matrix.
 
+use super::answer::Answer;
 use super::error::LcpError;
-use super::workspace::{Answer, Workspace};
-use super::{Lcp, Settings};
+use super::problem::Lcp;
+use super::settings::Settings;
+use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
 /// A series of problems with the same M, each solved from the basis of the one before.

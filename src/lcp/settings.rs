@@ -122,4 +122,10 @@ impl Settings {
     pub(crate) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
+
+    /// The limit for one more path of a problem of n rows on which so many pivots are made: a path of exponential
+    /// length is not followed again to its end.
+    pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
+        self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
+    }
 }
