@@ -83,7 +83,7 @@ impl MatrixClass {
     ///
     /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
     pub fn of(m: &DMatrix<f64>) -> Result<Self, LcpError> {
-        super::problem::Lcp::new(m.clone(), nalgebra::DVector::zeros(m.nrows()))?;
+        LcpError::check_square("M", m)?;
         let n = m.nrows();
         let off_diagonal =
             |test: &dyn Fn(f64) -> bool| (0..n).all(|j| (0..n).all(|i| i == j || test(m[(i, j)])));

@@ -123,30 +123,10 @@ impl MixedLcp {
         for (what, block, shape) in
             [("A", a, (free, free)), ("C", c, (free, n)), ("D", d, (n, free)), ("M", m, (n, n))]
         {
-            if block.shape() != shape {
-                let (rows, columns) = block.shape();
-                return Err(LcpError::BlockShape {
-                    what,
-                    rows,
-                    columns,
-                    needed_rows: shape.0,
-                    needed_columns: shape.1,
-                });
-            }
-            for column in 0..block.ncols() {
-                if let Some(row) = block.column(column).iter().position(|x| !x.is_finite()) {
-                    return Err(LcpError::MatrixEntry { what, row, column, value: block[(row, column)] });
-                }
-            }
+            LcpError::check_block(what, block, shape)?;
         }
-        for (what, vector, needed) in [("b", b, free), ("q", q, n)] {
-            if vector.len() != needed {
-                return Err(LcpError::Length { what, given: vector.len(), needed });
-            }
-            if let Some(row) = vector.iter().position(|x| !x.is_finite()) {
-                return Err(LcpError::VectorEntry { what, row, value: vector[row] });
-            }
-        }
+        LcpError::check_vector("b", b, free)?;
+        LcpError::check_vector("q", q, n)?;
         let entry = |i: usize, j: usize| match (i < free, j < free) {
             (true, true) => a[(i, j)],
             (true, false) => c[(i, j - free)],

@@ -112,12 +112,7 @@ impl<'a> Parametric<'a> {
         dq: &DVector<f64>,
         settings: Settings,
     ) -> Result<Self, LcpError> {
-        if dq.len() != lcp.len() {
-            return Err(LcpError::Length { what: "dq", given: dq.len(), needed: lcp.len() });
-        }
-        if let Some(row) = dq.iter().position(|q| !q.is_finite()) {
-            return Err(LcpError::VectorEntry { what: "dq", row, value: dq[row] });
-        }
+        LcpError::check_vector("dq", dq, lcp.len())?;
         let mut workspace = Workspace::new();
         let start = if basis.count() == 0 {
             let failure = workspace.solve_first(lcp, &settings);

@@ -18,24 +18,8 @@ impl Lcp {
     /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows, [`LcpError::MatrixEntry`] and
     /// [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
-        let n = m.nrows();
-        if m.ncols() != n {
-            return Err(LcpError::NotSquare { rows: n, columns: m.ncols() });
-        }
-        if q.len() != n {
-            return Err(LcpError::Length { what: "q", given: q.len(), needed: n });
-        }
-        for column in 0..n {
-            for row in 0..n {
-                let value = m[(row, column)];
-                if !value.is_finite() {
-                    return Err(LcpError::MatrixEntry { what: "M", row, column, value });
-                }
-            }
-        }
-        if let Some(row) = q.iter().position(|q| !q.is_finite()) {
-            return Err(LcpError::VectorEntry { what: "q", row, value: q[row] });
-        }
+        LcpError::check_square("M", &m)?;
+        LcpError::check_vector("q", &q, m.nrows())?;
         Ok(Self { m, q })
     }
 
