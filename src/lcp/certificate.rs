@@ -5,10 +5,11 @@
 //! checked without knowing the class of M. When it is not, the linear program min { t : M z + q + t h ≥ 0, z, t ≥ 0 } decides
 //! whether the constraints can be met at all; its dual solution is a Farkas vector if they cannot.
 
-use super::dictionary::Unknown;
+use super::dictionary::{Unknown, largest};
 use super::outcome::{Proof, Ray};
 use super::path::Path;
 use super::problem::Lcp;
+use super::tolerances::{RAY_NOISE, sum_rounding};
 use nalgebra::DVector;
 
 impl Lcp {
@@ -23,7 +24,7 @@ impl Lcp {
         if y.len() != n || !y.iter().all(|y| y.is_finite() && *y >= 0.0) {
             return false;
         }
-        let rounding = 8.0 * (n as f64 + 2.0) * f64::EPSILON;
+        let rounding = sum_rounding(n);
         let sums = |column: &[f64]| {
             column.iter().zip(y).fold((0.0, 0.0), |(sum, terms), (m, y)| (sum + m * y, terms + (m * y).abs()))
         };
@@ -40,26 +41,23 @@ impl Lcp {
 /// The ray along which the entering variable grows for ever, in the caller's units and with largest entry 1. `None` if
 /// it leaves the range of double precision there.
 pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
-    let mut direction = DVector::zeros(lcp.len());
-    let mut balanced = DVector::zeros(lcp.len());
+    let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
-    let mut set = |j: usize, rate: f64| {
-        balanced[j] = rate;
-        direction[j] = rate * path.scaling.column[j];
-    };
     if let Unknown::Z(e) = entering {
-        set(e, 1.0);
+        rates[e] = 1.0;
     }
-    let noise = 1e-12 * super::dictionary::largest(&path.dictionary.u).max(1.0);
+    let noise = RAY_NOISE * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {
-            Unknown::Z(j) if *u > noise => set(j, *u),
+            Unknown::Z(j) if *u > noise => rates[j] = *u,
             Unknown::Covering if *u > noise => covering_rate = *u,
             _ => {}
         }
     }
+    let in_units_of = |factors: &[f64]| DVector::from_fn(lcp.len(), |i, _| rates[i] * factors[i]);
+    let mut direction = in_units_of(&path.scaling.column);
     // A Farkas vector weighs rows, so it is read in the units of rows.
-    let y = DVector::from_fn(lcp.len(), |i, _| balanced[i] * path.scaling.row[i]);
+    let y = in_units_of(&path.scaling.row);
     let proof = if lcp.proves_infeasible(&y) { Proof::Infeasible(y) } else { Proof::None };
     let size = direction.amax();
     if direction.iter().any(|x| !x.is_finite()) {

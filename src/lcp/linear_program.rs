@@ -9,11 +9,9 @@ use nalgebra::{DMatrix, DVector};
 
 /// A Farkas vector from the linear program, if the constraints cannot be met.
 pub(crate) fn farkas_vector(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<DVector<f64>> {
-    let n = lcp.len();
-    let a = DMatrix::from_fn(n, n, |i, j| lcp.m[(i, j)] * scaling.row[i] * scaling.column[j]);
-    let b = DVector::from_fn(n, |i, _| lcp.q[i] * scaling.row[i]);
+    let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
     let program = least_violation(&a, &b, settings)?;
-    let y = DVector::from_fn(n, |i, _| program.y[i] * scaling.row[i]);
+    let y = DVector::from_fn(lcp.len(), |i, _| program.y[i] * scaling.row[i]);
     lcp.proves_infeasible(&y).then_some(y)
 }
 

@@ -64,6 +64,7 @@ mod lemke;
 mod linear_program;
 mod logarithms;
 mod matrix_class;
+mod memory;
 mod mixed;
 mod outcome;
 mod parametric;
@@ -80,6 +81,7 @@ mod scaling;
 mod series;
 mod settings;
 mod solve;
+mod tolerances;
 mod workspace;
 
 pub use answer::{Answer, SolutionView};

@@ -176,23 +176,14 @@ impl<'a> Parametric<'a> {
     /// Rates of z and τ as the entering variable grows by one, in the caller's units.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
-        let mut rate = DVector::zeros(self.lcp.len());
-        let mut tau = if self.entering == Unknown::Covering { 1.0 } else { 0.0 };
+        let mut rate = Vec::new();
+        let covering = path.unknowns(&path.dictionary.u, &mut rate);
         if let Unknown::Z(e) = self.entering {
             rate[e] = path.scaling.column[e];
         }
-        for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
-            match *basic {
-                Unknown::Z(j) => rate[j] = u * path.scaling.column[j],
-                Unknown::Covering => tau = *u,
-                Unknown::W(_) => {}
-            }
-        }
-        let size = largest(&path.dictionary.u).max(1.0);
-        if tau.abs() <= self.settings.pivot_tolerance * size {
-            tau = 0.0;
-        }
-        (rate, tau)
+        let tau = if self.entering == Unknown::Covering { 1.0 } else { covering.unwrap_or(0.0) };
+        let noise = self.settings.pivot_tolerance * largest(&path.dictionary.u).max(1.0);
+        (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
     fn breakpoint(&mut self, leaving: Variable) -> Breakpoint {
@@ -208,19 +199,11 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        let path = &self.workspace.path;
-        let mut z = DVector::zeros(self.lcp.len());
-        let mut tau = 0.0;
-        for (basic, x) in path.dictionary.basic.iter().zip(&path.dictionary.x) {
-            match *basic {
-                Unknown::Z(j) => z[j] = x.max(0.0) * path.scaling.column[j],
-                Unknown::Covering => tau = *x,
-                Unknown::W(_) => {}
-            }
-        }
+        let mut z = Vec::new();
+        let tau = self.workspace.path.read_point(&mut z).unwrap_or(0.0);
         Breakpoint {
             tau,
-            z,
+            z: DVector::from_vec(z),
             leaving,
             entering: leaving.complement(),
             basis: self.basis.clone(),

@@ -1,6 +1,7 @@
 //! A path through the dictionaries of one problem.
 
 use super::dictionary::{Dictionary, Unknown};
+use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use crate::draw::generic;
 
@@ -37,13 +38,12 @@ impl Path {
 
     /// Room for what only some problems need, so that no later problem of this size has to allocate.
     fn reserve(&mut self, n: usize) {
-        self.d.reserve(n.saturating_sub(self.d.len()));
-        self.saved.reserve((2 * n + 1).saturating_sub(self.saved.len()));
-        self.members.reserve((n + 1).saturating_sub(self.members.len()));
-        self.active.reserve(n.saturating_sub(self.active.len()));
-        for scratch in [&mut self.defect, &mut self.terms] {
-            scratch.reserve(n.saturating_sub(scratch.len()));
+        for list in [&mut self.d, &mut self.defect, &mut self.terms] {
+            make_room(list, n);
         }
+        make_room(&mut self.saved, 2 * n + 1);
+        make_room(&mut self.members, n + 1);
+        make_room(&mut self.active, n);
     }
 
     pub(crate) fn set_right_hand_side(&mut self, q: &[f64]) {
@@ -55,5 +55,28 @@ impl Path {
     pub(crate) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
+    }
+
+    /// z in the caller's units, and z₀ where it is basic, from one number for the basic variable of each row.
+    pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
+        refill(z, self.q.len(), 0.0);
+        let mut covering = None;
+        for (basic, x) in self.dictionary.basic.iter().zip(rows) {
+            match *basic {
+                Unknown::Z(j) => z[j] = x * self.scaling.column[j],
+                Unknown::Covering => covering = Some(*x),
+                Unknown::W(_) => {}
+            }
+        }
+        covering
+    }
+
+    /// The present z and z₀; noise below zero in z is cut off.
+    pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
+        let covering = self.unknowns(&self.dictionary.x, z);
+        for z in z.iter_mut() {
+            *z = z.max(0.0);
+        }
+        covering
     }
 }
