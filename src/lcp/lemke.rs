@@ -9,6 +9,7 @@ use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::settings::Settings;
+use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,16 +22,8 @@ pub(crate) enum End {
     Breakdown(BreakdownCause),
 }
 
-/// A pivot smaller than this fraction of its column, or a drift larger than this, asks for a fresh dictionary.
-const DOUBTFUL: f64 = 1e-7;
-/// A coefficient below this fraction of its column is noise in any case; between that and the pivot tolerance it is worth
-/// a second look.
-const GREY: f64 = 4.0 * f64::EPSILON;
 /// The values are compared with the data after so many pivots.
 const CHECK_EVERY: usize = 32;
-/// A dictionary whose values miss the data by more than this fraction of their terms is computed anew.
-const DRIFT: f64 = 1e-10;
-
 impl Path {
     /// Lets z₀ enter an infeasible basis and follows the path until z₀ has left again. The column of z₀ is in the dictionary.
     pub(crate) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
@@ -115,9 +108,9 @@ impl Path {
                 continue;
             }
             let certain = settings.pivot_tolerance * size;
-            let row = blocking_row(&self.dictionary, GREY * size, certain, role, settings);
+            let row = blocking_row(&self.dictionary, COLUMN_NOISE * size, certain, role, settings);
             let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
-            if pivot < DOUBTFUL * size && self.age > 0 {
+            if pivot < DOUBTFUL_PIVOT * size && self.age > 0 {
                 self.refactor(entering, m)?;
                 continue;
             }
