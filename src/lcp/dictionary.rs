@@ -18,7 +18,8 @@
 //! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
 //! variable is known as soon as the leaving one is, so both are done in one pass over memory.
 
-use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine};
+use super::kernel::{self, Combine, Update, UpdateAndCombine};
+use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::wide::wide;
@@ -42,8 +43,6 @@ impl Unknown {
     }
 }
 
-const NONE: usize = usize::MAX;
-
 /// The dictionary of one basis. All vectors keep their memory between problems.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Dictionary {
@@ -52,8 +51,8 @@ pub(crate) struct Dictionary {
     pub(crate) basic: Vec<Unknown>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
-    /// Where w_i is kept, or NONE.
-    slot: Vec<usize>,
+    /// Where w_i is kept, if it is nonbasic.
+    slot: Vec<Option<usize>>,
     /// The stored columns, one after the other.
     columns: Vec<f64>,
     /// Values of the basic variables.
@@ -83,46 +82,46 @@ impl Dictionary {
         self.n = n;
         self.basic.clear();
         self.basic.extend((0..n).map(Unknown::W));
-        self.kept.clear();
-        self.slot.clear();
-        self.slot.resize(n, NONE);
-        self.columns.clear();
-        // Room for every slack to become nonbasic, so that no later problem of this size has to allocate.
-        self.columns.reserve(n * n);
-        for list in [&mut self.g, &mut self.c] {
-            list.clear();
-            list.reserve(n);
-        }
-        self.kept.reserve(n);
-        for (to, from) in [(&mut self.x, q), (&mut self.p, p), (&mut self.d, d)] {
-            to.clear();
-            to.extend_from_slice(from);
-        }
-        self.level.clear();
-        self.level.extend(q.iter().map(|q| q.abs()));
         self.slack.clear();
         self.slack.extend(0..n);
+        refill(&mut self.slot, n, None);
+        self.kept.clear();
+        self.columns.clear();
+        // Room for every slack to become nonbasic, so that no later problem of this size has to allocate.
+        make_room(&mut self.kept, n);
+        make_room(&mut self.columns, n * n);
+        for list in [&mut self.g, &mut self.c] {
+            make_room(list, n);
+        }
+        q.clone_into(&mut self.x);
+        p.clone_into(&mut self.p);
+        d.clone_into(&mut self.d);
+        self.level.clear();
+        self.level.extend(q.iter().map(|q| q.abs()));
         for (scratch, size) in [(&mut self.u, n), (&mut self.entering, n + 1), (&mut self.next, n)] {
-            scratch.clear();
-            scratch.resize(size, 0.0);
+            refill(scratch, size, 0.0);
         }
     }
 
     /// Whether w_i is nonbasic.
     pub(crate) fn is_active(&self, i: usize) -> bool {
-        self.slot[i] != NONE
+        self.slot[i].is_some()
+    }
+
+    /// Where the column of a variable is kept, if that is a nonbasic slack.
+    fn slot_of(&self, variable: Unknown) -> Option<usize> {
+        if let Unknown::W(i) = variable { self.slot[i] } else { None }
     }
 
     /// Puts the column of a nonbasic variable into `u`.
     pub(crate) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
-        if let Unknown::W(i) = variable {
-            let at = self.slot[i] * self.n;
+        if let Some(slot) = self.slot_of(variable) {
+            let at = slot * self.n;
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
         } else {
             self.load(variable, m, scaling);
             let mut u = std::mem::take(&mut self.u);
-            u.copy_from_slice(&self.next);
-            wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: &mut u });
+            self.eliminate(&mut u);
             self.u = u;
         }
     }
@@ -136,22 +135,23 @@ impl Dictionary {
     pub(crate) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
-        effect.copy_from_slice(&self.next);
-        wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: effect });
+        self.eliminate(effect);
+    }
+
+    /// The right-hand side of (1), whose first term is in `next` and whose factors are in `c`.
+    fn eliminate(&self, y: &mut [f64]) {
+        y.copy_from_slice(&self.next);
+        wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
     /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
     pub(crate) fn sum_terms(&mut self, q: &[f64]) {
-        for (level, basic) in self.level.iter_mut().zip(&self.basic) {
-            *level = if let Unknown::W(i) = *basic { q[i].abs() } else { 0.0 };
+        self.c.clear();
+        self.c.extend(self.kept.iter().map(|i| q[*i]));
+        for (level, slack) in self.level.iter_mut().zip(&self.slack) {
+            *level = q.get(*slack).map_or(0.0, |q| q.abs());
         }
-        wide(CombineSizes {
-            columns: &self.columns,
-            n: self.n,
-            kept: &self.kept,
-            factors: q,
-            y: &mut self.level,
-        });
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
     /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
@@ -164,26 +164,16 @@ impl Dictionary {
             }
             return;
         }
-        self.spread_terms();
+        self.spread();
+        for to in &mut self.next {
+            *to = to.abs();
+        }
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.next });
         for (u, terms) in self.u.iter_mut().zip(&self.next) {
             if u.abs() <= tolerance * terms {
                 *u = 0.0;
             }
         }
-    }
-
-    /// Puts the sums of the sizes of the terms of (1) for the column loaded last into `next`.
-    fn spread_terms(&mut self) {
-        for (to, i) in self.next.iter_mut().zip(&self.slack) {
-            *to = self.entering[*i].abs();
-        }
-        wide(CombineSizes {
-            columns: &self.columns,
-            n: self.n,
-            kept: &self.kept,
-            factors: &self.entering,
-            y: &mut self.next,
-        });
     }
 
     /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
@@ -268,8 +258,8 @@ impl Dictionary {
             self.g.push(-column[r] * inverse);
             column[r] = 0.0;
         }
-        let own = if let Unknown::W(i) = entering { self.slot[i] } else { NONE };
-        if own != NONE {
+        let own = self.slot_of(entering);
+        if let Some(own) = own {
             // The entering slack's own column becomes that of the leaving variable, u / pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
@@ -277,19 +267,19 @@ impl Dictionary {
         self.basic[r] = entering;
         self.slack[r] = if let Unknown::W(i) = entering { i } else { n };
         match (leaving, own) {
-            (Unknown::W(l), NONE) => {
-                self.slot[l] = self.kept.len();
+            (Unknown::W(l), None) => {
+                self.slot[l] = Some(self.kept.len());
                 self.kept.push(l);
                 self.columns.resize(self.columns.len() + n, 0.0);
                 self.g.push(inverse);
             }
-            (Unknown::W(l), own) => {
-                self.slot[self.kept[own]] = NONE;
-                self.slot[l] = own;
+            (Unknown::W(l), Some(own)) => {
+                self.slot[self.kept[own]] = None;
+                self.slot[l] = Some(own);
                 self.kept[own] = l;
             }
-            (_, NONE) => {}
-            (_, own) => self.forget(own),
+            (_, Some(own)) => self.forget(own),
+            (_, None) => {}
         }
         leaving
     }
@@ -310,13 +300,13 @@ impl Dictionary {
     /// Drops a stored column; the last one takes its place.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
-        self.slot[self.kept[slot]] = NONE;
+        self.slot[self.kept[slot]] = None;
         self.kept.swap_remove(slot);
         self.g.swap_remove(slot);
         let last = self.kept.len();
         if slot != last {
             self.columns.copy_within(last * n..(last + 1) * n, slot * n);
-            self.slot[self.kept[slot]] = slot;
+            self.slot[self.kept[slot]] = Some(slot);
         }
         self.columns.truncate(last * n);
     }

@@ -1,5 +1,7 @@
 //! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for each entry.
 
+use super::memory::refill;
+
 /// So many mantissas, each below 2, can be multiplied before the product must be put away.
 const PRODUCT: usize = 512;
 const MANTISSA: u64 = (1 << 52) - 1;
@@ -41,14 +43,10 @@ impl Logarithms {
     }
 
     fn reset(&mut self, n: usize) {
-        self.exponents.clear();
-        self.exponents.resize(n, 0);
-        self.mantissas.clear();
-        self.mantissas.resize(n, 1.0);
-        for vector in [&mut self.sum, &mut self.count] {
-            vector.clear();
-            vector.resize(n, 0.0);
-        }
+        refill(&mut self.exponents, n, 0);
+        refill(&mut self.mantissas, n, 1.0);
+        refill(&mut self.sum, n, 0.0);
+        refill(&mut self.count, n, 0.0);
     }
 
     /// Turns a product of mantissas into its logarithm before it overflows.

@@ -186,6 +186,27 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
+    /// Follows one piece to the breakpoint at its end.
+    fn step(&mut self) -> Result<Breakpoint, PathEnd> {
+        if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
+            return Err(PathEnd::PivotLimit);
+        }
+        let m = self.lcp.m.as_slice();
+        let path = &mut self.workspace.path;
+        let row = path
+            .blocking_row(self.entering, Covering::Parameter, m, &self.settings)
+            .map_err(PathEnd::Breakdown)?
+            .ok_or(PathEnd::Unbounded(self.trend))?;
+        self.breakpoints += 1;
+        let leaving = path.pivot(self.entering, row, m);
+        self.entering = leaving.complement();
+        match leaving {
+            Unknown::W(i) => Ok(self.breakpoint(Variable::W(i))),
+            Unknown::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
+            Unknown::Covering => unreachable!("a parameter never blocks"),
+        }
+    }
+
     fn breakpoint(&mut self, leaving: Variable) -> Breakpoint {
         let (mut rate, tau_rate) = self.rates();
         self.trend = match tau_rate {
@@ -220,34 +241,6 @@ impl Iterator for Parametric<'_> {
         if self.end.is_some() {
             return None;
         }
-        if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
-            self.end = Some(PathEnd::PivotLimit);
-            return None;
-        }
-        let m = self.lcp.m.as_slice();
-        let path = &mut self.workspace.path;
-        let row = match path.blocking_row(self.entering, Covering::Parameter, m, &self.settings) {
-            Ok(Some(row)) => row,
-            Ok(None) => {
-                self.end = Some(PathEnd::Unbounded(self.trend));
-                return None;
-            }
-            Err(cause) => {
-                self.end = Some(PathEnd::Breakdown(cause));
-                return None;
-            }
-        };
-        self.breakpoints += 1;
-        let leaving = match path.pivot(self.entering, row, m) {
-            Unknown::W(i) => Variable::W(i),
-            Unknown::Z(i) => Variable::Z(i),
-            // A parameter never blocks.
-            Unknown::Covering => return None,
-        };
-        self.entering = match leaving.complement() {
-            Variable::W(i) => Unknown::W(i),
-            Variable::Z(i) => Unknown::Z(i),
-        };
-        Some(self.breakpoint(leaving))
+        self.step().map_err(|end| self.end = Some(end)).ok()
     }
 }

@@ -1,6 +1,7 @@
 //! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
+use super::memory::refill;
 use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS, ZERO};
@@ -21,8 +22,7 @@ impl Path {
     /// r = q + M z + d z₀ − w at the present values, and the size of its terms, row by row.
     fn compute_defect(&mut self, m: &[f64]) {
         let n = self.q.len();
-        self.defect.clear();
-        self.defect.extend_from_slice(&self.q);
+        self.defect.clone_from(&self.q);
         self.terms.clear();
         self.terms.extend(self.q.iter().map(|q| q.abs()));
         for (basic, x) in self.dictionary.basic.iter().zip(&self.dictionary.x) {
@@ -36,8 +36,8 @@ impl Path {
                 }
                 Unknown::Z(j) => {
                     let factor = self.scaling.column[j] * x;
-                    let column =
-                        m[j * n..(j + 1) * n].iter().zip(&self.scaling.row).map(|(m, row)| m * row * factor);
+                    let column = m[j * n..(j + 1) * n].iter().zip(&self.scaling.row);
+                    let column = column.map(|(m, row)| m * row * factor);
                     add_with_terms(&mut self.defect, &mut self.terms, column);
                 }
             }
@@ -48,8 +48,7 @@ impl Path {
     /// the column of the entering variable back.
     pub(crate) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
-        self.saved.clear();
-        self.saved.resize(2 * self.q.len() + 1, 0.0);
+        refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
         for (row, basic) in self.dictionary.basic.iter().enumerate() {
             self.saved[index(*basic, self.q.len())] = self.dictionary.p[row];
             if !matches!(basic, Unknown::W(_)) {
@@ -116,8 +115,7 @@ impl Path {
     pub(crate) fn cover_violations(&mut self, m: &[f64]) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
-        self.d.clear();
-        self.d.resize(n, 0.0);
+        refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
             // One unit of the exactly balanced problem, as everywhere.
@@ -146,8 +144,7 @@ impl Path {
                 Unknown::Covering => {}
             }
         }
-        dictionary.d.clear();
-        dictionary.d.extend_from_slice(&self.d);
+        dictionary.d.clone_from(&self.d);
         violated
     }
 
@@ -156,8 +153,7 @@ impl Path {
     pub(crate) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
-        self.dictionary.d.clear();
-        self.dictionary.d.extend_from_slice(&self.d);
+        self.dictionary.d.clone_from(&self.d);
         self.dictionary.enter(Unknown::Covering, m, &self.scaling);
     }
 

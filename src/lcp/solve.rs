@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use super::basis::Basis;
 use super::lemke::End;
+use super::memory::refill;
 use super::outcome::Outcome;
 use super::problem::Lcp;
 use super::settings::Settings;
@@ -80,8 +81,7 @@ impl Workspace {
     /// Solves a problem like [`Lcp::solve_from`].
     pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
         self.prepare(lcp);
-        self.path.d.clear();
-        self.path.d.resize(lcp.len(), 0.0);
+        refill(&mut self.path.d, lcp.len(), 0.0);
         let fits = basis.len() == lcp.len()
             && self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok();
         let failure = if fits { self.resume(lcp, settings) } else { self.climb(lcp, settings) };

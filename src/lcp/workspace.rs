@@ -3,6 +3,7 @@
 use super::answer::{Answer, SolutionView};
 use super::basis::Basis;
 use super::dictionary::Unknown;
+use super::memory::make_room;
 use super::outcome::{BreakdownCause, Outcome};
 use super::path::Path;
 use super::point::Point;
@@ -65,14 +66,9 @@ impl Workspace {
 
     /// Room for the steps that only some problems need.
     pub(super) fn reserve(&mut self, n: usize) {
-        for scratch in [
-            &mut self.correction,
-            &mut self.defect,
-            &mut self.spare.z,
-            &mut self.spare.w,
-            &mut self.spare.terms,
-        ] {
-            scratch.reserve(n.saturating_sub(scratch.len()));
+        let Point { z, w, terms } = &mut self.spare;
+        for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {
+            make_room(scratch, n);
         }
     }
 
