@@ -28,18 +28,18 @@ impl Basis {
     }
 
     /// The basis of all slacks again, for n rows.
-    pub(crate) fn clear(&mut self, n: usize) {
+    pub(super) fn clear(&mut self, n: usize) {
         self.basic_z.clear();
         self.basic_z.resize(n, false);
     }
 
     /// Makes z_i basic.
-    pub(crate) fn insert(&mut self, i: usize) {
+    pub(super) fn insert(&mut self, i: usize) {
         self.basic_z[i] = true;
     }
 
     /// Exchanges w_i and z_i.
-    pub(crate) fn toggle(&mut self, i: usize) {
+    pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }
 

@@ -40,7 +40,7 @@ impl Lcp {
 
 /// The ray along which the entering variable grows for ever, in the caller's units and with largest entry 1. `None` if
 /// it leaves the range of double precision there.
-pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
+pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
     if let Unknown::Z(e) = entering {

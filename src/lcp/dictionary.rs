@@ -26,7 +26,7 @@ use crate::wide::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Unknown {
+pub(super) enum Unknown {
     W(usize),
     Z(usize),
     Covering,
@@ -34,7 +34,7 @@ pub(crate) enum Unknown {
 
 impl Unknown {
     /// The other variable of the pair; z₀ has none.
-    pub(crate) fn complement(self) -> Self {
+    pub(super) fn complement(self) -> Self {
         match self {
             Self::W(i) => Self::Z(i),
             Self::Z(i) => Self::W(i),
@@ -45,10 +45,10 @@ impl Unknown {
 
 /// The dictionary of one basis. All vectors keep their memory between problems.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Dictionary {
+pub(super) struct Dictionary {
     n: usize,
     /// The variable that is basic in each row.
-    pub(crate) basic: Vec<Unknown>,
+    pub(super) basic: Vec<Unknown>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
     /// Where w_i is kept, if it is nonbasic.
@@ -56,15 +56,15 @@ pub(crate) struct Dictionary {
     /// The stored columns, one after the other.
     columns: Vec<f64>,
     /// Values of the basic variables.
-    pub(crate) x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     /// The perturbation column: the effect of adding p to q, used to break ties.
-    pub(crate) p: Vec<f64>,
+    pub(super) p: Vec<f64>,
     /// For each row, the size of the largest term that has gone into its value.
-    pub(crate) level: Vec<f64>,
+    pub(super) level: Vec<f64>,
     /// The entering column.
-    pub(crate) u: Vec<f64>,
+    pub(super) u: Vec<f64>,
     /// The covering vector d.
-    pub(crate) d: Vec<f64>,
+    pub(super) d: Vec<f64>,
     /// The entering column before elimination, with a zero behind its end.
     entering: Vec<f64>,
     /// The i of each row whose basic variable is a slack w_i, n for the others.
@@ -77,7 +77,7 @@ pub(crate) struct Dictionary {
 
 impl Dictionary {
     /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering vector d.
-    pub(crate) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
+    pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
         self.basic.clear();
@@ -104,7 +104,7 @@ impl Dictionary {
     }
 
     /// Whether w_i is nonbasic.
-    pub(crate) fn is_active(&self, i: usize) -> bool {
+    pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
 
@@ -114,7 +114,7 @@ impl Dictionary {
     }
 
     /// Puts the column of a nonbasic variable into `u`.
-    pub(crate) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
+    pub(super) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
         if let Some(slot) = self.slot_of(variable) {
             let at = slot * self.n;
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
@@ -127,12 +127,12 @@ impl Dictionary {
     }
 
     /// The largest entry of the column loaded last, before elimination.
-    pub(crate) fn entering_size(&self) -> f64 {
+    pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
 
     /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
-    pub(crate) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
+    pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
         self.eliminate(effect);
@@ -145,7 +145,7 @@ impl Dictionary {
     }
 
     /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
-    pub(crate) fn sum_terms(&mut self, q: &[f64]) {
+    pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
         for (level, slack) in self.level.iter_mut().zip(&self.slack) {
@@ -156,7 +156,7 @@ impl Dictionary {
 
     /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
     /// them. The column of a slack is not summed; there, entries below rounding of the largest are cut.
-    pub(crate) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
+    pub(super) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
         if let Unknown::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
             for u in self.u.iter_mut().filter(|u| u.abs() <= rounding) {
@@ -201,7 +201,7 @@ impl Dictionary {
 
     /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned.
     /// Then puts the column of the leaving variable's complement into `u`, unless z₀ left.
-    pub(crate) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
+    pub(super) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
         let leaving = self.rearrange(entering, r);
         if let Unknown::W(l) = leaving {
             self.load(Unknown::Z(l), m, scaling);
@@ -224,13 +224,13 @@ impl Dictionary {
     }
 
     /// The same exchange without a look ahead.
-    pub(crate) fn exchange(&mut self, entering: Unknown, r: usize) {
+    pub(super) fn exchange(&mut self, entering: Unknown, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
     /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.
-    pub(crate) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
+    pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;
         }
@@ -313,7 +313,7 @@ impl Dictionary {
 }
 
 /// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the processor busy.
-pub(crate) fn largest(v: &[f64]) -> f64 {
+pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);
     for chunk in &mut chunks {

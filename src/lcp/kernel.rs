@@ -3,13 +3,13 @@
 use crate::wide::Loop;
 
 /// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
-pub(crate) struct UpdateAndCombine<'a> {
-    pub(crate) columns: &'a mut [f64],
-    pub(crate) n: usize,
-    pub(crate) g: &'a [f64],
-    pub(crate) u: &'a [f64],
-    pub(crate) c: &'a [f64],
-    pub(crate) y: &'a mut [f64],
+pub(super) struct UpdateAndCombine<'a> {
+    pub(super) columns: &'a mut [f64],
+    pub(super) n: usize,
+    pub(super) g: &'a [f64],
+    pub(super) u: &'a [f64],
+    pub(super) c: &'a [f64],
+    pub(super) y: &'a mut [f64],
 }
 
 impl Loop for UpdateAndCombine<'_> {
@@ -87,11 +87,11 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
 }
 
 /// a_j += g_j u.
-pub(crate) struct Update<'a> {
-    pub(crate) columns: &'a mut [f64],
-    pub(crate) n: usize,
-    pub(crate) g: &'a [f64],
-    pub(crate) u: &'a [f64],
+pub(super) struct Update<'a> {
+    pub(super) columns: &'a mut [f64],
+    pub(super) n: usize,
+    pub(super) g: &'a [f64],
+    pub(super) u: &'a [f64],
 }
 
 impl Loop for Update<'_> {
@@ -110,7 +110,7 @@ impl Loop for Update<'_> {
 
 /// a += g u.
 #[inline(always)]
-pub(crate) fn add(a: &mut [f64], g: f64, u: &[f64]) {
+pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {
         *a += g * u;
     }

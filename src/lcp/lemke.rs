@@ -13,7 +13,7 @@ use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum End {
+pub(super) enum End {
     /// z₀ left: the basis is a complementary one.
     Complementary,
     /// This variable grows for ever; its column is in the dictionary.
@@ -26,7 +26,7 @@ pub(crate) enum End {
 const CHECK_EVERY: usize = 32;
 impl Path {
     /// Lets z₀ enter an infeasible basis and follows the path until z₀ has left again. The column of z₀ is in the dictionary.
-    pub(crate) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
+    pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
             Ok(None) => return End::Complementary,
@@ -76,7 +76,7 @@ impl Path {
     }
 
     /// One exchange; afterwards the column of the leaving variable's complement is in the dictionary.
-    pub(crate) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
+    pub(super) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
         self.pivots += 1;
         self.age += 1;
         self.dictionary.pivot(entering, row, m, &self.scaling)
@@ -84,7 +84,7 @@ impl Path {
 
     /// The blocking row for the entering variable, from a dictionary that can be trusted: one that has drifted from
     /// the data, or that offers only a doubtful pivot or none, is computed anew first.
-    pub(crate) fn blocking_row(
+    pub(super) fn blocking_row(
         &mut self,
         entering: Unknown,
         role: Covering,

@@ -1,6 +1,7 @@
 //! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for each entry.
 
 use super::memory::refill;
+use super::pattern::counts;
 
 /// So many mantissas, each below 2, can be multiplied before the product must be put away.
 const PRODUCT: usize = 512;
@@ -40,6 +41,20 @@ impl Logarithms {
         }
         rows.finish();
         columns.finish();
+    }
+
+    /// Takes q in as one more column.
+    pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
+            let logarithm = q.abs().log2();
+            sum += logarithm;
+            count += 1.0;
+            rows.sum[i] += logarithm;
+            rows.count[i] += 1.0;
+        }
+        columns.sum.push(sum);
+        columns.count.push(count);
     }
 
     fn reset(&mut self, n: usize) {

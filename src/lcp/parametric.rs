@@ -131,28 +131,21 @@ impl<'a> Parametric<'a> {
             breakpoints: 0,
             end: None,
         };
-        let found = path.start.solution().map(|solution| solution.basis.clone());
-        match found {
-            None => path.end = Some(PathEnd::NoStart),
-            Some(basis) => {
-                path.basis = basis;
-                path.begin(dq);
-            }
-        }
+        path.end = path.begin(dq).err();
         Ok(path)
     }
 
-    fn begin(&mut self, dq: &DVector<f64>) {
-        let m = self.lcp.m.as_slice();
-        let basis = &self.basis;
+    /// Puts the dictionary of the solution at τ = 0 and the column of τ into the workspace.
+    fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
+        self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
+        let (m, basis) = (self.lcp.m.as_slice(), &self.basis);
         if !self.workspace.holds(basis) {
-            if let Err(cause) = self.workspace.path.install_basis(m, |i| basis.contains(i)) {
-                self.end = Some(PathEnd::Breakdown(cause));
-                return;
-            }
+            let installed = self.workspace.path.install_basis(m, |i| basis.contains(i));
+            installed.map_err(PathEnd::Breakdown)?;
             self.workspace.path.cover_violations(m);
         }
         self.workspace.path.start_parameter(dq.as_slice(), m);
+        Ok(())
     }
 
     /// The solution at τ = 0, or why there is none.

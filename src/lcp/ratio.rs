@@ -12,7 +12,7 @@ use crate::wide::{Loop, wide};
 
 /// What z₀ is on the path that is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Covering {
+pub(super) enum Covering {
     /// To be brought to zero: it leaves as soon as it can.
     Artificial,
     /// The parameter of a family of problems, which may take any value.
@@ -21,7 +21,7 @@ pub(crate) enum Covering {
 
 /// The row in which a basic variable reaches zero first as the entering one grows; `None` if none ever does. Only rows
 /// with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are preferred.
-pub(crate) fn blocking_row(
+pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
     certain: f64,
@@ -85,7 +85,7 @@ pub(crate) fn blocking_row(
 /// Whether the step to the row `firm` drives a row with −`certain` ≤ u_i < 0 below zero by more than the rounding error
 /// of its value, or of the largest one. If it does not, it makes no difference whether that row blocks first: its u_i may be
 /// noise.
-pub(crate) fn doubtful_row_breaks(
+pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
     firm: usize,
@@ -137,7 +137,7 @@ impl Loop for ShortestStep<'_> {
 /// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters an infeasible basis.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive, so that no z₀ makes that row feasible.
-pub(crate) fn most_violated_row(
+pub(super) fn most_violated_row(
     dictionary: &Dictionary,
     settings: &Settings,
 ) -> Result<Option<usize>, usize> {

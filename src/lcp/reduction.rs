@@ -7,16 +7,16 @@ use super::tolerances::{DEPENDENT, FREE_PIVOT};
 use nalgebra::{DMatrix, DVector};
 
 /// The tableau after all free variables that can be were made basic.
-pub(crate) struct Reduction {
+pub(super) struct Reduction {
     /// The complementarity problem that is left, in balanced units; `None` if its numbers are not finite or an equality
     /// that depends on the others is not satisfied.
-    pub(crate) problem: Option<Lcp>,
+    pub(super) problem: Option<Lcp>,
     /// The pairs that changed their roles: there the problem's unknown is w_i.
-    pub(crate) swapped: Vec<bool>,
+    pub(super) swapped: Vec<bool>,
     /// Free variables without a pivot.
-    pub(crate) undetermined: Vec<usize>,
+    pub(super) undetermined: Vec<usize>,
     /// Equality rows without a pivot.
-    pub(crate) dependent: Vec<usize>,
+    pub(super) dependent: Vec<usize>,
     free: usize,
     tableau: DMatrix<f64>,
     constant: DVector<f64>,
@@ -86,9 +86,9 @@ impl Reduction {
 
     /// A free variable takes the place of w_i, and z_i that of an equality row.
     fn pivot_pair(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
-        let (k, l) = (rows.len(), columns.len());
+        let (height, width) = (rows.len(), columns.len());
         let pairs = 0..self.swapped.len();
-        let places = pairs.flat_map(|p| (0..k).flat_map(move |a| (0..l).map(move |b| (p, a, b))));
+        let places = pairs.flat_map(|p| (0..height).flat_map(move |a| (0..width).map(move |b| (p, a, b))));
         let sizes = places.map(|(pair, a, b)| {
             let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
             let sizes = [(r_pair, columns[b]), (rows[a], c_pair)].map(|at| self.tableau[at].abs());
@@ -134,7 +134,7 @@ impl Reduction {
     }
 
     /// (u, z) in the caller's units from a solution of the problem that is left.
-    pub(crate) fn point(&self, solution: &Solution) -> Vec<f64> {
+    pub(super) fn point(&self, solution: &Solution) -> Vec<f64> {
         let n = self.swapped.len();
         let mut point = vec![0.0; self.free + n];
         for (u, row) in self.row_of_free.iter().enumerate() {

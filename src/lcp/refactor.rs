@@ -46,7 +46,7 @@ impl Path {
 
     /// Computes the dictionary of the present basis anew from the data, by elimination with row pivoting, and puts
     /// the column of the entering variable back.
-    pub(crate) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
+    pub(super) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
         for (row, basic) in self.dictionary.basic.iter().enumerate() {
@@ -102,7 +102,7 @@ impl Path {
     }
 
     /// The values for a new right-hand side in the present dictionary.
-    pub(crate) fn recompute_values(&mut self) {
+    pub(super) fn recompute_values(&mut self) {
         let mut x = std::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
         self.dictionary.x = x;
@@ -112,7 +112,7 @@ impl Path {
     /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 unit in these
     /// rows of the dictionary and 0 in the others, d is the vector for which c is the column of z₀. Returns whether
     /// anything is infeasible.
-    pub(crate) fn cover_violations(&mut self, m: &[f64]) -> bool {
+    pub(super) fn cover_violations(&mut self, m: &[f64]) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
@@ -150,7 +150,7 @@ impl Path {
 
     /// Lets z₀ be the parameter of q + z₀ d from here on, d given in the caller's rows, and puts its column into the
     /// dictionary.
-    pub(crate) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
+    pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
         self.dictionary.d.clone_from(&self.d);
@@ -158,7 +158,7 @@ impl Path {
     }
 
     /// Installs the complementary basis in which z_i is basic where `active(i)`.
-    pub(crate) fn install_basis(
+    pub(super) fn install_basis(
         &mut self,
         m: &[f64],
         active: impl Fn(usize) -> bool,

@@ -36,13 +36,13 @@ impl Residuals {
     }
 
     /// Residuals that no test accepts.
-    pub(crate) const UNUSABLE: Self =
+    pub(super) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
 
 /// Whether a point with these residuals and terms says nothing about q, because another q of quite different entries
 /// would have passed as well. `row` balances the rows.
-pub(crate) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
+pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
     if missed > residual_rounding(q.len()) && missed * balanced(terms) > BACKWARD_ERROR * balanced(q) {
@@ -52,7 +52,7 @@ pub(crate) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
 }
 
 /// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
-pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
+pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
     w.copy_from_slice(q);
     for (a, q) in terms.iter_mut().zip(q) {
         *a = q.abs();
@@ -92,7 +92,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
 }
 
 /// The residuals at z, given w and the sizes a of its terms.
-pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
+pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
     let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
     if n == 0 {

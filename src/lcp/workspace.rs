@@ -26,7 +26,7 @@ use super::residuals::Residuals;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
-    pub(crate) path: Path,
+    pub(super) path: Path,
     /// Where the last path ended, and another point to compare it with.
     pub(super) point: Point,
     pub(super) spare: Point,
@@ -47,7 +47,7 @@ impl Workspace {
         Self::default()
     }
 
-    pub(crate) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {
+    pub(super) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {
         match (failure, self.residuals) {
             (None, Some(residuals)) => Answer::Solved(SolutionView {
                 z: &self.point.z,
@@ -73,7 +73,7 @@ impl Workspace {
     }
 
     /// Whether the dictionary is that of a complementary basis.
-    pub(crate) fn is_complementary(&self) -> bool {
+    pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
             Unknown::W(i) => !dictionary.is_active(i),
@@ -83,7 +83,7 @@ impl Workspace {
     }
 
     /// Whether the dictionary is that of this complementary basis.
-    pub(crate) fn holds(&self, basis: &Basis) -> bool {
+    pub(super) fn holds(&self, basis: &Basis) -> bool {
         self.is_complementary()
             && (0..basis.len()).all(|i| self.path.dictionary.is_active(i) == basis.contains(i))
     }
