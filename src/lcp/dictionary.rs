@@ -6,17 +6,21 @@
 //! basic = x + Σ over the nonbasic variables v of D_v · v.
 //! ```
 //!
-//! Only the columns D_v of nonbasic slacks v = w_i are stored. Since w_i enters the equations exactly as −q_i does, all the rest
-//! follows from them: the column of a nonbasic z_e is the effect of adding column e of M to q,
+//! Only the columns D_v of nonbasic slacks v = w_i are stored. A slack w_i enters the equations
+//! exactly as −q_i does, so all other columns follow from these. The column of a nonbasic z_e is
+//! the effect of adding column e of M to q,
 //!
 //! ```text
-//! D_e = (M_ie on the rows where w_i is basic, 0 elsewhere) − Σ over the nonbasic w_i of M_ie D_{w_i},   (1)
+//! D_e = (M_ie on the rows where w_i is basic, 0 elsewhere)
+//!       − Σ over the nonbasic w_i of M_ie D_{w_i},                          (1)
 //! ```
 //!
-//! and the column of z₀ is the same with d in the place of M_·e. If k slacks are nonbasic, a pivot
-//! costs 2nk flops for (1) and 2nk for the update: over a path on which k grows from 0 to n no more than the
-//! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
-//! variable is known as soon as the leaving one is, so both are done in one pass over memory.
+//! and the column of z₀ is (1) with d in place of M_·e.
+//!
+//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. Over a path on
+//! which k grows from 0 to n that is no more than the 2n² of a full tableau. Over a path that ends
+//! with half the slacks nonbasic it is half of that. The next entering variable is known as soon as
+//! the leaving one is, so both are done in one pass over memory.
 
 use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
@@ -51,7 +55,7 @@ pub(super) struct Dictionary {
     pub(super) basic: Vec<Unknown>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
-    /// Where w_i is kept, if it is nonbasic.
+    /// In which stored column w_i is kept, if w_i is nonbasic.
     slot: Vec<Option<usize>>,
     /// The stored columns, one after the other.
     columns: Vec<f64>,
@@ -67,16 +71,18 @@ pub(super) struct Dictionary {
     pub(super) d: Vec<f64>,
     /// The entering column before elimination, with a zero behind its end.
     entering: Vec<f64>,
-    /// The i of each row whose basic variable is a slack w_i, n for the others.
+    /// For each row, the i of its basic variable w_i; n where no slack is basic.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column, its multiple of u in the update and its multiple in the next entering column.
+    /// For each stored column, its multiple of u in the update, and its multiple in the next
+    /// entering column.
     g: Vec<f64>,
     c: Vec<f64>,
 }
 
 impl Dictionary {
-    /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering vector d.
+    /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering
+    /// vector d.
     pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
@@ -87,7 +93,8 @@ impl Dictionary {
         refill(&mut self.slot, n, None);
         self.kept.clear();
         self.columns.clear();
-        // Room for every slack to become nonbasic, so that no later problem of this size has to allocate.
+        // Room for every slack to become nonbasic, so that no later problem of this size has to
+        // allocate.
         make_room(&mut self.kept, n);
         make_room(&mut self.columns, n * n);
         for list in [&mut self.g, &mut self.c] {
@@ -108,7 +115,7 @@ impl Dictionary {
         self.slot[i].is_some()
     }
 
-    /// Where the column of a variable is kept, if that is a nonbasic slack.
+    /// Where the column of a variable is kept, if the variable is a nonbasic slack.
     fn slot_of(&self, variable: Unknown) -> Option<usize> {
         if let Unknown::W(i) = variable { self.slot[i] } else { None }
     }
@@ -138,13 +145,14 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// The right-hand side of (1), whose first term is in `next` and whose factors are in `c`.
+    /// Puts the right-hand side of (1) into y; its first term is in `next`, its factors are in `c`.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
+    /// Sets the levels of values that were computed as the effect of the right-hand side q: the
+    /// sums of the sizes of all terms.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -154,8 +162,10 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
-    /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
-    /// them. The column of a slack is not summed; there, entries below rounding of the largest are cut.
+    /// Sets entries of the entering column to zero that are noise.
+    ///
+    /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
+    /// slack is not summed; there, entries below the rounding of the largest are noise.
     pub(super) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
         if let Unknown::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -176,7 +186,7 @@ impl Dictionary {
         }
     }
 
-    /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
+    /// Loads column e of the balanced M, or d, with what (1) needs of it for the present basis.
     fn load(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
         if let Unknown::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -190,7 +200,7 @@ impl Dictionary {
         self.spread();
     }
 
-    /// The first term of (1) into `next`, the factors of the second into `c`.
+    /// Puts the first term of (1) into `next` and the factors of the second into `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -199,8 +209,9 @@ impl Dictionary {
         self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
     }
 
-    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned.
-    /// Then puts the column of the leaving variable's complement into `u`, unless z₀ left.
+    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r,
+    /// which is returned. Then puts the column of the leaving variable's complement into `u`,
+    /// unless z₀ left.
     pub(super) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
         let leaving = self.rearrange(entering, r);
         if let Unknown::W(l) = leaving {
@@ -223,7 +234,7 @@ impl Dictionary {
         leaving
     }
 
-    /// The same exchange without a look ahead.
+    /// Makes that exchange without a look ahead: `u` is left as it is.
     pub(super) fn exchange(&mut self, entering: Unknown, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
@@ -240,7 +251,8 @@ impl Dictionary {
         }
     }
 
-    /// All of an exchange but the rank-one update of the stored columns, whose factors are left in `g` and `u`.
+    /// Makes all of an exchange but the rank-one update of the stored columns, whose factors are
+    /// left in `g` and `u`.
     fn rearrange(&mut self, entering: Unknown, r: usize) -> Unknown {
         let n = self.n;
         let leaving = self.basic[r];
@@ -248,7 +260,7 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // With row r of a column set to 0 and that of u to 1, the update of row r is the same as that of the others.
+        // With row r of a column set to 0 and that of u to 1, row r is updated as all others are.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -284,7 +296,7 @@ impl Dictionary {
         leaving
     }
 
-    /// The values after the entering variable has grown until row r is zero.
+    /// Moves to the values at which the entering variable has grown until row r is zero.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -312,7 +324,8 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the processor busy.
+/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the
+/// processor busy.
 pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);

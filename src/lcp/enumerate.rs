@@ -15,22 +15,25 @@ use nalgebra::{DMatrix, DVector};
 /// The largest n for which 2ⁿ bases are tried.
 pub(super) const LARGEST: usize = 20;
 
-/// The solutions found by trying all complementary bases.
+/// The solutions found by trying all complementary bases, see [`Lcp::all_solutions`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AllSolutions {
-    /// One entry for each solution point, in the order of the bases read as binary numbers (z_0 is the lowest bit),
-    /// regular bases first.
+    /// One entry for each solution point. Points of regular bases come first, in the order of the
+    /// bases read as binary numbers with z_0 as the lowest bit.
+    ///
     /// A point for which several bases stand is listed once, with `degenerate` set. `pivots` is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be
-    /// a whole face of solutions; one point of it is among the solutions.
+    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty.
+    /// Such a piece may be a whole face of solutions; one point of it is among the solutions.
     pub singular: Vec<Basis>,
 }
 
 impl Lcp {
-    /// All solutions of a small problem, by trying all 2ⁿ complementary bases: one factorisation of at most n rows each, and a linear
-    /// program for each singular one. `None` if n > 20. Of the settings only the tolerances count.
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases. `None` if n > 20.
+    ///
+    /// Each basis costs one factorisation of at most n rows, and each singular one a linear
+    /// program. Of the settings only the tolerances count.
     ///
     /// ```
     /// use grasp_lcp::lcp::{Lcp, Settings};
@@ -87,7 +90,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with these basic values if it is a solution not known yet; its basis if it is one at all.
+    /// Adds the point with these basic values, if it is a solution not known yet. Returns its basis
+    /// if it is a solution at all.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)
@@ -101,8 +105,10 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The point without values that are zero but for rounding. The sign of such noise would decide in rows whose other
-    /// terms are all zero. Where it was not noise, the rows show it.
+    /// The point without values that are zero but for rounding.
+    ///
+    /// The sign of such noise would decide in rows whose other terms are all zero. Where it was not
+    /// noise, the rows show it.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
@@ -117,7 +123,7 @@ impl Search<'_> {
             z[*i] = *value;
         }
         let mut point = Point::new(z, lcp);
-        // With its negative entries first: those that are more than noise must not be cut off.
+        // The negative entries take part first: those that are more than noise must not be cut off.
         if !point.residuals(lcp).within(tolerance) {
             return None;
         }
@@ -137,8 +143,11 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } by linear programming on balanced data; the caller
-    /// checks it. The balance is exact here, not rounded to powers of two, so that no unit moves the point on a face.
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. It comes from linear
+    /// programming on balanced data; the caller checks it.
+    ///
+    /// The balance is exact here, not rounded to powers of two, so no unit moves the point on a
+    /// face.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
         let Self { lcp, scaling, .. } = self;
         let (n, k) = (lcp.len(), alpha.len());
@@ -159,7 +168,8 @@ impl Search<'_> {
     }
 }
 
-/// Whether two points differ by no more than rounding, entry by entry or measured by the largest entry.
+/// Whether two points differ by no more than rounding, entry by entry or measured by the largest
+/// entry.
 fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {

@@ -1,4 +1,5 @@
-//! The inner loops of a pivot, written so that the compiler turns them into vector instructions (see [`crate::wide`]).
+//! The inner loops of a pivot, written so that the compiler turns them into vector instructions
+//! (see [`crate::wide`]).
 
 use crate::wide::Loop;
 

@@ -1,4 +1,7 @@
 //! The least violation of linear constraints, by linear programming.
+//!
+//! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
+//! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::outcome::Outcome;
 use super::problem::Lcp;
@@ -15,14 +18,17 @@ pub(super) fn farkas_vector(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -
     lcp.proves_infeasible(&y).then_some(y)
 }
 
-/// The solution of min { t : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ 0, 1ᵀy ≤ 1, y ≥ 0 }.
+/// The solution of min { t : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ 0,
+/// 1ᵀy ≤ 1, y ≥ 0 }.
 pub(super) struct Program {
     pub(super) x: DVector<f64>,
     pub(super) y: DVector<f64>,
 }
 
-/// Both solutions from one complementarity problem, whose matrix [0, −Aᵀ; A, 0] is copositive-plus: Lemke's method is
-/// guaranteed to solve it, since the program is feasible and bounded.
+/// Both solutions from one complementarity problem, whose matrix [0, −Aᵀ; A, 0] (with t as one more
+/// column of A) is copositive-plus.
+///
+/// Lemke's method is guaranteed to solve it, since the program is feasible and bounded.
 pub(super) fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, settings: &Settings) -> Option<Program> {
     let (rows, columns) = a.shape();
     let size = columns + 1 + rows;

@@ -10,14 +10,15 @@ use super::settings::Settings;
 use super::workspace::Workspace;
 use nalgebra::DVector;
 
-/// Where τ goes on a piece of the path.
+/// The way τ goes on a piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ grows.
     Forward,
     /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
     Backward,
-    /// τ stands still while the solution moves: all points of the piece solve the problem at this τ.
+    /// τ stands still while the solution moves: all points of the piece solve the problem at this
+    /// τ.
     Still,
 }
 
@@ -35,7 +36,7 @@ pub struct Breakpoint {
     pub entering: Variable,
     /// The complementary basis of the next piece.
     pub basis: Basis,
-    /// Where τ goes on the next piece.
+    /// The way τ goes on the next piece.
     pub trend: Trend,
     /// dz/dτ on the next piece (n entries), whichever way τ goes there; zero if τ stands still.
     pub rate: DVector<f64>,
@@ -45,9 +46,10 @@ pub struct Breakpoint {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ (still).
+    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
+    /// (still).
     Unbounded(Trend),
-    /// As many breakpoints as the settings allow pivots.
+    /// There were as many breakpoints as the settings allow pivots.
     PivotLimit,
     /// The path could not be followed further in double precision.
     Breakdown(BreakdownCause),
@@ -55,14 +57,18 @@ pub enum PathEnd {
     NoStart,
 }
 
-/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
+/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one. The path starts
+/// at τ = 0 with τ growing.
 ///
-/// On a complementary basis z is an affine function of τ; where a basic variable reaches zero it leaves, and its complement enters, as in Lemke's
-/// method with dq in the place of d (Cottle, Pang & Stone, section 4.5).
+/// On a complementary basis z is an affine function of τ. Where a basic variable reaches zero it
+/// leaves, and its complement enters. This is Lemke's method with dq in place of d (Cottle, Pang &
+/// Stone, section 4.5).
 ///
-/// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
-/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length. A breakpoint
-/// costs one pivot, and no more of them are given than the settings allow pivots.
+/// This is an iterator: each call of `next` follows one piece, at the cost of one pivot. When it is
+/// exhausted, [`Parametric::end`] says why.
+///
+/// Several breakpoints may have one τ, when several variables reach zero together; the pieces
+/// between them have no length. There are no more breakpoints than the settings allow pivots.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
@@ -91,17 +97,19 @@ pub struct Parametric<'a> {
 }
 
 impl<'a> Parametric<'a> {
-    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the solution that
-    /// [`Lcp::solve_with`] finds.
+    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the
+    /// solution that [`Lcp::solve_with`] finds.
     ///
     /// # Errors
     ///
-    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`] for an entry that is not finite.
+    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`]
+    /// for an entry that is not finite.
     pub fn new(lcp: &'a Lcp, dq: &DVector<f64>, settings: Settings) -> Result<Self, LcpError> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// The same from the solution that [`Lcp::solve_from`] finds, so that one of several solutions can be followed.
+    /// That path from the solution that [`Lcp::solve_from`] finds instead, so one of several
+    /// solutions can be followed.
     ///
     /// # Errors
     ///
@@ -154,7 +162,8 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Where τ goes on the present piece, the one after the last breakpoint; forward before the first.
+    /// The way τ goes on the present piece, the one after the last breakpoint; forward before the
+    /// first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend

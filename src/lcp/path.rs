@@ -36,7 +36,8 @@ impl Path {
         self.reserve(q.len());
     }
 
-    /// Room for what only some problems need, so that no later problem of this size has to allocate.
+    /// Makes room for steps that only some problems need, so no later problem of this size has to
+    /// allocate.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);
@@ -57,7 +58,8 @@ impl Path {
         self.age = 0;
     }
 
-    /// z in the caller's units, and z₀ where it is basic, from one number for the basic variable of each row.
+    /// Reads z in the caller's units, and z₀ where it is basic, from one number for the basic
+    /// variable of each row.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;
@@ -71,7 +73,7 @@ impl Path {
         covering
     }
 
-    /// The present z and z₀; noise below zero in z is cut off.
+    /// Reads the present z and z₀; noise below zero in z is cut off.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

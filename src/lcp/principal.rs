@@ -5,15 +5,18 @@ use super::scaling::Scaling;
 use super::tolerances::SINGULAR_BLOCK;
 use nalgebra::{DMatrix, DVector};
 
-/// Up to this size pivoting is complete, which tells singular blocks apart more surely. Beyond this size pivoting is
-/// partial, which is several times faster.
+/// Up to this size pivoting is complete, which tells singular blocks apart more surely.
+///
+/// Beyond this size pivoting is partial, which is several times faster.
 const COMPLETE: usize = 32;
-/// Steps of iterative refinement: the first takes the error of the factors away, the second what is left of it in badly
-/// conditioned blocks.
+/// Steps of iterative refinement.
+///
+/// The first takes away the error of the factors, the second the rest of it in badly conditioned
+/// blocks.
 const REFINEMENTS: usize = 2;
 
-/// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block and refinement; `None` if the block is singular
-/// to working precision.
+/// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, and refinement. `None` if the
+/// block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
     if size == 0 {

@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// The tableau after all free variables that can be were made basic.
 pub(super) struct Reduction {
-    /// The complementarity problem that is left, in balanced units; `None` if its numbers are not finite or an equality
-    /// that depends on the others is not satisfied.
+    /// The complementarity problem that is left, in balanced units. `None` if its numbers are not
+    /// finite or an equality that depends on the others is not satisfied.
     pub(super) problem: Option<Lcp>,
     /// The pairs that changed their roles: there the problem's unknown is w_i.
     pub(super) swapped: Vec<bool>,
@@ -28,7 +28,8 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are equalities.
+    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are
+    /// equalities.
     pub(super) fn of(whole: &Lcp, free: usize) -> Self {
         let size = whole.len();
         let n = size - free;
@@ -97,7 +98,8 @@ impl Reduction {
         let Some((pair, a, b)) = largest_pivot(sizes) else { return false };
         let (r, c) = (rows.swap_remove(a), columns.swap_remove(b));
         let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
-        // First u for w_i: column c then belongs to w_i. Then z_i for the equality: row r belongs to z_i.
+        // First u for w_i: column c then belongs to w_i. Then z_i for the equality: row r belongs
+        // to z_i.
         self.exchange(r_pair, c);
         self.exchange(r, c_pair);
         self.tableau.column_mut(c_pair).fill(0.0);

@@ -1,4 +1,5 @@
-//! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
+//! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh,
+//! starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
 use super::memory::refill;
@@ -8,8 +9,8 @@ use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS, ZERO};
 use crate::draw::generic;
 
 impl Path {
-    /// How far the values of the basic variables are from solving w = q + M z + d z₀, as a fraction of the terms of a
-    /// row. A thousandth of the largest q_i is counted with the terms, or rows of nothing but noise would drift.
+    /// How far the basic values miss w = q + M z + d z₀, as a part of the terms of a row.
+    /// [`DRIFT_FLOOR`] of the largest q_i is counted with the terms.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -44,8 +45,8 @@ impl Path {
         }
     }
 
-    /// Computes the dictionary of the present basis anew from the data, by elimination with row pivoting, and puts
-    /// the column of the entering variable back.
+    /// Computes the dictionary of the present basis anew from the data, by elimination with row
+    /// pivoting, and puts the column of the entering variable back.
     pub(super) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
@@ -90,7 +91,8 @@ impl Path {
         Ok(())
     }
 
-    /// Adds to the values the effect of the defect computed last, and measures anew what rounding they may carry.
+    /// Adds to the values the effect of the defect computed last, and measures anew the rounding
+    /// they may carry.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = std::mem::take(&mut self.terms);
@@ -109,9 +111,11 @@ impl Path {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 unit in these
-    /// rows of the dictionary and 0 in the others, d is the vector for which c is the column of z₀. Returns whether
-    /// anything is infeasible.
+    /// Prepares z₀ to enter the present complementary basis, covering only the rows that are
+    /// infeasible there. Returns whether there are any.
+    ///
+    /// The column of z₀ has one unit in these rows of the dictionary and 0 in the others; d is the
+    /// vector for which it has.
     pub(super) fn cover_violations(&mut self, m: &[f64]) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
@@ -124,7 +128,7 @@ impl Path {
                 Unknown::Z(j) => self.scaling.column_unit(j),
                 Unknown::Covering => 1.0,
             };
-            // By the variable, since the order of rows depends on rounding.
+            // The perturbation goes by the variable, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -ZERO * dictionary.level[row] {
@@ -148,8 +152,8 @@ impl Path {
         violated
     }
 
-    /// Lets z₀ be the parameter of q + z₀ d from here on, d given in the caller's rows, and puts its column into the
-    /// dictionary.
+    /// Lets z₀ be the parameter of q + z₀ d from here on, and puts its column into the dictionary.
+    /// The vector d is given in the caller's rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));

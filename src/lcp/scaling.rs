@@ -1,15 +1,21 @@
 //! Balancing rows and columns.
 //!
-//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the entries that are not zero
-//! (Curtis & Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972). Its scaled matrix
-//! 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M are multiplied by positive numbers, so neither does the path
-//! of a solver that works on it. Scaling by the largest entries has no such property: it depends on the start. If M has
-//! zeros, q takes part as one more column, since otherwise blocks of M that are not coupled would each keep a free factor.
+//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the entries
+//! that are not zero (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for
+//! Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or
+//! columns of M are multiplied by positive numbers. Neither, then, does the path of a solver that
+//! works on it.
 //!
-//! The data are multiplied by powers of two only, which adds no rounding error and leaves ties ties. The part of ρ_i
-//! lost in rounding it to an integer is kept in the covering vector, where it costs nothing. For the same reason
-//! the problem is solved to rounding: rows that are alike must get entries of d that are equal, not nearly equal, or ties
-//! would turn into badly conditioned near-ties.
+//! Scaling by the largest entries has no such property: it depends on the start. If M has zeros, q
+//! takes part as one more column. Otherwise blocks of M that are not coupled would each keep a free
+//! factor.
+//!
+//! The data are multiplied by powers of two only, which adds no rounding error and leaves ties
+//! ties. The part of ρ_i lost in rounding it to an integer is kept in the covering vector, where it
+//! costs nothing.
+//!
+//! For ties, too, the problem is solved to rounding: rows that are alike must get entries of d that
+//! are equal, not nearly equal, or ties would turn into badly conditioned near-ties.
 
 use super::logarithms::Logarithms;
 use super::memory::refill;
@@ -22,7 +28,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// What one unit of the exactly balanced row i measures in the rounded one: row_i / 2^ρ_i.
+    /// What one unit of the exactly balanced row i measures in the rounded row: row_i / 2^ρ_i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -35,8 +41,10 @@ pub(super) struct Scaling {
     image: Vec<f64>,
 }
 
-/// A bound on the conjugate-gradient steps for patterns with zeros: contact problems take about ten; on chains the ends
-/// are felt more slowly, but then no longer matter.
+/// A bound on the conjugate-gradient steps for patterns with zeros.
+///
+/// Contact problems take about ten. On chains the ends are felt more slowly, but then no longer
+/// matter.
 const STEPS: usize = 24;
 
 impl Scaling {
@@ -122,7 +130,7 @@ impl Scaling {
         }
     }
 
-    /// What one unit of the exactly balanced z_j measures in the rounded one: 2^γ_j / column_j.
+    /// What one unit of the exactly balanced z_j measures in the rounded z_j: 2^γ_j / column_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }

@@ -9,8 +9,10 @@ use super::path::Path;
 use super::point::Point;
 use super::residuals::Residuals;
 
-/// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
-/// that size allocates nothing, as long as they are solved by the first path.
+/// Memory that is kept between problems.
+///
+/// Once a workspace has held a problem, it allocates nothing for others that are no larger, as long
+/// as the first path solves them.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Answer, Lcp, Settings, Workspace};
@@ -18,8 +20,10 @@ use super::residuals::Residuals;
 ///
 /// let mut workspace = Workspace::new();
 /// for load in 1..4 {
-///     let problem = Lcp::new(DMatrix::from_element(1, 1, 2.0), DVector::from_element(1, -f64::from(load)))?;
-///     let Answer::Solved(solution) = workspace.solve(&problem, &Settings::default()) else { panic!("2 > 0") };
+///     let q = DVector::from_element(1, -f64::from(load));
+///     let problem = Lcp::new(DMatrix::from_element(1, 1, 2.0), q)?;
+///     let answer = workspace.solve(&problem, &Settings::default());
+///     let Answer::Solved(solution) = answer else { panic!("2 > 0") };
 ///     assert_eq!(solution.z, [f64::from(load) / 2.0]);
 /// }
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -35,7 +39,7 @@ pub struct Workspace {
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,
     pub(super) basis: Basis,
-    /// Of the point, once it has passed as a solution.
+    /// The residuals of the point, once it has passed as a solution.
     pub(super) residuals: Option<Residuals>,
     pub(super) degenerate: bool,
 }
@@ -64,7 +68,7 @@ impl Workspace {
         }
     }
 
-    /// Room for the steps that only some problems need.
+    /// Makes room for steps that only some problems need.
     pub(super) fn reserve(&mut self, n: usize) {
         let Point { z, w, terms } = &mut self.spare;
         for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {
