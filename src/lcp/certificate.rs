@@ -14,9 +14,9 @@ use nalgebra::DVector;
 impl Lcp {
     /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
     ///
-    /// Each sum is compared with the rounding error it may carry, 8 (n + 2) ε Σ|terms| with ε =
-    /// 2⁻⁵². No (Mᵀy)_j may exceed that error, and qᵀy must be below minus that. Where the products
-    /// and sums are exact, so is the proof.
+    /// Each sum is compared with the rounding error it may carry, 8 (n + 2) ε Σ|terms| with
+    /// ε = 2⁻⁵². No (Mᵀy)_j may exceed that error, and qᵀy must be below minus that. Where the
+    /// products and sums are exact, so is the proof.
     ///
     /// A y of another length than n proves nothing, nor does one with a negative entry or one that
     /// is not finite.

@@ -60,10 +60,10 @@ pub struct Solution {
 
 /// The secondary ray on which the path ended.
 ///
-/// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with ẑ ≥
-/// 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented problem has solutions for arbitrarily large steps
-/// along this direction, none of which solves the problem itself (Cottle, Pang & Stone, section
-/// 4.4).
+/// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with
+/// ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented problem has solutions for arbitrarily large
+/// steps along this direction, none of which solves the problem itself (Cottle, Pang & Stone,
+/// section 4.4).
 ///
 /// The ray is that of the first path. Its covering vector d is that of the settings or, by default,
 /// that of the balanced problem. The direction is zero if that path ended otherwise and the proof

@@ -13,7 +13,7 @@
 /// miss.
 pub(super) const ZERO: f64 = 1e-13;
 
-/// Residuals above this are worth a fresh factorisation of the basis, which costs n³/3 flops.
+/// Residuals above this are worth a fresh factorisation of the basis, at up to 2n³/3 flops.
 ///
 /// Refined points stay below it unless the basis is nearly singular. Smaller, ordinary problems pay
 /// for factorisations; larger, digits are given away that the data still hold.
