@@ -88,16 +88,15 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-mod draw;
 pub mod energy;
 pub mod equilibrium;
 mod error;
 pub mod formulation;
 pub mod grasp;
 pub mod guide;
-mod halves;
 pub mod lcp;
 pub mod load_path;
+mod numerics;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod planar;
@@ -107,8 +106,6 @@ pub mod screening;
 pub mod spatial;
 pub mod structured;
 pub mod sweep;
-mod twice;
-mod wide;
 
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};

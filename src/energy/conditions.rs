@@ -220,7 +220,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
             }
             let factor = DMatrix::from_columns(&columns).qr();
             let (q, r) = (factor.q(), factor.r());
-            // Twice: the second time removes what rounding left of the rows.
+            // DoubleDouble: the second time removes what rounding left of the rows.
             for _ in 0..2 {
                 let left = faces.binding.iter().map(|&index| {
                     let row = &self.rows[index];

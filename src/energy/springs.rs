@@ -11,8 +11,8 @@
 
 use nalgebra::SVector;
 
-use crate::formulation::Orthogonal;
 use crate::grasp::Site;
+use crate::numerics::Orthogonal;
 
 /// A load that does this little work on a unit motion which stretches no spring does none: it was computed to balance.
 const NO_WORK: f64 = 1e-13;

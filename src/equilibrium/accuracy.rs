@@ -4,9 +4,9 @@ use nalgebra::SVector;
 
 use super::candidate::Found;
 use super::slack::{scene_force, span};
-use crate::draw::Draw;
-use crate::formulation::{Piece, PieceState, Problem, State, TwistInTwice};
+use crate::formulation::{Piece, PieceState, PreciseTwist, Problem, State};
 use crate::grasp::{Grasp, Wrench, wrench_of};
+use crate::numerics::Draw;
 
 /// Patterns of signs with which the data are varied.
 const PATTERNS: u64 = 3;
@@ -37,7 +37,7 @@ impl Accuracy {
         problem: &Problem<D, C>,
         found: &Found<D, C>,
     ) -> Self {
-        let twist = TwistInTwice::new(found.twist);
+        let twist = PreciseTwist::new(found.twist);
         let turning = (!found.slides.is_empty()).then(|| problem.along(&found.slides, &found.forces, &twist));
         let problem = turning.as_ref().unwrap_or(problem);
         let made;

@@ -8,9 +8,10 @@
 //!
 //! piecewise smooth, with the tangent stiffness C_i of each contact.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
-use crate::formulation::{FullPivot, Problem, Regular, Returned, Springs, respond, tangent_stiffness};
+use crate::formulation::{Problem, Returned, Springs, respond, tangent_stiffness};
+use crate::numerics::Factors;
 
 /// Newton's steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 20;
@@ -32,27 +33,6 @@ pub(super) struct Arrived<const D: usize, const C: usize> {
     pub(super) contacts: Vec<Returned<C>>,
 }
 
-/// Factors of the tangent stiffness.
-enum Tangent<const D: usize> {
-    Regular(Regular<D>),
-    /// Steps leave out the motions that nothing resists.
-    Singular(FullPivot<D>),
-}
-
-impl<const D: usize> Tangent<D> {
-    fn new(stiffness: &SMatrix<f64, D, D>) -> Self {
-        Regular::new(stiffness)
-            .map_or_else(|| Self::Singular(FullPivot::new(*stiffness, D, D)), Self::Regular)
-    }
-
-    fn solve(&self, left: &SVector<f64, D>) -> SVector<f64, D> {
-        match self {
-            Self::Regular(tangent) => tangent.solve(left),
-            Self::Singular(tangent) => tangent.solve(left).0,
-        }
-    }
-}
-
 /// Newton's method until forces settle. A step that leaves more out of balance than before is halved: without that it jumps
 /// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
 pub(super) fn newton<const D: usize, const C: usize>(
@@ -62,7 +42,7 @@ pub(super) fn newton<const D: usize, const C: usize>(
     let mut contacts = vec![Returned::Open; problem.len()];
     let mut springs: Vec<Springs<C>> = Vec::with_capacity(problem.len());
     let mut here = imbalance(problem, &twist, &mut contacts);
-    let mut tangent: Option<Tangent<D>> = None;
+    let mut tangent: Option<Factors<D>> = None;
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
         if here.norm <= SETTLED * here.size {
@@ -74,7 +54,7 @@ pub(super) fn newton<const D: usize, const C: usize>(
             springs.clear();
             springs
                 .extend(contacts.iter().zip(problem.sites).map(|(returned, site)| returned.stiffness(site)));
-            Tangent::new(&tangent_stiffness(problem.sites, &springs))
+            Factors::new(&tangent_stiffness(problem.sites, &springs))
         });
         let step = current.solve(&here.left);
         tangent = Some(current);

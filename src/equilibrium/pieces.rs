@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::candidate::{Found, Verdict, admit, admit_sliding, imbalance};
 use super::newton::Arrived;
 use super::slack::{scene_force, span};
-use crate::formulation::{Law, Piece, PieceState, Problem, Returned, Slide, State, TwistInTwice, respond};
+use crate::formulation::{Law, Piece, PieceState, PreciseTwist, Problem, Returned, Slide, State, respond};
 
 /// Steps at most.
 const STEPS: usize = 20;
@@ -41,7 +41,7 @@ pub(super) struct Pieces<const D: usize, const C: usize> {
     slides: Vec<Option<Slide<C>>>,
     forces: Vec<SVector<f64, C>>,
     /// In twice the working precision: the slip of a stiff contact may be less than its rounding.
-    twist: TwistInTwice<D>,
+    twist: PreciseTwist<D>,
 }
 
 /// A state, with force and slide where a contact slides on the round cone.
@@ -57,7 +57,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
         };
         let (states, slides) = arrived.contacts.iter().enumerate().map(state).unzip();
         let forces = arrived.contacts.iter().map(Returned::force).collect();
-        Self { states, slides, forces, twist: TwistInTwice::new(arrived.twist) }
+        Self { states, slides, forces, twist: PreciseTwist::new(arrived.twist) }
     }
 
     /// The solution of the polygons' piece with these states.
@@ -80,7 +80,7 @@ impl<const D: usize, const C: usize> Pieces<D, C> {
             }
         };
         let (states, slides) = states.iter().enumerate().map(state).unzip();
-        Self { states, slides, forces: near.forces.clone(), twist: TwistInTwice::new(near.twist) }
+        Self { states, slides, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist) }
     }
 
     /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.

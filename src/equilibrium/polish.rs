@@ -10,8 +10,9 @@ use super::candidate::{Found, Verdict, try_states};
 use super::newton::newton;
 use super::pieces::Pieces;
 use crate::formulation::{
-    Piece, PieceState, Problem, Regular, Springs, State, balance, contact_stiffness, tangent_stiffness,
+    Piece, PieceState, Problem, Springs, State, balance, contact_stiffness, tangent_stiffness,
 };
+use crate::numerics::PartialPivoting;
 
 /// What may be out of balance of a polygon's answer, from which Newton's method starts.
 const NEAR: f64 = 1e-12;
@@ -58,7 +59,7 @@ fn regular_solution<const D: usize, const C: usize>(
 ) -> Option<PieceState<D, C>> {
     let springs: Vec<Springs<C>> =
         states.iter().enumerate().map(|(i, &state)| contact_stiffness(problem, i, state)).collect();
-    let tangent = Regular::new(&tangent_stiffness(problem.sites, &springs))?;
+    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &springs))?;
     let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
     let mut near = PieceState { forces, twist: SVector::zeros() };
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;

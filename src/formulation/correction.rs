@@ -11,11 +11,11 @@
 
 use nalgebra::SVector;
 
-use super::excess::{Balance, TwistInTwice};
+use super::excess::{Balance, PreciseTwist};
 use super::piece::{MOST_CORRECTIONS, NEARLY, Piece};
 use super::problem::{Law, Problem, State};
 use super::spring::{Spring, corner, edge_direction};
-use crate::twice::Twice;
+use crate::numerics::DoubleDouble;
 
 /// What is missing of a solution.
 #[derive(Debug, Clone)]
@@ -35,11 +35,11 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         &self,
         problem: &Problem<D, C>,
         states: &[State],
-        (at, from): (&[SVector<f64, C>], &TwistInTwice<D>),
+        (at, from): (&[SVector<f64, C>], &PreciseTwist<D>),
         size: f64,
     ) -> Correction<D, C> {
-        let mut forces: Vec<[Twice; C]> =
-            at.iter().map(|f| std::array::from_fn(|a| Twice::new(f[a]))).collect();
+        let mut forces: Vec<[DoubleDouble; C]> =
+            at.iter().map(|f| std::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
         let mut twist = *from;
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
@@ -62,7 +62,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 break;
             }
         }
-        let missing = |(forces, f): (&[Twice; C], &SVector<f64, C>)| {
+        let missing = |(forces, f): (&[DoubleDouble; C], &SVector<f64, C>)| {
             SVector::from_fn(|a, _| {
                 let mut exact = forces[a];
                 exact.add(-f[a]);
@@ -81,8 +81,8 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         &self,
         problem: &Problem<D, C>,
         states: &[State],
-        forces: &mut [[Twice; C]],
-        twist: &TwistInTwice<D>,
+        forces: &mut [[DoubleDouble; C]],
+        twist: &PreciseTwist<D>,
         mut e: &mut [f64],
     ) -> SVector<f64, D> {
         let mut balance = Balance::new(&problem.load());
@@ -91,7 +91,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);
             put_on_cone(problem, contact, states[contact], force);
             let mut across = Across::of(&problem.laws[contact], force);
-            let mut along = [Twice::default(); C];
+            let mut along = [DoubleDouble::default(); C];
             for (a, force) in force.iter().enumerate().take(site.axes) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
                     let mut w = twist.stretch(site, a, problem.drives[contact][a]);
@@ -123,30 +123,30 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 /// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`: across the force itself, since on the way
 /// w is long.
 struct Across<const C: usize> {
-    along: [Twice; C],
+    along: [DoubleDouble; C],
     length: f64,
-    sum: Twice,
+    sum: DoubleDouble,
 }
 
 impl<const C: usize> Across<C> {
-    fn of(law: &Law<C>, force: &[Twice; C]) -> Option<Self> {
+    fn of(law: &Law<C>, force: &[DoubleDouble; C]) -> Option<Self> {
         let Law::Turning { .. } = law else { return None };
-        let mut along = [Twice::default(); C];
-        let minus = |f: Twice| Twice { high: -f.high, low: -f.low };
+        let mut along = [DoubleDouble::default(); C];
+        let minus = |f: DoubleDouble| DoubleDouble { high: -f.high, low: -f.low };
         (along[1], along[2]) = (minus(force[2]), force[1]);
-        Some(Self { along, length: force[1].high.hypot(force[2].high), sum: Twice::default() })
+        Some(Self { along, length: force[1].high.hypot(force[2].high), sum: DoubleDouble::default() })
     }
 
-    fn add(&mut self, axis: usize, w: Twice) {
+    fn add(&mut self, axis: usize, w: DoubleDouble) {
         let along = self.along[axis];
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
     /// Times the root of the stiffness of the spring across.
-    fn times(&self, spring: Option<&Spring<C>>) -> Twice {
+    fn times(&self, spring: Option<&Spring<C>>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
-        Twice::new(self.sum.value() * part)
+        DoubleDouble::new(self.sum.value() * part)
     }
 }
 
@@ -155,17 +155,17 @@ fn put_on_cone<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     contact: usize,
     state: State,
-    force: &mut [Twice; C],
+    force: &mut [DoubleDouble; C],
 ) {
     let State::Sliding { first, second } = state else { return };
     let mu = problem.mu(contact);
-    let mut limit = Twice::default();
+    let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((mu, 0.0), force[0]);
     let normals = problem.normals(contact);
     if let Some(second) = second {
         let p = corner(&normals[first], &normals[second]);
         for (a, force) in force.iter_mut().enumerate().skip(1) {
-            *force = Twice::default();
+            *force = DoubleDouble::default();
             force.add_product_of_twice((p[a], 0.0), limit);
         }
         return;
@@ -173,7 +173,7 @@ fn put_on_cone<const D: usize, const C: usize>(
     if let Law::Turning { .. } = problem.laws[contact] {
         // |F_t| by the difference of the squares.
         let length = force[1].high.hypot(force[2].high);
-        let mut squares = Twice::default();
+        let mut squares = DoubleDouble::default();
         squares.add_product_of_twice((limit.high, limit.low), limit);
         for f in &force[1..] {
             squares.add_product_of_twice((-f.high, -f.low), *f);

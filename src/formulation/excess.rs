@@ -13,15 +13,15 @@ use nalgebra::SVector;
 use super::problem::Load;
 use super::spring::Spring;
 use crate::grasp::Site;
-use crate::twice::Twice;
+use crate::numerics::DoubleDouble;
 
 /// A twist in twice the working precision: along a stiff spring its rounding would be a large force.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct TwistInTwice<const D: usize>([Twice; D]);
+pub(crate) struct PreciseTwist<const D: usize>([DoubleDouble; D]);
 
-impl<const D: usize> TwistInTwice<D> {
+impl<const D: usize> PreciseTwist<D> {
     pub(crate) fn new(twist: SVector<f64, D>) -> Self {
-        Self(std::array::from_fn(|k| Twice::new(twist[k])))
+        Self(std::array::from_fn(|k| DoubleDouble::new(twist[k])))
     }
 
     pub(crate) fn add(&mut self, step: &SVector<f64, D>) {
@@ -31,7 +31,7 @@ impl<const D: usize> TwistInTwice<D> {
     }
 
     pub(crate) fn value(&self) -> SVector<f64, D> {
-        SVector::from(self.0.map(Twice::value))
+        SVector::from(self.0.map(DoubleDouble::value))
     }
 
     /// What is left when another twist is taken away.
@@ -44,8 +44,8 @@ impl<const D: usize> TwistInTwice<D> {
     }
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
-    pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> Twice {
-        let mut v = Twice::new(drive);
+    pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> DoubleDouble {
+        let mut v = DoubleDouble::new(drive);
         for (k, q) in self.0.iter().enumerate() {
             v.add_product_of_twice((-site.map[(k, axis)], -site.map_rest[(k, axis)]), *q);
         }
@@ -54,22 +54,22 @@ impl<const D: usize> TwistInTwice<D> {
 }
 
 /// Forces and moments in twice the working precision.
-pub(super) struct Balance<const D: usize>([Twice; D]);
+pub(super) struct Balance<const D: usize>([DoubleDouble; D]);
 
 impl<const D: usize> Balance<D> {
     pub(super) fn new(load: &Load<D>) -> Self {
-        Self(std::array::from_fn(|k| Twice { high: load.wrench[k], low: load.rest[k] }))
+        Self(std::array::from_fn(|k| DoubleDouble { high: load.wrench[k], low: load.rest[k] }))
     }
 
     /// Adds the wrench of a force along an axis of a contact.
-    pub(super) fn add<const C: usize>(&mut self, site: &Site<D, C>, axis: usize, force: Twice) {
+    pub(super) fn add<const C: usize>(&mut self, site: &Site<D, C>, axis: usize, force: DoubleDouble) {
         for (k, sum) in self.0.iter_mut().enumerate() {
             sum.add_product_of_twice((site.map[(k, axis)], site.map_rest[(k, axis)]), force);
         }
     }
 
     pub(super) fn value(&self) -> SVector<f64, D> {
-        SVector::from(self.0.map(Twice::value))
+        SVector::from(self.0.map(DoubleDouble::value))
     }
 }
 
@@ -78,7 +78,7 @@ pub(super) fn excess<const D: usize, const C: usize>(
     springs: &[Spring<C>],
     sites: &[Site<D, C>],
     (drives, load): (&[SVector<f64, C>], &Load<D>),
-    (x, twist): (&[f64], &TwistInTwice<D>),
+    (x, twist): (&[f64], &PreciseTwist<D>),
     e: &mut [f64],
 ) -> SVector<f64, D> {
     let mut balance = Balance::new(load);
@@ -87,7 +87,7 @@ pub(super) fn excess<const D: usize, const C: usize>(
         let contact = of_contact[0].contact;
         let site = &sites[contact];
         // A contact has at most C springs.
-        let mut left = [Twice::default(); C];
+        let mut left = [DoubleDouble::default(); C];
         for ((left, _), x) in left.iter_mut().zip(of_contact).zip(&x[first..]) {
             left.add(-x);
         }
@@ -98,9 +98,9 @@ pub(super) fn excess<const D: usize, const C: usize>(
                     left.add_product_of_twice((spring.right[a], spring.right_rest[a]), v);
                 }
             }
-            let mut force = Twice::default();
+            let mut force = DoubleDouble::default();
             for (spring, &x) in of_contact.iter().zip(&x[first..]) {
-                force.add_product_of_twice((spring.left[a], spring.left_rest[a]), Twice::new(x));
+                force.add_product_of_twice((spring.left[a], spring.left_rest[a]), DoubleDouble::new(x));
             }
             if force.high != 0.0 {
                 balance.add(site, a, force);

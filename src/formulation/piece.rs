@@ -5,16 +5,15 @@
 //!
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised and the projection
-//! is applied three times, which keeps it accurate whatever the stiffness ratios (see [`super::orthogonal`]).
+//! is applied three times, which keeps it accurate whatever the stiffness ratios (see `numerics/orthogonal`).
 
 use nalgebra::{SMatrix, SVector};
 
-use super::excess::{TwistInTwice, excess};
-use super::full_pivot::FullPivot;
-use super::orthogonal::{Orthogonal, orthonormalise_against};
+use super::excess::{PreciseTwist, excess};
 use super::problem::{Load, Problem, State};
 use super::spring::{Spring, push_springs};
 use crate::grasp::Site;
+use crate::numerics::{CompletePivoting, Orthogonal, orthonormalise_against};
 
 /// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
 /// to balance carry rounding noise of about 1e-16.
@@ -31,7 +30,7 @@ pub(crate) struct Piece<const D: usize, const C: usize> {
     pub(super) springs: Vec<Spring<C>>,
     pub(super) right: Orthogonal<D>,
     /// Differs from `right` only when something slides.
-    left: Option<(Orthogonal<D>, FullPivot<D>)>,
+    left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
     /// Orthonormal motions that stretch no spring of this piece.
     free: Vec<SVector<f64, D>>,
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
@@ -76,7 +75,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         for i in 0..springs.len() {
             coupling += left.row(i) * right.row(i).transpose();
         }
-        let coupling = FullPivot::new(coupling, left.rank(), right.rank());
+        let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
         let growth = coupling.growth();
         Self { springs, right, left: Some((left, coupling)), free, unbalanced, growth }
     }
@@ -136,7 +135,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             }
         };
         self.right.subtract(&mut x, &step);
-        let mut twist = TwistInTwice::new(self.right.preimage(&step));
+        let mut twist = PreciseTwist::new(self.right.preimage(&step));
         // Again for what is left of the equations.
         let mut change = vec![0.0; x.len()];
         for _ in 0..MOST_CORRECTIONS {

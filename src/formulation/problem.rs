@@ -9,10 +9,10 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::cone::Polygon;
-use super::excess::TwistInTwice;
+use super::excess::PreciseTwist;
 use super::return_map::Slide;
 use crate::grasp::{Hold, Site};
-use crate::twice::Twice;
+use crate::numerics::DoubleDouble;
 
 /// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
 const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;
@@ -150,7 +150,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         &self,
         slides: &[Option<Slide<C>>],
         forces: &[SVector<f64, C>],
-        twist: &TwistInTwice<D>,
+        twist: &PreciseTwist<D>,
     ) -> Self {
         let law = |(contact, law): (usize, &Law<C>)| {
             let Some(slide) = slides[contact] else { return law.clone() };
@@ -169,14 +169,14 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
     }
 
     /// The slip of a contact with this friction force: of a stiff one a small difference.
-    fn slip(&self, contact: usize, friction: &SVector<f64, C>, twist: &TwistInTwice<D>) -> SVector<f64, C> {
+    fn slip(&self, contact: usize, friction: &SVector<f64, C>, twist: &PreciseTwist<D>) -> SVector<f64, C> {
         let site = &self.sites[contact];
         SVector::from_fn(|a, _| {
             if a == 0 {
                 return 0.0;
             }
             let mut slip = twist.stretch(site, a, self.drives[contact][a]);
-            let give = Twice::new(friction[a]).over(site.k[a]);
+            let give = DoubleDouble::new(friction[a]).over(site.k[a]);
             slip.add(-give.high);
             slip.add(-give.low);
             slip.value()

@@ -12,7 +12,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::problem::{Law, Problem, State};
-use crate::twice::rounding_of;
+use crate::numerics::rounding_of;
 
 /// `F = left (right · v)`, v the stretch of a contact.
 #[derive(Debug, Clone)]

@@ -11,8 +11,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::piece::PieceState;
-use super::regular::Regular;
 use crate::grasp::Site;
+use crate::numerics::PartialPivoting;
 
 /// Steps of refinement: where the first does not do, the second should.
 const STEPS: usize = 4;
@@ -47,7 +47,7 @@ pub(crate) fn tangent_stiffness<const D: usize, const C: usize>(
 pub(crate) fn balance<const D: usize, const C: usize>(
     sites: &[Site<D, C>],
     springs: &[Springs<C>],
-    tangent: &Regular<D>,
+    tangent: &PartialPivoting<D>,
     wrench: &SVector<f64, D>,
     state: &mut PieceState<D, C>,
     part: f64,

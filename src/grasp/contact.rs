@@ -296,7 +296,7 @@ impl<const C: usize> Contact<C> {
             axis[n.iamin()] = 1.0;
             axis
         };
-        // Twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
+        // DoubleDouble, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
         if flat.norm() <= 1e-12 {

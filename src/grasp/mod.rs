@@ -37,7 +37,7 @@ pub(crate) use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};
 
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use crate::twice::Twice;
+use crate::numerics::DoubleDouble;
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
@@ -245,7 +245,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let (w, inside) = (wrench.as_vector(), self.inside_unchecked(wrench));
         let mut rest = SVector::zeros();
         for (k, &(i, j)) in planes::<C>().iter().enumerate() {
-            let mut moment = Twice::new(w[C + k]);
+            let mut moment = DoubleDouble::new(w[C + k]);
             moment.add_product(-self.origin[i], w[j]);
             moment.add_product(self.origin[j], w[i]);
             moment.add_product(-inside[C + k], self.length);

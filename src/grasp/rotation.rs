@@ -12,7 +12,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::twice::Twice;
+use crate::numerics::DoubleDouble;
 
 /// The planes of rotation of a space with `C` axes.
 pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
@@ -77,7 +77,7 @@ pub(super) fn grasp_map_in_twice<const D: usize, const C: usize>(
     let arm = (point - origin) / length;
     let map = grasp_map::<D, C>(&arm, frame);
     let arm_rest = SVector::<f64, C>::from_fn(|a, _| {
-        let mut exact = Twice::new(point[a]);
+        let mut exact = DoubleDouble::new(point[a]);
         exact.add(-origin[a]);
         exact.add_product(-arm[a], length);
         exact.value() / length
@@ -85,7 +85,7 @@ pub(super) fn grasp_map_in_twice<const D: usize, const C: usize>(
     let mut rest = SMatrix::zeros();
     for (k, &(i, j)) in planes::<C>().iter().enumerate() {
         for a in 0..C {
-            let mut moment = Twice::new(-map[(C + k, a)]);
+            let mut moment = DoubleDouble::new(-map[(C + k, a)]);
             moment.add_product(arm[i], frame[(j, a)]);
             moment.add_product(-arm[j], frame[(i, a)]);
             moment.add(arm_rest[i] * frame[(j, a)]);

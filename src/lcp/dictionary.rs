@@ -20,7 +20,7 @@
 
 use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine};
 use super::scaling::Scaling;
-use crate::wide::wide;
+use crate::numerics::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The inner loops of a pivot, written so that the compiler turns them into vector instructions (see [`crate::wide`]).
 
-use crate::wide::Loop;
+use crate::numerics::Loop;
 
 /// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
 pub(crate) struct UpdateAndCombine<'a> {

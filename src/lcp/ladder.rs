@@ -10,7 +10,7 @@ use super::lemke::End;
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray};
 use super::settings::Settings;
 use super::workspace::Workspace;
-use crate::draw::generic;
+use crate::numerics::generic;
 
 impl Workspace {
     pub(super) fn solve_cold(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {

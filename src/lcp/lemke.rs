@@ -9,7 +9,7 @@ use super::outcome::BreakdownCause;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::draw::generic;
+use crate::numerics::generic;
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,7 +7,7 @@
 
 use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
-use crate::wide::{Loop, wide};
+use crate::numerics::{Loop, wide};
 
 /// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;

@@ -3,7 +3,7 @@
 use super::dictionary::{Unknown, largest};
 use super::lemke::Path;
 use super::outcome::BreakdownCause;
-use crate::draw::generic;
+use crate::numerics::generic;
 
 /// An elimination pivot below this fraction of its column before elimination makes the basis singular.
 const SINGULAR: f64 = 1e-14;

@@ -21,10 +21,9 @@ use nalgebra::{Matrix, SVector};
 
 use super::segment::Segment;
 use crate::equilibrium::{largest_force, span};
-use crate::formulation::{
-    Piece, PieceState, Problem, Regular, Springs, State, balance, slide_on, tangent_stiffness,
-};
+use crate::formulation::{Piece, PieceState, Problem, Springs, State, balance, slide_on, tangent_stiffness};
 use crate::grasp::Site;
+use crate::numerics::PartialPivoting;
 
 /// Newton's steps: near the last state three do.
 const STEPS: usize = 12;
@@ -275,7 +274,7 @@ fn balanced<const D: usize, const C: usize>(
     forces: &[SVector<f64, C>],
     twist: SVector<f64, D>,
 ) -> Option<PieceState<D, C>> {
-    let tangent = Regular::new(&tangent_stiffness(sites, springs))?;
+    let tangent = PartialPivoting::new(&tangent_stiffness(sites, springs))?;
     let mut state = PieceState { forces: forces.to_vec(), twist };
     balance(sites, springs, &tangent, wrench, &mut state, BALANCED).map(|_| state)
 }

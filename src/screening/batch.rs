@@ -4,7 +4,7 @@ use super::block::{Block, Pull};
 use super::fingers::Fingers;
 use super::ready::Ready;
 use super::screened::Screened;
-use crate::wide::{Loop, wide};
+use crate::numerics::{Loop, wide};
 
 /// Scenes side by side.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };

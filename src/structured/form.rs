@@ -12,8 +12,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::draw::generic;
-use crate::formulation::{Law, Orthogonal, Problem};
+use crate::formulation::{Law, Problem};
+use crate::numerics::Orthogonal;
+use crate::numerics::generic;
 
 /// A value of the motion of the object and of the covering variable z₀; also a direction in which they change.
 #[derive(Debug, Clone, Copy)]

@@ -5,7 +5,6 @@
 //! formed. The pivots are those of the dense solver on [`Form`](crate::formulation::Form).
 
 mod basis;
-mod bordered;
 mod form;
 mod newton;
 mod path;

@@ -12,9 +12,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::bordered::Bordered;
 use crate::formulation::{Law, Problem, State, corner};
-use crate::halves::{TOGETHER, both};
+use crate::numerics::{Bordered, SUMMED_IN_TURN, both};
 
 /// Steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 16;
@@ -166,7 +165,7 @@ fn stick<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     contacts: std::ops::Range<usize>,
 ) -> Tangent<D> {
-    if contacts.len() > TOGETHER {
+    if contacts.len() > SUMMED_IN_TURN {
         let middle = contacts.start.midpoint(contacts.end);
         let (a, b) = both(
             contacts.len(),
@@ -200,7 +199,7 @@ fn respond<const D: usize, const C: usize>(
     states: &mut [Code],
     forces: &mut [SVector<f64, C>],
 ) -> Tangent<D> {
-    if states.len() > TOGETHER {
+    if states.len() > SUMMED_IN_TURN {
         let (count, middle) = (states.len(), states.len() / 2);
         let (kinds, more_kinds) = kinds.split_at(middle);
         let (states, more_states) = states.split_at_mut(middle);
@@ -351,5 +350,5 @@ fn solve<const D: usize>(stiffness: &SMatrix<f64, D, D>, left: &SVector<f64, D>)
     let scaled = SMatrix::<f64, D, D>::from_fn(|i, j| stiffness[(i, j)] * unit[i] * unit[j]);
     let zero = SVector::zeros();
     let factors = Bordered::new(&scaled, &zero, &zero, 1.0)?;
-    Some(factors.solve(&left.component_mul(&unit), 0.0).y.component_mul(&unit))
+    Some(factors.solve(&left.component_mul(&unit), 0.0).0.component_mul(&unit))
 }

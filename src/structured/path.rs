@@ -11,10 +11,10 @@
 use nalgebra::SVector;
 
 use super::basis::{Basis, Sums};
-use super::bordered::Bordered;
 use super::form::{ContactForm, Point, number};
 use super::pricing::Pricing;
 use super::ratio::{Candidate, Entering, GREY, Step};
+use crate::numerics::Bordered;
 
 /// A pivot below this part of the largest change of the step is only made on fresh sums.
 const DOUBTFUL: f64 = 1e-7;
@@ -244,7 +244,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             last = -felt.dot(&column);
         }
         let sides = [(&self.sums.trial, -felt.dot(&local.trial)), (&pushed, last)];
-        let [here, along] = factors.solve_each(sides);
+        let [here, along] = factors.solve_each(sides).map(|(y, z0)| Point { y, z0 });
         let largest = along.z0.abs().max(along.y.amax() * self.form.widest).max(1.0);
         Some((Step { here, along, largest }, factors))
     }
@@ -309,7 +309,8 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let local = &form.locals[entering.contact as usize];
         let pushed = &self.basis.reaction(entering.contact as usize).tie;
         let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
-        let moved = factors.solve(&-self.sums.tie, last);
+        let (y, z0) = factors.solve(&-self.sums.tie, last);
+        let moved = Point { y, z0 };
         let mut best: Option<(Candidate, f64)> = None;
         for candidate in &self.candidates {
             let local = &form.locals[candidate.contact as usize];

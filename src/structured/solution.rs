@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::bordered::Bordered;
 use super::path::Path;
 use crate::formulation::Problem;
+use crate::numerics::Bordered;
 
 /// Corrections of the motion by what its forces leave out of balance.
 const CORRECTIONS: usize = 2;
@@ -99,7 +99,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
         }
         let zero = SVector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
-        let mut y = factors.solve(&self.sums.trial, 0.0).y;
+        let mut y = factors.solve(&self.sums.trial, 0.0).0;
         for _ in 0..CORRECTIONS {
             let (mut left, mut size) = (SVector::<f64, D>::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
@@ -107,7 +107,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 left += local.seen.tr_mul(&x);
                 size += local.seen.norm_squared() * x.norm_squared();
             }
-            y += factors.solve(&(left * self.form.weight), 0.0).y;
+            y += factors.solve(&(left * self.form.weight), 0.0).0;
             if left.norm_squared() <= BALANCED * BALANCED * size {
                 break;
             }

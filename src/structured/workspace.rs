@@ -8,8 +8,9 @@ use super::newton::{Code, Newton};
 use super::path::{End, Path};
 use super::solution::Solution;
 use crate::error::Error;
-use crate::formulation::{Law, Orthogonal, Polygon, PolygonCone, Problem, Row, whole_law};
+use crate::formulation::{Law, Polygon, PolygonCone, Problem, Row, whole_law};
 use crate::grasp::{Grasp, Site, Twist, Wrench};
+use crate::numerics::Orthogonal;
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;

@@ -1,11 +1,11 @@
 //! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same seed.
 
 use super::map_in_order;
-use crate::draw::Draw;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Grasp};
 use crate::load_path::{Onset, Ramp};
+use crate::numerics::Draw;
 
 /// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of its own, `exp(σ z)` with z
 /// normally distributed (mean 0, variance 1): its median is the datum, it keeps its sign, and zero and infinity stay what they are.

@@ -12,12 +12,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::local::Local;
-use crate::formulation::{FullPivot, Regular};
-use crate::halves::{TOGETHER, both};
+use crate::numerics::{Factors, SUMMED_IN_TURN, both};
 use crate::structured::Code;
-
-/// What no motion reaches by more than this part of the sizes of the terms is out of balance.
-const OUT_OF_REACH: f64 = 1e-12;
 
 /// T, b and b'.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +44,7 @@ impl<const D: usize> Sums<D> {
 
     /// Rounding grows with the logarithm of the number of contacts only, and is the same for any number of threads.
     fn in_halves<const C: usize>(locals: &[Local<D, C>], all: &[SVector<f64, C>], weight: f64) -> Self {
-        if locals.len() > TOGETHER {
+        if locals.len() > SUMMED_IN_TURN {
             let (near, far) = locals.split_at(locals.len() / 2);
             let (a, b) = both(
                 locals.len(),
@@ -94,58 +90,6 @@ impl<const D: usize> Sums<D> {
     }
 
     pub(super) fn factors(&self) -> Factors<D> {
-        match Regular::new(&self.stiffness) {
-            Some(regular) => Factors::Regular(regular),
-            None => Factors::Singular(Box::new(FullPivot::new(self.stiffness, D, D))),
-        }
-    }
-}
-
-/// Factors of T.
-#[derive(Debug, Clone)]
-pub(super) enum Factors<const D: usize> {
-    Regular(Regular<D>),
-    /// Or nearly so: what there is of motions that nothing resists is told from what is only soft.
-    Singular(Box<FullPivot<D>>),
-}
-
-impl<const D: usize> Factors<D> {
-    /// A solution of `T y = b`, as far as there is one.
-    pub(super) fn solve(&self, b: &SVector<f64, D>) -> SVector<f64, D> {
-        match self {
-            Self::Regular(regular) => regular.solve(b),
-            Self::Singular(full) => full.solve(b).0,
-        }
-    }
-
-    /// A solution of `T y = b`, if there is one.
-    pub(super) fn solve_exactly(&self, b: &SVector<f64, D>, size: f64) -> Option<SVector<f64, D>> {
-        match self {
-            Self::Regular(regular) => Some(regular.solve(b)),
-            Self::Singular(full) => {
-                let (y, unreached) = full.solve(b);
-                (unreached <= OUT_OF_REACH * size * full.growth()).then_some(y)
-            }
-        }
-    }
-
-    /// Motions that nothing resists.
-    pub(super) fn kernel(&self) -> Vec<SVector<f64, D>> {
-        match self {
-            Self::Regular(_) => Vec::new(),
-            Self::Singular(full) => full.kernel(),
-        }
-    }
-
-    /// How much relative rounding errors grow, at least 1.
-    pub(super) fn growth(&self) -> f64 {
-        match self {
-            Self::Regular(regular) => {
-                let column =
-                    |k: usize| regular.solve(&SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 }));
-                (0..D).map(|k| column(k).amax()).fold(1.0, f64::max)
-            }
-            Self::Singular(full) => full.growth(),
-        }
+        Factors::new(&self.stiffness)
     }
 }

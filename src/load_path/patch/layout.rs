@@ -5,10 +5,11 @@ use nalgebra::SVector;
 use super::PatchPath;
 use super::balance::Sums;
 use super::local::Local;
-use crate::formulation::{Orthogonal, Problem};
+use crate::formulation::Problem;
 use crate::grasp::Site;
-use crate::halves::{TOGETHER, both};
 use crate::load_path::event::PathEnd;
+use crate::numerics::Orthogonal;
+use crate::numerics::{SUMMED_IN_TURN, both};
 use crate::structured::{Code, facet_row};
 
 /// A load that does this little work on a unit free motion, relative to its size, does none.
@@ -106,7 +107,7 @@ fn each_in_turn<const D: usize, const C: usize>(
     first: usize,
     change: &(impl Fn(usize, &mut Local<D, C>) + Sync),
 ) -> Pushed<D> {
-    if locals.len() > TOGETHER {
+    if locals.len() > SUMMED_IN_TURN {
         let (count, middle) = (locals.len(), locals.len() / 2);
         let (near, far) = locals.split_at_mut(middle);
         let (a, b) =

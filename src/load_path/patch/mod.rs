@@ -27,7 +27,7 @@ use nalgebra::SVector;
 
 pub use event::PatchEvent;
 
-use self::balance::{Factors, Sums};
+use self::balance::Sums;
 use self::layout::Springs;
 use self::local::Local;
 use self::queue::{Course, Queue};
@@ -39,6 +39,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::formulation::{Polygon, PolygonCone};
 use crate::grasp::{Grasp, Wrench};
+use crate::numerics::Factors;
 use crate::structured::Code;
 
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.

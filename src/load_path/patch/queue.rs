@@ -12,7 +12,7 @@ use std::collections::BinaryHeap;
 
 use nalgebra::SVector;
 
-use crate::halves::{TOGETHER, both};
+use crate::numerics::{SUMMED_IN_TURN, both};
 
 /// ε: deviations from e count this much more.
 pub(super) const ACROSS: f64 = 0.25;
@@ -148,7 +148,7 @@ impl Queue {
 
 /// Fills in the entries of the contacts from number `first` on.
 fn each_slack(entries: &mut [Entry], first: usize, slack: &(impl Fn(usize) -> (u32, f64) + Sync)) {
-    if entries.len() > TOGETHER {
+    if entries.len() > SUMMED_IN_TURN {
         let (count, middle) = (entries.len(), entries.len() / 2);
         let (near, far) = entries.split_at_mut(middle);
         both(count, || each_slack(near, first, slack), || each_slack(far, first + middle, slack));

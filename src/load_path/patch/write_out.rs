@@ -5,8 +5,8 @@ use nalgebra::SVector;
 use super::PatchPath;
 use super::local::Local;
 use crate::equilibrium::{Effort, Equilibrium, Found, Rung, span};
-use crate::formulation::orthonormalise_against;
 use crate::grasp::Site;
+use crate::numerics::orthonormalise_against;
 
 /// Corrections of the motion from balance summed afresh.
 const CORRECTIONS: usize = 2;

@@ -3,19 +3,19 @@
 use nalgebra::{SMatrix, SVector};
 
 /// A pivot below this part of the largest entry is left to those who can tell a singular state from a soft one
-/// ([`super::FullPivot`], [`super::Orthogonal`]). Above it a solution has some six digits, and steps of refinement the rest.
+/// ([`super::CompletePivoting`], [`super::Orthogonal`]). Above it a solution has some six digits, and steps of refinement the rest.
 const REGULAR: f64 = 1e-10;
 
 /// Partial-pivoting LU of a regular `D x D` matrix.
 #[derive(Debug, Clone)]
-pub(crate) struct Regular<const D: usize> {
+pub(crate) struct PartialPivoting<const D: usize> {
     /// Column by column: U above the diagonal, L below it.
     lu: [[f64; D]; D],
     reciprocal_pivots: [f64; D],
     row_order: [usize; D],
 }
 
-impl<const D: usize> Regular<D> {
+impl<const D: usize> PartialPivoting<D> {
     /// The factors, unless the matrix is nearly singular or not finite.
     pub(crate) fn new(matrix: &SMatrix<f64, D, D>) -> Option<Self> {
         let mut lu = matrix.data.0;
@@ -80,15 +80,15 @@ mod tests {
     fn solves_what_needs_its_rows_exchanged() {
         let a = SMatrix::<f64, 3, 3>::new(0.0, 2.0, 1.0, 1.0, 0.0, -3.0, 4.0, 1.0, 0.0);
         let x = SVector::from([1.0, -2.0, 0.5]);
-        let found = Regular::new(&a).map(|lu| lu.solve(&(a * x)));
+        let found = PartialPivoting::new(&a).map(|lu| lu.solve(&(a * x)));
         assert!(found.is_some_and(|found| (found - x).norm() < 1e-15));
     }
 
     #[test]
     fn leaves_the_nearly_singular_to_others() {
         let nearly = SMatrix::<f64, 3, 3>::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0 + 1e-11);
-        assert!(Regular::new(&nearly).is_none());
-        assert!(Regular::new(&SMatrix::<f64, 3, 3>::repeat(f64::NAN)).is_none());
-        assert!(Regular::new(&SMatrix::<f64, 3, 3>::zeros()).is_none());
+        assert!(PartialPivoting::new(&nearly).is_none());
+        assert!(PartialPivoting::new(&SMatrix::<f64, 3, 3>::repeat(f64::NAN)).is_none());
+        assert!(PartialPivoting::new(&SMatrix::<f64, 3, 3>::zeros()).is_none());
     }
 }

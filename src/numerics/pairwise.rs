@@ -2,7 +2,7 @@
 //! threads.
 
 /// Contacts that are summed one after the other,
-pub(crate) const TOGETHER: usize = 256;
+pub(crate) const SUMMED_IN_TURN: usize = 256;
 /// and those that are worth a second thread.
 #[cfg(feature = "parallel")]
 const APART: usize = 4096;

@@ -5,12 +5,12 @@
 
 /// A sum as `high + low`, known to about 1e-32 of its largest term.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Twice {
+pub(crate) struct DoubleDouble {
     pub(crate) high: f64,
     pub(crate) low: f64,
 }
 
-impl Twice {
+impl DoubleDouble {
     pub(crate) fn new(high: f64) -> Self {
         Self { high, low: 0.0 }
     }
@@ -72,13 +72,13 @@ mod tests {
 
     #[test]
     fn keeps_what_cancels() {
-        let mut sum = Twice::new(1e16);
+        let mut sum = DoubleDouble::new(1e16);
         for x in [1.0, -1e16, 1e-20] {
             sum.add(x);
         }
         assert_eq!(sum.value(), 1.0);
         // (1 + ε)(1 - ε) - 1 = -ε²
-        let mut sum = Twice::new(-1.0);
+        let mut sum = DoubleDouble::new(-1.0);
         sum.add_product(1.0 + f64::EPSILON, 1.0 - f64::EPSILON);
         assert_eq!(sum.value(), -f64::EPSILON * f64::EPSILON);
     }

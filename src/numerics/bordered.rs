@@ -1,4 +1,4 @@
-//! The one linear system of a pivot.
+//! A linear system with one row and one column more than the balance of the object: that of a pivot.
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
@@ -9,8 +9,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::form::Point;
-
 /// d + 1 in space.
 const MOST: usize = 7;
 /// A pivot below this part of the largest entry counts as zero: less is rounding of the sums that T is made of.
@@ -18,14 +16,14 @@ const SINGULAR: f64 = 0.0;
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
-pub(super) struct Bordered<const D: usize> {
+pub(crate) struct Bordered<const D: usize> {
     lu: [[f64; MOST]; MOST],
     order: [usize; MOST],
 }
 
 impl<const D: usize> Bordered<D> {
     /// `None` if the matrix is singular.
-    pub(super) fn new(
+    pub(crate) fn new(
         stiffness: &SMatrix<f64, D, D>,
         cover: &SVector<f64, D>,
         gradient: &SVector<f64, D>,
@@ -72,12 +70,15 @@ impl<const D: usize> Bordered<D> {
         Some(Self { lu, order })
     }
 
-    pub(super) fn solve(&self, balance: &SVector<f64, D>, last: f64) -> Point<D> {
+    pub(crate) fn solve(&self, balance: &SVector<f64, D>, last: f64) -> (SVector<f64, D>, f64) {
         self.solve_each([(balance, last)])[0]
     }
 
     /// Solutions for several right-hand sides.
-    pub(super) fn solve_each<const R: usize>(&self, sides: [(&SVector<f64, D>, f64); R]) -> [Point<D>; R] {
+    pub(crate) fn solve_each<const R: usize>(
+        &self,
+        sides: [(&SVector<f64, D>, f64); R],
+    ) -> [(SVector<f64, D>, f64); R] {
         let mut x = [[0.0; R]; MOST];
         for i in 0..=D {
             let from = self.order[i];
@@ -104,6 +105,6 @@ impl<const D: usize> Bordered<D> {
                 }
             }
         }
-        std::array::from_fn(|r| Point { y: SVector::from_fn(|i, _| x[i][r]), z0: x[D][r] })
+        std::array::from_fn(|r| (SVector::from_fn(|i, _| x[i][r]), x[D][r]))
     }
 }

@@ -8,7 +8,7 @@ const SINGULAR: f64 = 1e-13;
 
 /// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
 #[derive(Debug, Clone)]
-pub(crate) struct FullPivot<const D: usize> {
+pub(crate) struct CompletePivoting<const D: usize> {
     lu: SMatrix<f64, D, D>,
     row_order: [usize; D],
     col_order: [usize; D],
@@ -17,7 +17,7 @@ pub(crate) struct FullPivot<const D: usize> {
     rank: usize,
 }
 
-impl<const D: usize> FullPivot<D> {
+impl<const D: usize> CompletePivoting<D> {
     pub(crate) fn new(mut a: SMatrix<f64, D, D>, rows: usize, cols: usize) -> Self {
         let mut row_order: [usize; D] = std::array::from_fn(|i| i);
         let mut col_order = row_order;

@@ -1,0 +1,64 @@
+//! The factors that a small square matrix needs: partial pivoting where it is far from singular, complete pivoting where not.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::complete_pivoting::CompletePivoting;
+use super::partial_pivoting::PartialPivoting;
+
+/// What no solution reaches by more than this part of the sizes of the terms is out of reach, times the growth of errors.
+const OUT_OF_REACH: f64 = 1e-12;
+
+/// Factors of a `D x D` matrix A.
+#[derive(Debug, Clone)]
+pub(crate) enum Factors<const D: usize> {
+    Regular(PartialPivoting<D>),
+    /// Singular or nearly so: complete pivoting tells what is singular from what is only soft.
+    Singular(Box<CompletePivoting<D>>),
+}
+
+impl<const D: usize> Factors<D> {
+    pub(crate) fn new(matrix: &SMatrix<f64, D, D>) -> Self {
+        match PartialPivoting::new(matrix) {
+            Some(regular) => Self::Regular(regular),
+            None => Self::Singular(Box::new(CompletePivoting::new(*matrix, D, D))),
+        }
+    }
+
+    /// A solution of `A y = b`, as far as there is one.
+    pub(crate) fn solve(&self, b: &SVector<f64, D>) -> SVector<f64, D> {
+        match self {
+            Self::Regular(regular) => regular.solve(b),
+            Self::Singular(full) => full.solve(b).0,
+        }
+    }
+
+    /// A solution of `A y = b`, if there is one; `size` is that of the terms that b is a sum of.
+    pub(crate) fn solve_exactly(&self, b: &SVector<f64, D>, size: f64) -> Option<SVector<f64, D>> {
+        match self {
+            Self::Regular(regular) => Some(regular.solve(b)),
+            Self::Singular(full) => {
+                let (y, unreached) = full.solve(b);
+                (unreached <= OUT_OF_REACH * size * full.growth()).then_some(y)
+            }
+        }
+    }
+
+    /// A basis of {y : A y = 0}.
+    pub(crate) fn kernel(&self) -> Vec<SVector<f64, D>> {
+        match self {
+            Self::Regular(_) => Vec::new(),
+            Self::Singular(full) => full.kernel(),
+        }
+    }
+
+    /// How much relative rounding errors grow in a solution, at least 1.
+    pub(crate) fn growth(&self) -> f64 {
+        match self {
+            Self::Regular(regular) => {
+                let unit = |k: usize| SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 });
+                (0..D).map(|k| regular.solve(&unit(k)).amax()).fold(1.0, f64::max)
+            }
+            Self::Singular(full) => full.growth(),
+        }
+    }
+}

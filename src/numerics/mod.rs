@@ -1,0 +1,33 @@
+//! Small dense linear algebra and sums, for every room above: it knows nothing of contacts.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
+//! | `complete_pivoting` | LU that says what it could not resolve |
+//! | `partial_pivoting` | LU of a matrix far from singular |
+//! | `factors` | the one of the two that a matrix needs |
+//! | `bordered` | LU of a matrix with one row and one column more |
+//! | `double_double` | sums in twice the working precision |
+//! | `pairwise` | sums made of halves, on several threads |
+//! | `vector_dispatch` | loops on the widest vectors of the processor |
+//! | `pseudo_random` | numbers without structure, the same on every machine |
+
+mod bordered;
+mod complete_pivoting;
+mod double_double;
+mod factors;
+mod orthogonal;
+mod pairwise;
+mod partial_pivoting;
+mod pseudo_random;
+mod vector_dispatch;
+
+pub(crate) use bordered::Bordered;
+pub(crate) use complete_pivoting::CompletePivoting;
+pub(crate) use double_double::{DoubleDouble, rounding_of};
+pub(crate) use factors::Factors;
+pub(crate) use orthogonal::{Orthogonal, orthonormalise_against};
+pub(crate) use pairwise::{SUMMED_IN_TURN, both};
+pub(crate) use partial_pivoting::PartialPivoting;
+pub(crate) use pseudo_random::{Draw, generic};
+pub(crate) use vector_dispatch::{Loop, wide};
