@@ -6,27 +6,21 @@
 use nalgebra::SVector;
 
 use super::held_object::Grasp;
-use super::rotation::{displacement_of, planes, wrench_of};
+use super::rotation::{moved_twist, moved_wrench, planes};
 use super::wrench::{Twist, Wrench};
-use crate::error::{Error, is_moderate};
+use crate::error::Error;
 use crate::twice::Twice;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
     pub(crate) fn inside(&self, wrench: &Wrench<D>, what: &'static str) -> Result<SVector<f64, D>, Error> {
-        let w = wrench.as_vector();
-        if let Some(component) = w.iter().position(|x| !is_moderate(*x)) {
-            return Err(Error::Wrench { what, component, value: w[component] });
-        }
+        wrench.check(what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// The same for a wrench that was checked before.
+    /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
-        let w = wrench.as_vector();
-        let force = SVector::<f64, C>::from_fn(|a, _| w[a]);
-        let carried = wrench_of::<D, C>(&self.origin, &force);
-        SVector::from_fn(|k, _| if k < C { w[k] } else { (w[k] - carried[k]) / self.length })
+        self.per_length(moved_wrench::<D, C>(&-self.origin, wrench.as_vector()))
     }
 
     /// What rounding takes from a wrench moved inside.
@@ -50,26 +44,28 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// A wrench as the user sees it, from inside coordinates.
     pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D> {
-        let force = SVector::<f64, C>::from_fn(|a, _| w[a]);
-        let carried = wrench_of::<D, C>(&self.origin, &force);
-        Wrench::from_vector(SVector::from_fn(
-            |k, _| if k < C { w[k] } else { w[k] * self.length + carried[k] },
-        ))
+        Wrench::from_vector(moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
     }
 
     /// A twist in inside coordinates: about the centroid, rotations times the inside unit of length.
     pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
-        let moved = displacement_of::<D, C>(&self.origin, twist.as_vector());
-        SVector::from_fn(|k, _| if k < C { moved[k] } else { twist.as_vector()[k] * self.length })
+        self.times_length(moved_twist::<D, C>(&-self.origin, twist.as_vector()))
     }
 
     /// A twist as the user sees it, from inside coordinates.
     pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D> {
-        let mut twist = SVector::from_fn(|k, _| if k < C { q[k] } else { q[k] / self.length });
-        let moved = displacement_of::<D, C>(&-self.origin, &twist);
-        for a in 0..C {
-            twist[a] = moved[a];
-        }
-        Twist::from_vector(twist)
+        Twist::from_vector(moved_twist::<D, C>(&self.origin, &self.per_length(*q)))
+    }
+
+    /// Angular components divided by the inside unit of length.
+    fn per_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+        v.iter_mut().skip(C).for_each(|x| *x /= self.length);
+        v
+    }
+
+    /// Angular components times the inside unit of length.
+    fn times_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+        v.iter_mut().skip(C).for_each(|x| *x *= self.length);
+        v
     }
 }

@@ -5,6 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
 use super::rotation::{displacement_of, wrench_of};
+use crate::error::{Error, is_moderate};
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, `d` components.
 ///
@@ -111,6 +112,16 @@ macro_rules! vector_like {
 
 vector_like!(Wrench);
 vector_like!(Twist);
+
+impl<const D: usize> Wrench<D> {
+    /// Refuses components that are not finite or too large; `what` names the wrench in the message.
+    pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
+        match self.0.iter().position(|x| !is_moderate(*x)) {
+            Some(component) => Err(Error::Wrench { what, component, value: self.0[component] }),
+            None => Ok(()),
+        }
+    }
+}
 
 impl Wrench<3> {
     /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
