@@ -87,7 +87,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let mut sizes: Vec<f64> = (0..self.len())
             .map(|i| {
                 let contact = &self.contacts()[i];
-                let own = drives[i].norm() + contact.clearance + compression(i).norm();
+                let own = drives[i].norm() + contact.clearance.abs() + compression(i).norm();
                 let moved = twist.as_vector().norm() + turned * contact.point.norm();
                 (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })

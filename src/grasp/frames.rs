@@ -11,7 +11,7 @@
 
 use nalgebra::{AbstractRotation, Isometry, SVector};
 
-use super::contact::Contact;
+use super::contact::{Axes, Contact};
 use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
 
@@ -39,6 +39,9 @@ impl<const C: usize> Contact<C> {
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
         self.normal = pose.rotation.transform_vector(&self.normal);
+        if self.command_axes == Axes::World {
+            self.command = pose.rotation.transform_vector(&self.command);
+        }
         self
     }
 }

@@ -2,7 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::contact::Contact;
+use super::contact::{Axes, Contact};
+use super::rotation::assert_plane_or_space;
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 
@@ -40,13 +41,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that is out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
-        const { assert!(D == C + C * (C - 1) / 2 && (C == 2 || C == 3)) };
-        let contacts: Vec<_> = contacts.into_iter().collect();
+        const { assert_plane_or_space::<D, C>() };
+        let mut contacts: Vec<_> = contacts.into_iter().collect();
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
-        for (index, contact) in contacts.iter().enumerate() {
+        for (index, contact) in contacts.iter_mut().enumerate() {
             contact.check(index)?;
+            (contact.command, contact.command_axes) = (contact.commanded(), Axes::Frame);
         }
         let count = contacts.len() as f64;
         let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
@@ -65,7 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.contacts.len()
     }
 
-    /// The contacts as they were given.
+    /// The contacts as they were given, their commands in the contact frames.
     #[must_use]
     pub fn contacts(&self) -> &[Contact<C>] {
         &self.contacts
@@ -91,7 +93,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.sites.iter().map(|site| &site.frame)
     }
 
-    /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m).
+    /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m): arrays, or vectors.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -100,7 +102,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let squeezed = grasp.with_commands(&[[0.03, 0.0].into(), [0.03, 0.0].into()])?;
+    /// let squeezed = grasp.with_commands([[0.03, 0.0]; 2])?;
     /// let outcome = squeezed.solve(&Wrench::ZERO)?;
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 30.0).abs() < 1e-13);
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -108,10 +110,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not finite.
-    pub fn with_commands(mut self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
-        self.check_commands(commands, "commands", Field::Command)?;
+    pub fn with_commands(
+        mut self,
+        commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
+    ) -> Result<Self, Error> {
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into())).collect();
+        self.check_commands(&commands, "commands", Field::Command)?;
         for (contact, command) in self.contacts.iter_mut().zip(commands) {
-            contact.command = *command;
+            contact.command = command;
         }
         Ok(self)
     }

@@ -29,11 +29,12 @@ mod site;
 mod stiffness;
 mod wrench;
 
+pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;
 pub use held_object::Grasp;
 pub use pressure::Pressure;
-pub(crate) use rotation::{displacement_of, grasp_map, wrench_of};
+pub(crate) use rotation::{assert_plane_or_space, displacement_of, grasp_map, wrench_of};
 pub(crate) use site::Site;
 pub(crate) use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};

@@ -35,8 +35,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
         length: f64,
     ) -> Result<Self, Error> {
         let frame = contact.frame(index)?;
-        let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
-        let axes = if frictionless { 1 } else { C };
+        let axes = contact.springs();
         let series = contact.stiffness.series();
         let (map, map_rest) = grasp_map_in_twice(&contact.point, origin, length, &frame);
         Ok(Self {

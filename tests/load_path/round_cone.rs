@@ -276,7 +276,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
             drives[i] -= slips[i];
             drives[i][0] += spot.clearance;
         }
-        let grasp = scene.grasp().with_commands(&drives).unwrap();
+        let grasp = scene.grasp().with_commands(drives).unwrap();
         let outcome = grasp.solve(&Wrench::from_vector(load)).unwrap();
         let state = outcome.equilibrium()?;
         if !forces.is_empty() {
