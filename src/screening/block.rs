@@ -1,11 +1,9 @@
-//! Scenes side by side, and what pulls on them.
+//! The data of scenes side by side.
 
 use std::ops::Range;
+use std::slice;
 
 use super::lanes::Lanes;
-use super::pair::Sizes;
-use crate::error::{Error, is_moderate};
-use crate::grasp::Wrench;
 
 /// `L` scenes of `N` contacts each; arrays run over axes, then contacts.
 #[derive(Debug, Clone, Copy)]
@@ -25,31 +23,12 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) sizes: Sizes<L>,
 }
 
-/// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pull<const D: usize> {
-    pub(super) base: [f64; D],
-    pub(super) direction: [f64; D],
-    /// Whether the base load is any.
-    pub(super) loaded: bool,
-}
-
-impl<const D: usize> Pull<D> {
-    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
-    /// grasp. The factor has no unit, and no length is asked of the direction.
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
-    pub fn new(base: &Wrench<D>, direction: &Wrench<D>) -> Result<Self, Error> {
-        for (what, wrench) in [("base load", base), ("load direction", direction)] {
-            let w = wrench.as_vector();
-            if let Some(component) = w.iter().position(|x| !is_moderate(*x)) {
-                return Err(Error::Wrench { what, component, value: w[component] });
-            }
-        }
-        let entries = |wrench: &Wrench<D>| std::array::from_fn(|k| wrench.as_vector()[k]);
-        Ok(Self { base: entries(base), direction: entries(direction), loaded: *base != Wrench::ZERO })
-    }
+/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sizes<const L: usize> {
+    pub(super) commands: Lanes<L>,
+    pub(super) moment: Lanes<L>,
+    pub(super) force: Lanes<L>,
 }
 
 impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
@@ -71,24 +50,20 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
 
     /// Puts a scene into these lanes.
     pub(super) fn set(&mut self, lanes: Range<usize>, scene: &Block<C, N, 1>) {
-        for lane in lanes.clone() {
-            self.sizes.commands.0[lane] = scene.sizes.commands.0[0];
-            self.sizes.moment.0[lane] = scene.sizes.moment.0[0];
-            self.sizes.force.0[lane] = scene.sizes.force.0[0];
-        }
-        for contact in 0..N {
-            for lane in lanes.clone() {
-                for axis in 0..C {
-                    self.point[axis][contact].0[lane] = scene.point[axis][contact].0[0];
-                    self.normal[axis][contact].0[lane] = scene.normal[axis][contact].0[0];
-                    self.sheared[axis][contact].0[lane] = scene.sheared[axis][contact].0[0];
-                }
-                for spring in 0..2 {
-                    self.springs[spring][contact].0[lane] = scene.springs[spring][contact].0[0];
-                }
-                self.pressed[contact].0[lane] = scene.pressed[contact].0[0];
-                self.friction[contact].0[lane] = scene.friction[contact].0[0];
+        let put = |to: &mut [Lanes<L>], from: &[Lanes<1>]| {
+            for (to, from) in to.iter_mut().zip(from) {
+                to.0[lanes.clone()].fill(from.0[0]);
             }
-        }
+        };
+        put(self.point.as_flattened_mut(), scene.point.as_flattened());
+        put(self.normal.as_flattened_mut(), scene.normal.as_flattened());
+        put(self.springs.as_flattened_mut(), scene.springs.as_flattened());
+        put(&mut self.pressed, &scene.pressed);
+        put(self.sheared.as_flattened_mut(), scene.sheared.as_flattened());
+        put(&mut self.friction, &scene.friction);
+        let Sizes { commands, moment, force } = &mut self.sizes;
+        put(slice::from_mut(commands), &[scene.sizes.commands]);
+        put(slice::from_mut(moment), &[scene.sizes.moment]);
+        put(slice::from_mut(force), &[scene.sizes.force]);
     }
 }

@@ -1,12 +1,13 @@
 //! The contacts of one grasp, checked once and made ready.
 
-use super::block::{Block, Pull};
+use super::block::Block;
 use super::exit::{OPENS_ONLY, STAYS};
 use super::lanes::Lanes;
+use super::pull::Pull;
 use super::ready::Ready;
 use super::screened::Screened;
 use crate::error::{Error, Field};
-use crate::grasp::{Contact, Hold};
+use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
 /// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling:
 /// what does not depend on the load is done once.
@@ -40,13 +41,13 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
     /// differs from one tangent to the other.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
-        const { assert!(D == C + C * (C - 1) / 2 && (C == 2 || C == 3)) };
-        const { assert!(2 <= N && N <= 5) };
+        const { assert_plane_or_space::<D, C>() };
+        const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
         let mut block = Block::<C, N, 1>::EMPTY;
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
             let frame = contact.frame(index)?;
-            let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
+            let frictionless = contact.springs() == 1;
             let k = contact.series_stiffness_of_axes();
             let tangential = if frictionless { 0.0 } else { k[1] };
             if C == 3 && !frictionless && k[1] != k[C - 1] {
@@ -57,7 +58,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                     allowed: "the same along both tangents",
                 });
             }
-            let mut a = contact.command;
+            let mut a = contact.commanded();
             block.pressed[index] = Lanes([a[0] - contact.clearance]);
             a[0] = 0.0;
             if C == 3 {

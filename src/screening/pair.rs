@@ -16,7 +16,7 @@
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
 use super::balance::NOTHING;
-use super::block::Block;
+use super::block::{Block, Sizes};
 use super::exit::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::load_path::ROUNDING;
@@ -47,35 +47,25 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C
             scene.sheared[0][i] = Lanes::all(0.0);
         }
     }
-    scene.sizes = Sizes::of(scene);
+    scene.sizes = sizes(scene);
 }
 
-/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes<const L: usize> {
-    pub(super) commands: Lanes<L>,
-    pub(super) moment: Lanes<L>,
-    pub(super) force: Lanes<L>,
-}
-
-impl Sizes<1> {
-    /// Of a pair of contacts with compliances.
-    pub(super) fn of<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Self {
-        let pair = Pair::new(scene);
-        let one = Lanes::all(1.0);
-        let [x, y] = [0, 1].map(|axis| scene.point[axis][1] - scene.point[axis][0]);
-        let length = x.abs() + y.abs();
-        let (mut gives, mut commands) = (Lanes::default(), Lanes::default());
-        for i in 0..2 {
-            gives += pair.u[i].abs() + pair.v[i].abs();
-            commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
-        }
-        let scale = length * pair.one_over_give;
-        let gives = one + scale * gives;
-        let moment = length * pair.one_over_square * gives;
-        let [x, y] = pair.midpoint;
-        Self { commands: length * scale * commands, moment, force: moment * (x.abs() + y.abs()) + gives }
+/// The sizes of a pair of contacts with compliances.
+fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
+    let pair = Pair::new(scene);
+    let one = Lanes::all(1.0);
+    let [x, y] = [0, 1].map(|axis| scene.point[axis][1] - scene.point[axis][0]);
+    let length = x.abs() + y.abs();
+    let (mut gives, mut commands) = (Lanes::default(), Lanes::default());
+    for i in 0..2 {
+        gives += pair.u[i].abs() + pair.v[i].abs();
+        commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
     }
+    let scale = length * pair.one_over_give;
+    let gives = one + scale * gives;
+    let moment = length * pair.one_over_square * gives;
+    let [x, y] = pair.midpoint;
+    Sizes { commands: length * scale * commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
 /// Two contacts and the line through them. Arrays run over the contacts.

@@ -1,10 +1,11 @@
 //! What is known of a scene before anything pulls.
 
 use super::balance::Body;
-use super::block::{Block, Pull};
+use super::block::Block;
 use super::exit::{Forces, ON_THE_EDGE, judge};
 use super::lanes::Lanes;
 use super::pair::Pair;
+use super::pull::Pull;
 use super::rolling;
 use super::screened::Screened;
 use crate::load_path::ROUNDING;
