@@ -4,12 +4,11 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
 use super::answer::Answer;
+use super::fields::{found, given};
 use super::finger::Finger;
-use super::numbers::Given;
 use super::object;
 use super::place::{Place, Places};
 use super::question::{Commands, Goal, Leg, Question, RampAsked};
-use super::rows::{Row, list};
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::Grasp;
@@ -43,7 +42,7 @@ pub struct Setup<const D: usize, const C: usize> {
     /// At least one; without any [`Setup::grasp`] is an error.
     pub contacts: Vec<Finger<C>>,
     /// Corners of the object in order, m. They are only drawn, by the caller.
-    #[serde(with = "list", skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "found", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -61,8 +60,8 @@ fn is_default(settings: &Settings) -> bool {
 #[serde(deny_unknown_fields)]
 struct Written<const D: usize, const C: usize> {
     contacts: Vec<Finger<C>>,
-    #[serde(default)]
-    outline: Vec<Row<Given, C>>,
+    #[serde(default, with = "given")]
+    outline: Vec<SVector<f64, C>>,
     #[serde(default)]
     questions: Vec<Question<D, C>>,
     #[serde(default)]
@@ -84,7 +83,6 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
                     }
                 }
             }
-            let outline = outline.into_iter().map(|corner| corner.0).collect();
             Ok(Self { contacts, outline, questions, settings })
         })
     }

@@ -165,7 +165,7 @@ fn settings_are_those_of_the_crate() {
 }
 
 #[test]
-fn stiffness_is_said_in_several_ways() {
+fn stiffness_and_commands_are_said_in_several_ways() {
     let inf = f64::INFINITY;
     let contact = || spatial::Contact::new([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
     let cases = [
@@ -178,6 +178,18 @@ fn stiffness_is_said_in_several_ways() {
         (
             json!({ "body_stiffness": [7, "rigid"], "finger_stiffness": ["rigid", 3] }),
             contact().body_stiffness(7.0, inf).finger_stiffness(inf, 3.0),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command": [3, 2, 1], "clearance": -0.5 }),
+            contact().series_stiffness(5.0, 4.0).command([3.0, 2.0, 1.0]).clearance(-0.5),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command_world": [3, 2, 1] }),
+            contact().series_stiffness(5.0, 4.0).command_world([3.0, 2.0, 1.0]),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command_world": [0, 0, 0] }),
+            contact().series_stiffness(5.0, 4.0).command_world([0.0; 3]),
         ),
     ];
     for (said, expected) in cases {
