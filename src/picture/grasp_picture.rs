@@ -1,18 +1,17 @@
 //! A planar grasp: object, fingers, friction cones, contact forces, load.
 
 use nalgebra::Vector2;
-use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION, word};
+use super::canvas::{Canvas, Drawn};
+use super::contact_look::{slope, word};
+use super::error::PictureError;
+use super::palette::{BLUE, FONT, GREEN, GREY, VERMILION};
 use crate::planar::{Equilibrium, Grasp};
 
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
-
-type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 560;
@@ -131,7 +130,7 @@ impl<'a> Picture<'a> {
         let finger = [p, p + (t * 0.35 - n) * (0.09 * self.span), p - (t * 0.35 + n) * (0.09 * self.span)];
         chart.draw_series([Polygon::new(finger.map(|v| (v.x, v.y)).to_vec(), GREY.mix(0.55))])?;
         let length = 1.15 * answer.normal_force() * self.scale;
-        let mu = contact.friction.min(1e3);
+        let mu = slope(contact);
         if mu > 0.0 && length > 0.0 {
             let cone = [p, p + (n + t * mu) * length, p + (n - t * mu) * length];
             chart.draw_series([Polygon::new(cone.map(|v| (v.x, v.y)).to_vec(), GREEN.mix(0.2))])?;

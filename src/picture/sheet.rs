@@ -5,10 +5,15 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{FONT, PictureError};
+use super::error::PictureError;
+use super::palette::FONT;
 
 /// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a picture has smooth curves.
 const FINE: u32 = 4;
+
+/// Fine pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred times the paper, and
+/// differences of squares of it stay far below the largest integer, which plotters would run over.
+const FARTHEST: f64 = 1e6;
 
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
@@ -35,10 +40,16 @@ pub(super) fn sheet(
     Ok(svg.replacen(&drawn, &format!("width=\"{wide}\" height=\"{high}\""), 1))
 }
 
+/// So many pixels for each of so many things.
+pub(super) fn pixels(count: usize, each: u32) -> Result<u32, PictureError> {
+    let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
+    all.map(|all| all / FINE).ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
+}
+
 /// The nearest pixel of the fine grid; far outside it is kept away from the limits of integers.
 pub(super) fn pixel((x, y): Place) -> (i32, i32) {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-1e6, 1e6) as i32;
+    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-FARTHEST, FARTHEST) as i32;
     (whole(x), whole(y))
 }
 
@@ -158,22 +169,4 @@ fn fine(length: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths of a few pixels")]
     let whole = (length * f64::from(FINE)).round() as u32;
     whole.max(1)
-}
-
-/// A round number, 1, 2 or 5 times a power of ten, not below a positive one.
-pub(super) fn round_up(x: f64) -> f64 {
-    let power = 10f64.powf(x.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0];
-    steps
-        .into_iter()
-        .map(|step| step * power)
-        .find(|rounded| *rounded >= x * (1.0 - 1e-9))
-        .unwrap_or(10.0 * power)
-}
-
-/// A number that is a few steps, with no more digits than the step needs.
-pub(super) fn in_steps(x: f64, step: f64) -> String {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-    let digits = (-step.log10() + 1e-9).ceil().clamp(0.0, 12.0) as usize;
-    if (1e-4..1e6).contains(&step) { format!("{x:.digits$}") } else { format!("{x:.1e}") }
 }

@@ -3,12 +3,14 @@
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::Drawing;
+use super::frame::{Frame, Shown};
 use super::marks::{BROWN, PINK, SKY};
 use super::paint::{Painting, dot};
 use super::text::lines;
-use super::{Frame, Shown};
+use crate::picture::contact_look::{ink, word};
+use crate::picture::error::PictureError;
+use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::sheet::{Place, Sheet};
-use crate::picture::{GREY, PictureError, VERMILION, ink, word};
 use crate::spatial::{ContactAnswer, ContactState, Equilibrium};
 
 /// Left edge, length of the samples, letters of a line of 14 and of 13 pixels.

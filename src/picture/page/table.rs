@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
+use super::frame::{Frame, Shown};
 use super::text::{html, short, vector};
-use super::{Frame, Shown};
 use crate::grasp::Hold;
-use crate::picture::{PictureError, word};
+use crate::picture::contact_look::{no_friction_left, word};
+use crate::picture::error::PictureError;
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
 /// Headings, and what they mean.
@@ -75,7 +76,7 @@ fn write_row(
     answer: &ContactAnswer,
 ) -> Result<(), PictureError> {
     // What is left of a contact on the edge of its cone is rounding.
-    let reserve = if answer.margin.abs() <= 1e-12 * answer.normal_force() { 0.0 } else { answer.margin };
+    let reserve = if no_friction_left(answer) { 0.0 } else { answer.margin };
     let moved = if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() };
     let numbers = [
         answer.normal_force(),
