@@ -1,7 +1,10 @@
 //! The contacts of one grasp, checked once and made ready.
 
+use nalgebra::SVector;
+
 use super::block::Block;
 use super::exit::{OPENS_ONLY, STAYS};
+use super::finger::{Finger, Force};
 use super::lanes::Lanes;
 use super::pull::Pull;
 use super::ready::Ready;
@@ -59,7 +62,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 });
             }
             let mut a = contact.commanded();
-            block.pressed[index] = Lanes([a[0] - contact.clearance]);
+            let pressed = a[0] - contact.clearance;
             a[0] = 0.0;
             if C == 3 {
                 a = frame * a;
@@ -69,13 +72,12 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 a.swap_rows(0, 1);
                 a[0] *= turned.signum();
             }
-            for axis in 0..C {
-                block.point[axis][index] = Lanes([contact.point[axis]]);
-                block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
-                block.sheared[axis][index] = Lanes([a[axis]]);
-            }
-            block.springs[0][index] = Lanes([k[0]]);
-            block.springs[1][index] = Lanes([tangential]);
+            block.points[index] = lanes(&contact.point);
+            block.fingers[index] = Finger {
+                normal: lanes(&frame.column(0).into_owned()),
+                springs: [Lanes([k[0]]), Lanes([tangential])],
+            };
+            block.commands[index] = Force { normal: Lanes([pressed]), tangential: lanes(&a) };
             let slides = contact.friction > 0.0 && contact.friction.is_finite();
             block.friction[index] = Lanes([match contact.hold {
                 Hold::Bonded => STAYS,
@@ -97,4 +99,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }
+}
+
+fn lanes<const C: usize>(v: &SVector<f64, C>) -> [Lanes<1>; C] {
+    std::array::from_fn(|axis| Lanes([v[axis]]))
 }
