@@ -7,4 +7,4 @@ use plotters::prelude::{Cartesian2d, SVGBackend};
 pub(super) type Canvas<'a, 'b> =
     ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 /// What plotters says of each stroke.
-pub(super) type Drawn = Result<(), Box<dyn std::error::Error>>;
+pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;

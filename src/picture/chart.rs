@@ -5,8 +5,8 @@ use plotters::element::{DashedPathElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters::style::text_anchor as text_style;
 
-use super::canvas::{Canvas, Drawn};
-use super::error::PictureError;
+use super::canvas::{Canvas, Plotted};
+use super::error::{Drawn, PictureError};
 use super::legend_corner::emptiest_corner;
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{Series, Stroke};
@@ -105,7 +105,7 @@ impl Chart {
         Ok(svg)
     }
 
-    fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
+    fn draw_on(&self, area: &Area<'_>) -> Drawn {
         let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
         chart.marks.retain(|(x, _)| x.is_finite());
         let finite: Vec<(f64, f64)> = chart
@@ -142,7 +142,7 @@ impl Chart {
         chart
     }
 
-    fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Drawn {
+    fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
         let mut chart = ChartBuilder::on(root)
             .caption(&self.title, (FONT, 20))
@@ -173,7 +173,7 @@ impl Chart {
         Ok(())
     }
 
-    fn draw_axes(&self, chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4]) -> Drawn {
+    fn draw_axes(&self, chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4]) -> Plotted {
         let mut mesh = chart.configure_mesh();
         mesh.light_line_style(TRANSPARENT)
             .bold_line_style(GREY.mix(0.2))
@@ -193,7 +193,7 @@ impl Chart {
     }
 }
 
-fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: RGBColor) -> Drawn {
+fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: RGBColor) -> Plotted {
     let style = color.stroke_width(2);
     let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
     let drawn = match series.stroke {
@@ -223,7 +223,7 @@ fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: R
     Ok(())
 }
 
-fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Drawn {
+fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Plotted {
     chart.draw_series(DashedLineSeries::new([(x, y0), (x, y1)], 4, 4, BLACK.stroke_width(1)))?;
     // To the side on which there is room.
     let left = (x - x0) > 0.6 * (x1 - x0);

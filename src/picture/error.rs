@@ -10,3 +10,6 @@ impl PictureError {
         Self(error.to_string())
     }
 }
+
+/// What a stroke comes to.
+pub(super) type Drawn = Result<(), PictureError>;

@@ -4,7 +4,7 @@ use nalgebra::Vector2;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::canvas::{Canvas, Drawn};
+use super::canvas::{Canvas, Plotted};
 use super::contact_look::{slope, word};
 use super::error::PictureError;
 use super::palette::{BLUE, FONT, GREEN, GREY, VERMILION};
@@ -77,7 +77,7 @@ impl<'a> Picture<'a> {
         Self { grasp, state, outline, span, scale }
     }
 
-    fn draw(&self, svg: &mut String, title: &str) -> Drawn {
+    fn draw(&self, svg: &mut String, title: &str) -> Plotted {
         let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
         root.fill(&WHITE)?;
         let load_tip = force_of_load(self.state) * self.scale;
@@ -122,7 +122,7 @@ impl<'a> Picture<'a> {
         Ok(())
     }
 
-    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Drawn {
+    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Plotted {
         let (contact, answer) = (&self.grasp.contacts()[index], &self.state.contacts[index]);
         let Some(frame) = self.grasp.frames().nth(index) else { return Ok(()) };
         let (p, n, t) = (contact.point, frame.column(0).into_owned(), frame.column(1).into_owned());
@@ -159,7 +159,7 @@ impl<'a> Picture<'a> {
         Ok(())
     }
 
-    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Drawn {
+    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Plotted {
         let along = to - from;
         if along.norm() == 0.0 {
             return Ok(());
@@ -174,7 +174,7 @@ impl<'a> Picture<'a> {
     }
 
     #[expect(clippy::unused_self, reason = "reads like the other strokes")]
-    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Drawn {
+    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Plotted {
         let style = (FONT, 15).into_font().color(&BLACK).pos(Pos::new(side, VPos::Center));
         chart.draw_series([Text::new(text.to_owned(), (at.x, at.y), style)])?;
         Ok(())

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use plotters::style::{Color, colors::BLACK};
 
-use super::error::PictureError;
+use super::error::{Drawn, PictureError};
 use super::palette::{GREY, PALETTE};
 use super::polar_curve::draw_curve;
 use super::polar_plane::{MIDDLE, RADIUS, at, turn, width_of};
@@ -126,7 +126,7 @@ impl Polar {
         })
     }
 
-    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
         for radius in rings(rim, step) {
             paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7))?;
         }
@@ -153,7 +153,7 @@ impl Polar {
     }
 
     /// Small arrows outside the arcs, with their names, or with letters for the legend where names are long or meet.
-    fn draw_rays(&self, paper: &Sheet) -> Result<(), PictureError> {
+    fn draw_rays(&self, paper: &Sheet) -> Drawn {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
@@ -174,7 +174,7 @@ impl Polar {
     }
 
     /// Along the spoke on which the curves leave most room.
-    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
         let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
         let crowd = |angle: f64| {
             let close = |a: f64, r: f64| {
@@ -195,7 +195,7 @@ impl Polar {
         Ok(())
     }
 
-    fn draw_legend(&self, paper: &Sheet) -> Result<(), PictureError> {
+    fn draw_legend(&self, paper: &Sheet) -> Drawn {
         let mut y = 80.0;
         for (k, Series { name, stroke, .. }) in self.curves.iter().enumerate() {
             let ink = PALETTE[k % PALETTE.len()];
@@ -255,7 +255,7 @@ fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A text that grows away from the middle.
-fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Result<(), PictureError> {
+fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Drawn {
     let left = match angle.cos() {
         c if c > 0.2 => 0.0,
         c if c < -0.2 => 1.0,

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use super::error::PictureError;
+use super::error::Drawn;
 use super::palette::PALETTE;
 use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
 use super::series::{Series, Stroke};
 use super::sheet::{Place, Sheet};
 
 /// Draws the curve with this index, which says its colour.
-pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Result<(), PictureError> {
+pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Drawn {
     let Series { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
     let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use plotters::style::{Color, RGBColor, colors::BLACK, colors::WHITE};
 
 use super::bands::Bands;
-use super::error::PictureError;
+use super::error::{Drawn, PictureError};
 use super::palette::{GREY, VERMILION};
 use super::regions::{Corner, joined, outlines};
 use super::sheet::{Place, Sheet, pixels, sheet};
@@ -139,13 +139,7 @@ impl SphereMap {
         })
     }
 
-    fn draw_disc(
-        &self,
-        paper: &Sheet,
-        side: usize,
-        middle: Place,
-        bands: &Bands,
-    ) -> Result<(), PictureError> {
+    fn draw_disc(&self, paper: &Sheet, side: usize, middle: Place, bands: &Bands) -> Drawn {
         // What has no finite value is painted over afterwards.
         let filled = self.filled();
         let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
@@ -243,7 +237,7 @@ impl SphereMap {
         triangles
     }
 
-    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Result<(), PictureError> {
+    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Drawn {
         let (right, high) = BAR;
         let (left, bottom) = (right - 16.0, DISCS[1].1 + high / 2.0);
         let each = high / bands.count() as f64;
@@ -273,7 +267,7 @@ impl SphereMap {
 }
 
 /// On the disc to which it points; across z on both.
-fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Result<(), PictureError> {
+fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Drawn {
     let [x, y, z] = direction;
     let size = x.hypot(y).hypot(z);
     if !(size > 0.0 && size.is_finite()) {

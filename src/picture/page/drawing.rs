@@ -2,10 +2,10 @@
 
 use nalgebra::{Vector3, Vector6};
 
-use super::frame::{Frame, Shown};
+use super::frame::Frame;
 use super::spatial_page::SpatialPage;
 use super::text::short;
-use crate::picture::error::PictureError;
+use crate::picture::error::{Drawn, PictureError};
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
 /// Parts of the size of the picture that the largest force, moment and displacement take in the picture.
@@ -65,7 +65,7 @@ pub(super) struct Axis {
 impl<'p> Drawing<'p> {
     pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
         for Frame { label, shown } in &page.frames {
-            if let Shown::State(state) = shown {
+            if let Ok(state) = shown {
                 check(page, label, state)?;
             }
         }
@@ -166,7 +166,7 @@ impl<'p> Drawing<'p> {
 }
 
 /// Whether an answer is one of this grasp, and its numbers are such as can be drawn.
-fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
+fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Drawn {
     let (given, expected) = (state.contacts.len(), page.grasp.len());
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));

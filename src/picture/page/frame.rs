@@ -6,21 +6,12 @@ use crate::spatial::Equilibrium;
 #[derive(Debug, Clone)]
 pub(super) struct Frame {
     pub(super) label: String,
-    pub(super) shown: Shown,
-}
-
-#[derive(Debug, Clone)]
-pub(super) enum Shown {
-    State(Box<Equilibrium>),
-    /// Contacts without forces, and why.
-    Nothing(String),
+    /// An equilibrium, or why contacts are drawn without forces.
+    pub(super) shown: Result<Box<Equilibrium>, String>,
 }
 
 impl Frame {
     pub(super) fn state(&self) -> Option<&Equilibrium> {
-        match &self.shown {
-            Shown::State(state) => Some(state),
-            Shown::Nothing(_) => None,
-        }
+        self.shown.as_deref().ok()
     }
 }

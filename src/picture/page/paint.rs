@@ -5,7 +5,7 @@ use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 
 use super::eye::Eye;
 use super::marks::Mark;
-use crate::picture::error::PictureError;
+use crate::picture::error::Drawn;
 use crate::picture::sheet::{Place, Sheet};
 
 /// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an arrow before its line:
@@ -128,7 +128,7 @@ impl Painting {
         }
     }
 
-    pub(super) fn draw(&self, paper: &Sheet) -> Result<(), PictureError> {
+    pub(super) fn draw(&self, paper: &Sheet) -> Drawn {
         for (_, shape) in &self.strokes {
             match shape {
                 Shape::Line { ends, ink, width } => paper.line(*ends, *ink, *width)?,
@@ -172,7 +172,7 @@ impl Painting {
 }
 
 /// A contact; an open circle carries nothing.
-pub(super) fn dot(paper: &Sheet, at: Place, ink: RGBColor, open: bool) -> Result<(), PictureError> {
+pub(super) fn dot(paper: &Sheet, at: Place, ink: RGBColor, open: bool) -> Drawn {
     paper.circle(at, 6.5, WHITE, None)?;
     if open { paper.circle(at, 5.0, ink, Some(2.0)) } else { paper.circle(at, 5.5, ink, None) }
 }

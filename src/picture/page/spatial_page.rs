@@ -1,6 +1,6 @@
 //! What a page shows: a grasp, lines on and beside the object, and answers.
 
-use super::frame::{Frame, Shown};
+use super::frame::Frame;
 use super::text::proof_in_words;
 use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 
@@ -82,7 +82,7 @@ impl SpatialPage {
     /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin with.
     #[must_use]
     pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
-        let shown = Shown::State(Box::new(state.clone()));
+        let shown = Ok(Box::new(state.clone()));
         self.frames.push(Frame { label: label.into(), shown });
         self
     }
@@ -92,11 +92,11 @@ impl SpatialPage {
     #[must_use]
     pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
         let shown = match outcome {
-            Outcome::Equilibrium(state) => Shown::State(state.clone()),
+            Outcome::Equilibrium(state) => Ok(state.clone()),
             Outcome::NoEquilibrium(NoEquilibrium { proof }) => {
-                Shown::Nothing(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
+                Err(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
             }
-            Outcome::Undecided(undecided) => Shown::Nothing(format!(
+            Outcome::Undecided(undecided) => Err(format!(
                 "Undecided: no equilibrium was found and none was ruled out ({:?}).",
                 undecided.doubt
             )),

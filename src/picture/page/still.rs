@@ -12,7 +12,7 @@ use super::marks::{Mark, marks};
 use super::paint::Painting;
 use super::spatial_page::SpatialPage;
 use super::text::lines;
-use crate::picture::error::PictureError;
+use crate::picture::error::{Drawn, PictureError};
 use crate::picture::palette::GREY;
 use crate::picture::sheet::{Place, Sheet, sheet};
 
@@ -93,7 +93,7 @@ impl SpatialPage {
     }
 }
 
-fn draw_names(paper: &Sheet, eye: &Eye, marks: &[Mark], mut labels: Labels) -> Result<(), PictureError> {
+fn draw_names(paper: &Sheet, eye: &Eye, marks: &[Mark], mut labels: Labels) -> Drawn {
     for mark in marks {
         if let Mark::Name { at, words } = mark {
             let seen = eye.see(at);
@@ -105,7 +105,7 @@ fn draw_names(paper: &Sheet, eye: &Eye, marks: &[Mark], mut labels: Labels) -> R
 }
 
 /// The coordinate axes, in a corner where nothing else is drawn.
-fn draw_axes(paper: &Sheet, eye: &Eye, (x, y): Place) -> Result<(), PictureError> {
+fn draw_axes(paper: &Sheet, eye: &Eye, (x, y): Place) -> Drawn {
     let axes = [0, 1, 2].map(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
