@@ -367,20 +367,16 @@ impl<const C: usize> Contact<C> {
         if let Some(value) = bad(&self.point) {
             return fault(Field::Point, value, MODERATE);
         }
-        let (field, sides) = match &self.stiffness {
+        let side = "positive (infinite for a rigid side)";
+        let springs = match &self.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                ([Field::BodyStiffness, Field::FingerStiffness], [Some(body), Some(finger)])
+                [(Field::BodyStiffness, body, side), (Field::FingerStiffness, finger, side)]
             }
-            Stiffness::Series(k) => ([Field::SeriesStiffness; 2], [Some(k), None]),
+            Stiffness::Series(k) => [(Field::SeriesStiffness, k, "positive and finite"); 2],
         };
-        for (field, k) in field.into_iter().zip(sides) {
-            if let Some(&value) = k.into_iter().flatten().find(|k| k.is_nan() || **k <= 0.0) {
-                let series = field == Field::SeriesStiffness;
-                return fault(
-                    field,
-                    value,
-                    if series { "positive and finite" } else { "positive (infinite for a rigid side)" },
-                );
+        for (field, k, allowed) in springs {
+            if let Some(&value) = k.iter().find(|k| k.is_nan() || **k <= 0.0) {
+                return fault(field, value, allowed);
             }
         }
         let series = self.stiffness.series();

@@ -73,19 +73,8 @@ macro_rules! vector_like {
             }
         }
 
-        impl<const D: usize> Add for $name<D> {
-            type Output = Self;
-            fn add(self, other: Self) -> Self {
-                Self(self.0 + other.0)
-            }
-        }
-
-        impl<const D: usize> Sub for $name<D> {
-            type Output = Self;
-            fn sub(self, other: Self) -> Self {
-                Self(self.0 - other.0)
-            }
-        }
+        vector_like!($name, Add, add, +);
+        vector_like!($name, Sub, sub, -);
 
         impl<const D: usize> Neg for $name<D> {
             type Output = Self;
@@ -105,6 +94,14 @@ macro_rules! vector_like {
             type Output = $name<D>;
             fn mul(self, other: $name<D>) -> $name<D> {
                 $name(other.0 * self)
+            }
+        }
+    };
+    ($name:ident, $operator:ident, $operate:ident, $symbol:tt) => {
+        impl<const D: usize> $operator for $name<D> {
+            type Output = Self;
+            fn $operate(self, other: Self) -> Self {
+                Self(self.0 $symbol other.0)
             }
         }
     };
