@@ -14,6 +14,7 @@ mod law;
 mod leg_ends;
 mod memory;
 mod on_facets;
+mod pace;
 mod partial_slip;
 mod programs;
 mod recontact;
