@@ -34,8 +34,11 @@ pub struct Settings {
     /// all states), raise it to get a proof for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
-    /// the largest force, of slips over the largest displacement. The default, 1e-13, is near what rounding allows (where it allows no
-    /// less than a larger one, that is reported); larger ones make fewer and longer steps. Where a path is straight there are none.
+    /// the largest force, of slips over the largest displacement. The default is 1e-9, an error that can be had on nearly every path.
+    /// Where the tangent becomes singular in the load, as at a fold, it magnifies rounding. An error of 1e-13, which rounding allows
+    /// elsewhere, takes thousands of steps there or cannot be had. Where no less can be had than a larger one, that is reported by
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Larger ones make fewer and longer steps. Where a path is
+    /// straight there are none.
     pub step_error: f64,
 }
 
@@ -46,7 +49,7 @@ impl Default for Settings {
             round: true,
             max_pivots: None,
             most_states: 20_000,
-            step_error: 1e-13,
+            step_error: 1e-9,
         }
     }
 }
@@ -87,7 +90,7 @@ impl Settings {
         self
     }
 
-    /// The same with another error of a step along a sliding arc; below 1e-14 rounding is in the way.
+    /// The same with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
     #[must_use]
     pub fn with_step_error(mut self, step_error: f64) -> Self {
         self.step_error = step_error;

@@ -71,7 +71,7 @@
 //! | `polygon` | `{"facets": …, "fit": "inscribed"}`, or `"circumscribed"` or `"balanced"` | 8, inscribed |
 //! | `max_pivots` | limit of pivots | by size |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
-//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-13 |
+//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
 //!
 //! Two fingers in the plane:
 //!

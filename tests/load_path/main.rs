@@ -5,6 +5,7 @@ mod common;
 
 mod closed_forms;
 mod cut;
+mod default_error;
 mod energy;
 mod fold;
 mod free_motion;

@@ -150,7 +150,7 @@ fn what_is_left_out_has_the_defaults_of_the_crate() {
 fn settings_are_those_of_the_crate() {
     let settings: Settings = serde_json::from_value(json!({
         "cone": "polygon", "polygon": { "facets": 12, "fit": "balanced" },
-        "max_pivots": 40, "most_states": 100, "step_error": 1e-9
+        "max_pivots": 40, "most_states": 100, "step_error": 1e-7
     }))
     .unwrap();
     let expected = Settings::default()
@@ -158,7 +158,7 @@ fn settings_are_those_of_the_crate() {
         .on_the_polygon()
         .with_max_pivots(40)
         .with_most_states(100)
-        .with_step_error(1e-9);
+        .with_step_error(1e-7);
     assert_eq!(settings, expected);
     let back: Settings = serde_json::from_str(&serde_json::to_string(&settings).unwrap()).unwrap();
     assert_eq!(back, expected);
