@@ -60,7 +60,7 @@
 //! | [`planar`], [`spatial`] | the names to start from |
 //! | [`guide`] | which answer to trust, several equilibria, rays, facets, joint stiffness |
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
-//! | [`formulation`] | rows of the contact law, the polygonal cone, kinematic and force form |
+//! | [`forms`] | kinematic and force form, what their rows mean |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
@@ -88,28 +88,32 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod contact;
 pub mod energy;
 pub mod equilibrium;
 mod error;
-pub mod formulation;
+pub mod forms;
 pub mod grasp;
 pub mod guide;
 pub mod lcp;
 pub mod load_path;
 mod numerics;
+mod object;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod planar;
+mod proofs;
 #[cfg(feature = "serde")]
 pub mod scene;
 pub mod screening;
+mod search;
 pub mod spatial;
 pub mod structured;
 pub mod sweep;
 
+pub use contact::{Fit, PolygonCone};
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};
-pub use formulation::{Fit, PolygonCone};
 /// The library of the vectors and matrices in questions and answers, of the version that fits.
 pub use nalgebra;
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use grasp_lcp::formulation::Why;
+use grasp_lcp::forms::Why;
 
 use crate::best_time::timed;
 use crate::full::Full;

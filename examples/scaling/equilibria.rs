@@ -2,8 +2,9 @@
 
 use std::hint::black_box;
 
+use grasp_lcp::PolygonCone;
 use grasp_lcp::Settings;
-use grasp_lcp::formulation::{PolygonCone, Row};
+use grasp_lcp::forms::Row;
 use grasp_lcp::grasp::{Grasp, Wrench};
 use grasp_lcp::structured::{Search, Workspace};
 

@@ -1,7 +1,7 @@
 //! What one does today: the reduced quadratic program by an interior-point method (Clarabel), again and again.
 
+use grasp_lcp::PolygonCone;
 use grasp_lcp::energy::{ReducedRow, Unknowns};
-use grasp_lcp::formulation::PolygonCone;
 use grasp_lcp::grasp::{Grasp, Wrench};
 
 #[path = "../support/interior_point.rs"]

@@ -25,14 +25,14 @@ impl Scene {
     }
 
     pub(crate) fn at(&self, factor: f64) -> Result<(Grasp, Wrench), Failure> {
-        let grasp = Grasp::new(self.contacts.clone())?.with_commands(&self.commands_at(factor))?;
+        let grasp = Grasp::new(self.contacts.clone())?.with_commands(self.commands_at(factor))?;
         Ok((grasp, self.base + self.direction * factor))
     }
 
     /// Contact forces at a factor if nothing could slide or open: the elastic trial state.
     pub(crate) fn trial(&self, factor: f64) -> Result<Equilibrium, Failure> {
         let stuck = Grasp::new(self.contacts.iter().map(|c| c.clone().bonded()))?;
-        let stuck = stuck.with_commands(&self.commands_at(factor))?;
+        let stuck = stuck.with_commands(self.commands_at(factor))?;
         let held = stuck.solve(&(self.base + self.direction * factor))?;
         Ok(held.equilibrium().ok_or("bonded contacts hold")?.clone())
     }

@@ -39,7 +39,7 @@ pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, F
     let (grasp, settings) = (setup.grasp()?, &setup.settings);
     let mut page = SpatialPage::new(&grasp, title);
     if !setup.outline.is_empty() {
-        page = page.outline(setup.outline.iter().map(|corner| (*corner).into()).collect::<Vec<_>>());
+        page = page.outline(setup.outline.iter().copied());
     }
     for (index, question) in setup.questions.iter().enumerate() {
         let number = index + 1;

@@ -7,11 +7,12 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::cone_rows::{FrictionRow, cone_rows};
 use super::springs::{Spring, Springs};
 use crate::Settings;
-use crate::equilibrium::{largest_force, separating_motion};
+use crate::contact::Polygon;
 use crate::error::Error;
-use crate::formulation::{Polygon, Problem};
 use crate::grasp::{Grasp, Hold, Site, Twist, Wrench};
 use crate::lcp::{self, Lcp, Outcome};
+use crate::object::{Load, Problem, largest_force};
+use crate::proofs::separating_motion;
 
 /// Conditions are satisfied up to this part of the forces that they compare.
 const ROUNDING: f64 = 1e-12;
@@ -137,7 +138,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let Some((first, binding, near)) = first else {
             // There is a state of rest for every load in the friction wrench cone; is this one outside?
             let polygon = Arc::new(Polygon::new(&settings.cone));
-            let problem = Problem::at_rest(self.sites(), polygon, law.drives, law.wrench);
+            let problem =
+                Problem::at_rest(self.sites(), polygon, false, law.drives, &Load::from(&law.wrench));
             return Ok(match separating_motion(&problem) {
                 Some(_) => AssociatedOutcome::NoBalance,
                 None => AssociatedOutcome::Unsolved,
@@ -162,11 +164,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         for (i, site) in self.sites().iter().enumerate() {
             let force = state.forces[i];
             let jump = law.jump(i, &force, &state.twist);
-            stored_energy += (0..site.axes).map(|a| 0.5 * force[a] * force[a] / site.k[a]).sum::<f64>();
+            stored_energy += site.springs.stored(&force);
             let binds = binding.iter().any(|r| law.rows[*r].contact == i);
             let mut slip = -jump;
             slip[0] = 0.0;
-            if !binds && site.axes == C {
+            if !binds && site.springs.resists_tangentially() {
                 slip.fill(0.0);
             }
             let gap = if binds { jump[0].max(0.0) } else { 0.0 };
@@ -197,10 +199,11 @@ impl<const D: usize, const C: usize> Law<'_, D, C> {
         let rows = &self.rows;
         let trial = stuck.rest(&self.drives, &self.wrench);
         // Springs along the axes stand contact by contact.
-        let first = |contact: usize| self.sites[..contact].iter().map(|site| site.axes).sum::<usize>();
+        let first =
+            |contact: usize| self.sites[..contact].iter().map(|site| site.springs.axes()).sum::<usize>();
         let axes = |row: &FrictionRow<C>| {
             let start = first(row.contact);
-            (0..self.sites[row.contact].axes).map(move |a| (a, start + a))
+            (0..self.sites[row.contact].springs.axes()).map(move |a| (a, start + a))
         };
         let q = rows.iter().map(|row| axes(row).map(|(a, s)| row.normal[a] * trial.x[s]).sum());
         let q = DVector::from_vec(q.collect());
@@ -240,8 +243,8 @@ impl<const D: usize, const C: usize> Law<'_, D, C> {
         for (contact, site) in self.sites.iter().enumerate() {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
             let normals: Vec<_> = own.map(|row| row.normal).collect();
-            for t in face(&normals, site.axes) {
-                list.push(Spring { contact, along: t.component_mul(&site.k.map(f64::sqrt)) });
+            for t in face(&normals, site.springs.axes()) {
+                list.push(Spring { contact, along: t.component_mul(&site.springs.root()) });
             }
         }
         let springs = Springs::new(self.sites, list);
@@ -284,19 +287,19 @@ impl<const D: usize, const C: usize> Law<'_, D, C> {
     /// How far the surfaces of a contact have parted: (gap, -slip).
     fn jump(&self, contact: usize, force: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
         let site = &self.sites[contact];
-        let stretch = self.drives[contact] - site.map.tr_mul(twist);
-        SVector::from_fn(|a, _| if a < site.axes { force[a] / site.k[a] - stretch[a] } else { -stretch[a] })
+        site.springs.give(force) - site.stretch(&self.drives[contact], twist)
     }
 
     /// Whether every jump lies in the cone of the outward normals: it works against no force of the friction cone.
     fn jumps_outwards(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> bool {
         self.sites.iter().enumerate().filter(|(_, site)| site.hold != Hold::Bonded).all(|(i, site)| {
             let jump = self.jump(i, &forces[i], twist);
-            let slack = -ROUNDING * (self.drives[i].norm() + site.map.norm() * twist.norm());
-            if site.axes == 1 || site.mu.is_infinite() {
+            let slack = -ROUNDING * site.span(&self.drives[i], twist);
+            let cone = site.friction;
+            if !site.springs.resists_tangentially() || cone.is_infinite() {
                 return site.hold == Hold::KeptClosed || jump[0] >= slack;
             }
-            self.corners.iter().all(|d| jump[0] + site.mu * d.dot(&jump) >= slack * (1.0 + site.mu))
+            self.corners.iter().all(|d| cone.generator(d).dot(&jump) >= slack * cone.round_weight())
         })
     }
 }

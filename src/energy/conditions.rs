@@ -28,10 +28,10 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::cone_rows::{FrictionRow, cone_rows};
 use super::springs::{Rest, Springs};
 use crate::Settings;
-use crate::equilibrium::largest_force;
-use crate::formulation::PolygonCone;
+use crate::contact::PolygonCone;
 use crate::grasp::{Hold, Site};
 use crate::lcp::{self, Basis, Lcp, Outcome};
+use crate::object::largest_force;
 
 /// A friction row is on its edge, and a condition is satisfied, up to this part of the forces it compares: a hundred times
 /// what rounding leaves in scenes with stiffness ratios of 1e14.
@@ -84,17 +84,17 @@ pub(super) enum Failure {
 
 impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
     pub(super) fn new(sites: &'g [Site<D, C>], cone: &PolygonCone) -> Self {
-        let may_open = |site: &Site<D, C>| site.hold == Hold::Unilateral && site.mu.is_finite();
+        let may_open = |site: &Site<D, C>| site.hold == Hold::Unilateral && !site.friction.is_infinite();
         let mut first = Vec::new();
         let mut count = 0;
         for site in sites {
             first.push(count);
-            count += site.axes;
+            count += site.springs.axes();
         }
         Self {
             sites,
             gaps: (0..sites.len()).filter(|i| may_open(&sites[*i])).collect(),
-            rows: cone_rows(sites, cone, |site| site.mu.is_infinite()),
+            rows: cone_rows(sites, cone, |site| site.friction.is_infinite()),
             stuck: Springs::along_axes(sites, |_, _| true),
             first,
         }
@@ -105,7 +105,9 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         let gaps = self.gaps.iter().map(|&i| stuck.x[self.first[i]]);
         let rows = self.rows.iter().map(|row| {
             let start = self.first[row.contact];
-            (0..self.sites[row.contact].axes).map(|a| row.normal[a] * stuck.x[start + a]).sum::<f64>()
+            (0..self.sites[row.contact].springs.axes())
+                .map(|a| row.normal[a] * stuck.x[start + a])
+                .sum::<f64>()
         });
         DVector::from_vec(gaps.chain(rows).collect())
     }
@@ -135,7 +137,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         let gaps = self.gaps.iter().map(|&i| *factor.row(self.first[i]));
         let rows = self.rows.iter().map(|row| {
             let start = self.first[row.contact];
-            (0..self.sites[row.contact].axes)
+            (0..self.sites[row.contact].springs.axes())
                 .fold(SVector::zeros(), |sum, a| sum + factor.row(start + a) * row.normal[a])
         });
         gaps.chain(rows).collect()
@@ -244,14 +246,14 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         }
         let mut forces = springs.forces(&x, self.sites.len());
         for (&i, x) in opened.iter().zip(&pulled) {
-            forces[i][0] = self.sites[i].k[0].sqrt() * x;
+            forces[i][0] = self.sites[i].springs.root_along(0) * x;
         }
         let mut twist = springs.twist(&travelled);
         let gaps_at = |twist: &SVector<f64, D>| -> Vec<f64> {
             let mut gaps = vec![0.0; self.sites.len()];
             for &i in &opened {
                 let site = &self.sites[i];
-                gaps[i] = forces[i][0] / site.k[0] - (drives[i][0] - site.map.tr_mul(twist)[0]);
+                gaps[i] = site.springs.give_along(0, forces[i][0]) - site.stretch(&drives[i], twist)[0];
             }
             gaps
         };
@@ -284,15 +286,16 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         });
         // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
         let scaled = |(site, f): (&Site<D, C>, &SVector<f64, C>)| {
-            (0..site.axes).map(|a| f[a].abs() / site.k[a].sqrt()).fold(0.0, f64::max)
+            let part = |a: usize| f[a].abs() / site.springs.root_along(a);
+            (0..site.springs.axes()).map(part).fold(0.0, f64::max)
         };
         let x_size = self.sites.iter().zip(&point.forces).map(scaled).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         let multipliers = point.multipliers.iter().all(|l| *l >= -ROUNDING * largest);
         let gaps = self.gaps.iter().all(|&i| {
             let site = &self.sites[i];
-            let span =
-                drives[i].norm() + site.map.norm() * point.twist.norm() + point.forces[i][0] / site.k[0];
+            let give = site.springs.give_along(0, point.forces[i][0]);
+            let span = site.span(&drives[i], &point.twist) + give;
             // The multiplier of the gap, √k_n (x - Nᵀλ)_n.
             let pressed: f64 = self
                 .rows

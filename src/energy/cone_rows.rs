@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::formulation::{Polygon, PolygonCone};
+use crate::contact::{Polygon, PolygonCone};
 use crate::grasp::{Hold, Site};
 
 /// A friction row in the coordinates x: `normal·x_i >= 0`, `length` times which is `μ F_n - h·F_t`.
@@ -23,20 +23,21 @@ impl<const C: usize> FrictionRow<C> {
         facet: Option<usize>,
         law: SVector<f64, C>,
     ) -> Self {
-        let normal = law.component_mul(&site.k.map(f64::sqrt));
+        let normal = law.component_mul(&site.springs.root());
         let length = normal.norm();
-        let weight = if site.mu.is_finite() { 1.0 + site.mu } else { 1.0 };
+        let weight = site.friction.round_weight();
         Self { contact, facet, normal: normal / length, length, weight }
     }
 
     /// K^{1/2} times the row: the change of force that the row's multiplier stands for.
     pub(super) fn in_springs<const D: usize>(&self, site: &Site<D, C>) -> SVector<f64, C> {
-        self.normal.component_mul(&site.k.map(f64::sqrt))
+        self.normal.component_mul(&site.springs.root())
     }
 
     /// `μ F_n - h·F_t` of a force.
     pub(super) fn value<const D: usize>(&self, site: &Site<D, C>, force: &SVector<f64, C>) -> f64 {
-        (0..site.axes).map(|a| self.length * self.normal[a] / site.k[a].sqrt() * force[a]).sum()
+        let part = |a: usize| self.length * self.normal[a] / site.springs.root_along(a) * force[a];
+        (0..site.springs.axes()).map(part).sum()
     }
 }
 
@@ -53,9 +54,12 @@ pub(super) fn cone_rows<const D: usize, const C: usize>(
         if site.hold == Hold::Bonded {
             continue;
         }
-        if site.mu > 0.0 && site.mu.is_finite() {
+        if site.friction.has_edges() {
             let facets = polygon.normals.iter().enumerate();
-            rows.extend(facets.map(|(j, h)| FrictionRow::new(site, i, Some(j), push * site.mu - h)));
+            let row = |(j, h): (usize, &SVector<f64, C>)| {
+                FrictionRow::new(site, i, Some(j), site.friction.facet_row(h))
+            };
+            rows.extend(facets.map(row));
         } else if site.hold == Hold::Unilateral && pushes(site) {
             rows.push(FrictionRow::new(site, i, None, push));
         }

@@ -198,12 +198,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 gap: point.gaps[i],
             }
         };
-        let stored_energy = self
-            .sites()
-            .iter()
-            .zip(&point.forces)
-            .map(|(site, f)| (0..site.axes).map(|a| 0.5 * f[a] * f[a] / site.k[a]).sum::<f64>())
-            .sum::<f64>();
+        let stored_energy =
+            self.sites().iter().zip(&point.forces).map(|(site, f)| site.springs.stored(f)).sum::<f64>();
         let own_work = load.as_vector().dot(self.outside(&point.twist).as_vector());
         MinimumEnergy {
             load: *load,

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::program::QuadraticProgram;
+use crate::contact::{Polygon, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
-use crate::formulation::{Polygon, PolygonCone};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench, displacement_of};
 
 /// What an equality row of the printed program says.
@@ -224,7 +224,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 rows.equality(continuity, &[(c, -1.0), (d, 1.0), (e, ratio)], ratio * u_f[a]);
             }
             let (c, d, e) = (at(0, 0), at(1, 0), at(2, 0));
-            if site.axes == C {
+            if site.springs.resists_tangentially() {
                 for a in 1..C {
                     let rolling = Equality::Rolling { contact: i, axis: a };
                     rows.equality(rolling, &[(at(1, a), 1.0), (at(2, a), -1.0)], 0.0);
@@ -238,9 +238,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             } else {
                 rows.equality(Equality::Closed { contact: i }, &[(d, 1.0), (e, -1.0)], -contact.clearance);
             }
-            if site.hold != Hold::Bonded && site.mu > 0.0 && site.mu.is_finite() {
+            if site.hold != Hold::Bonded && site.friction.has_edges() {
                 for (facet, normal) in polygon.normals.iter().enumerate() {
-                    let mut terms = vec![(c, -site.mu), (d, site.mu)];
+                    let mu = site.friction.limit(1.0);
+                    let mut terms = vec![(c, -mu), (d, mu)];
                     for a in 1..C {
                         let along = normal[a] * (body[a] / body[0]);
                         terms.extend([(at(0, a), along), (at(1, a), -along)]);

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::program::QuadraticProgram;
+use crate::contact::{Polygon, PolygonCone};
 use crate::error::Error;
-use crate::formulation::{Polygon, PolygonCone};
 use crate::grasp::{Grasp, Hold, Wrench, displacement_of};
 
 /// Which unknowns a reduced program keeps.
@@ -101,7 +101,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let polygon = Polygon::<C>::new(cone);
         let may_open = |i: &usize| {
             let site = &self.sites()[*i];
-            unknowns == Unknowns::TwistAndGaps && site.hold == Hold::Unilateral && site.mu.is_finite()
+            unknowns == Unknowns::TwistAndGaps
+                && site.hold == Hold::Unilateral
+                && !site.friction.is_infinite()
         };
         let gaps: Vec<usize> = (0..self.len()).filter(may_open).collect();
         let n = D + gaps.len();
@@ -119,25 +121,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             if let Some(gap) = gap {
                 s[(0, gap)] = -1.0;
             }
-            let k = DMatrix::from_diagonal(&DVector::from_column_slice(site.k.as_slice()));
-            let a = DVector::from_column_slice(drive.as_slice());
-            h += s.transpose() * &k * &s;
-            g -= s.transpose() * (&k * &a);
-            constant += 0.5 * a.dot(&(&k * &a));
+            let k = site.springs.stiffness();
+            h += s.transpose() * k * &s;
+            g -= s.transpose() * (k * drive);
+            constant += 0.5 * drive.dot(&(k * drive));
             let mut push = |says: ReducedRow, row: &SVector<f64, C>| {
-                let row = DVector::from_column_slice(row.component_mul(&site.k).as_slice());
+                let row = site.springs.force(row);
                 rows.push(says);
                 b.push(-s.tr_mul(&row));
-                d.push(-row.dot(&a));
+                d.push(-row.dot(&drive));
             };
             let push_normal = SVector::from_fn(|a, _| if a == 0 { 1.0 } else { 0.0 });
-            let finite = site.mu > 0.0 && site.mu.is_finite();
             if site.hold == Hold::Unilateral && gap.is_none() {
                 push(ReducedRow::Pushes { contact: i }, &push_normal);
             }
-            if site.hold != Hold::Bonded && finite {
+            if site.hold != Hold::Bonded && site.friction.has_edges() {
                 for (facet, normal) in polygon.normals.iter().enumerate() {
-                    push(ReducedRow::Friction { contact: i, facet }, &(push_normal * site.mu - normal));
+                    push(ReducedRow::Friction { contact: i, facet }, &site.friction.facet_row(normal));
                 }
             }
             if let Some(gap) = gap {

@@ -3,11 +3,13 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::stability::Stability;
-use crate::equilibrium::{ContactState, Equilibrium, Outcome, Settled, settle};
+use crate::Settings;
+use crate::contact::{LocalLaw, Mode, Polygon, State};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::formulation::{Polygon, Problem, Slide, State};
 use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
-use crate::{PolygonCone, Settings};
+use crate::object::{Load, Problem};
+use crate::search::{Settled, settle};
 use std::sync::Arc;
 
 /// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
@@ -170,15 +172,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             .collect();
         let wrench = load.as_vector().component_mul(&in_units);
         let polygon = Arc::new(Polygon::new(&settings.cone));
-        let problem = Problem::at_rest(&sites, polygon, drives, wrench);
-        let problem = Problem { round: settings.is_round::<C>(), ..problem };
+        let round = settings.is_round::<C>();
+        let problem = Problem::at_rest(&sites, polygon, round, drives, &Load::from(&wrench));
         let (Settled::Found(found, _), _) = settle(&problem, settings) else { return None };
         Some(Step {
             twist: found.twist.component_mul(&in_units),
             forces: found.forces,
-            states: found.states,
-            slides: found.slides,
-            cone: settings.cone,
+            states: problem.locals().zip(&sites).zip(&found.states).map(as_physics).collect(),
         })
     }
 
@@ -189,9 +189,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         step: Step<D, C>,
         iterations: usize,
     ) -> SecondOrder<D, C> {
-        let polygon = Polygon::<C>::new(&step.cone);
         let (mut dropped, mut force, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
-        let (mut arms, mut world, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut arms, mut world) = (Vec::new(), Vec::new());
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
             let u = second_order_displacement(&contact.point, twist);
             dropped = dropped.max(0.5 * turned(&turned(&contact.point, twist), twist).norm());
@@ -200,26 +199,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let moved = SVector::<f64, C>::from_fn(|a, _| u[a] - twist[a]);
             arms.push(contact.point + moved);
             world.push(site.frame * step.forces[i]);
-            states.push(match step.states[i] {
-                State::Open => ContactState::Separated,
-                State::Rolling if site.axes == 1 => ContactState::Frictionless,
-                State::Rolling => ContactState::Rolling,
-                State::Sliding { first, second } => {
-                    let normal = polygon.normals[first];
-                    let out = match step.slides.get(i) {
-                        Some(Some(slide)) => slide.direction,
-                        _ => second.map_or(normal, |second| normal + polygon.normals[second]),
-                    };
-                    ContactState::Sliding { direction: site.frame * out.normalize() }
-                }
-            });
         }
         SecondOrder {
-            stability: self.stability_with(&arms, &world, &states),
+            stability: self.stability_with(&arms, &world, &step.states),
             first_order,
             twist: Twist::from_vector(*twist),
             forces: step.forces,
-            states,
+            states: step.states,
             dropped_displacement: dropped,
             force_left_out: force,
             displacement_left_out: displacement,
@@ -237,9 +223,22 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 struct Step<const D: usize, const C: usize> {
     twist: SVector<f64, D>,
     forces: Vec<SVector<f64, C>>,
-    states: Vec<State>,
-    slides: Vec<Option<Slide<C>>>,
-    cone: PolygonCone,
+    states: Vec<ContactState<C>>,
+}
+
+/// What a contact does in a state, in coordinate axes.
+fn as_physics<const D: usize, const C: usize>(
+    ((local, site), state): ((LocalLaw<'_, C>, &Site<D, C>), &State<C>),
+) -> ContactState<C> {
+    match state {
+        Mode::Open => ContactState::Separated,
+        Mode::Rolling if local.is_frictionless() => ContactState::Frictionless,
+        Mode::Rolling => ContactState::Rolling,
+        sliding => {
+            let outward = local.outward(sliding).map_or_else(SVector::zeros, |out| out.normalize());
+            ContactState::Sliding { direction: site.frame * outward }
+        }
+    }
 }
 
 /// `θ × v`.

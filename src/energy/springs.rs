@@ -7,7 +7,7 @@
 //! x = α - A q,   Aᵀx = -W      ⟺      x = α - Q (Qᵀα + y),   A = Q R,   Rᵀ y = W
 //! ```
 //!
-//! which keeps its digits whatever the stiffness ratios (see `formulation::orthogonal`).
+//! which keeps its digits whatever the stiffness ratios (see `numerics::orthogonal`).
 
 use nalgebra::SVector;
 
@@ -53,9 +53,9 @@ impl<const D: usize, const C: usize> Springs<D, C> {
     pub(super) fn along_axes(sites: &[Site<D, C>], holds: impl Fn(usize, usize) -> bool) -> Self {
         let mut list = Vec::new();
         for (contact, site) in sites.iter().enumerate() {
-            for axis in (0..site.axes).filter(|axis| holds(contact, *axis)) {
+            for axis in (0..site.springs.axes()).filter(|axis| holds(contact, *axis)) {
                 let mut along = SVector::zeros();
-                along[axis] = site.k[axis].sqrt();
+                along[axis] = site.springs.root_along(axis);
                 list.push(Spring { contact, along });
             }
         }

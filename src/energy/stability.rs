@@ -117,12 +117,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                     slides = true;
                     1
                 }
-                _ => site.axes,
+                _ => site.springs.axes(),
             };
             let map = grasp_map::<D, C>(arm, &site.frame);
             for a in 0..holds {
                 let column = map.column(a);
-                elastic += column * column.transpose() * site.k[a];
+                elastic += column * column.transpose() * site.springs.force_along(a, 1.0);
             }
             geometric += turning_arm(arm, force);
         }

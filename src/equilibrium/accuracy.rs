@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 
-use super::candidate::Found;
-use super::slack::{scene_force, span};
-use crate::formulation::{Piece, PieceState, PreciseTwist, Problem, State};
+use crate::contact::State;
 use crate::grasp::{Grasp, Wrench, wrench_of};
 use crate::numerics::Draw;
+use crate::object::{Piece, PieceState, PreciseTwist, Problem};
+use crate::search::Found;
 
 /// Patterns of signs with which the data are varied.
 const PATTERNS: u64 = 3;
@@ -38,25 +38,26 @@ impl Accuracy {
         found: &Found<D, C>,
     ) -> Self {
         let twist = PreciseTwist::new(found.twist);
-        let turning = (!found.slides.is_empty()).then(|| problem.along(&found.slides, &found.forces, &twist));
-        let problem = turning.as_ref().unwrap_or(problem);
+        // Slides on the round cone belong to forces and slips as they are now.
+        let slides = found.states.iter().any(|state| state.slide().is_some());
+        let states = problem.slid_on(&found.states, &found.forces, &twist);
         let made;
         let piece = match &found.piece {
-            Some(piece) if turning.is_none() => piece.as_ref(),
+            Some(piece) if !slides => piece.as_ref(),
             _ => {
-                made = Piece::new(problem, &found.states);
+                made = Piece::new(problem, &states);
                 &made
             }
         };
         let at = PieceState { forces: found.forces.clone(), twist: found.twist };
-        let largest = scene_force(problem, &found.forces, &found.twist);
-        let missing = piece.correction(problem, &found.states, (&found.forces, &twist), largest);
+        let largest = problem.largest_force(&found.forces, &found.twist);
+        let missing = piece.correction(problem, &states, (&found.forces, &twist), largest);
         let size = |forces: &[SVector<f64, C>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
         let mut accuracy =
             Self { force: size(&missing.forces) + missing.doubt, displacement: 0.0, condition: 0.0 };
         for (site, drive) in problem.sites.iter().zip(&problem.drives) {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            let spans = span(site, drive, &found.twist);
+            let spans = site.span(drive, &found.twist);
             // Displacements are sums of this size, rounded.
             accuracy.displacement = accuracy.displacement.max(moved + 0.5 * f64::EPSILON * spans);
         }
@@ -88,7 +89,7 @@ impl<const D: usize, const C: usize> Variation<D, C> {
         grasp: &Grasp<D, C>,
         load: &Wrench<D>,
         problem: &Problem<D, C>,
-        states: &[State],
+        states: &[State<C>],
         at: &PieceState<D, C>,
         pattern: u64,
     ) -> Self {
@@ -102,7 +103,7 @@ impl<const D: usize, const C: usize> Variation<D, C> {
         };
         for (i, (site, contact)) in problem.sites.iter().zip(grasp.contacts()).enumerate() {
             let (force, drive) = (&at.forces[i], &problem.drives[i]);
-            if let State::Sliding { .. } = states[i] {
+            if states[i].slides() {
                 let sign = signs.sign();
                 for a in 1..C {
                     variation.dragged[i][a] = force[a] * sign;
@@ -111,11 +112,12 @@ impl<const D: usize, const C: usize> Variation<D, C> {
             variation.load += site.map * variation.dragged[i];
             // The digits of a point count from the origin it is given in, not from its neighbours.
             let point = contact.point.map(|x| x * signs.sign()) / grasp.length();
-            for a in 0..site.axes {
+            let give = site.springs.give(force);
+            for a in 0..site.springs.axes() {
                 let axis = site.frame.column(a).into_owned();
                 let moved = wrench_of::<D, C>(&point, &axis);
                 let stretch = &mut variation.stretches[i][a];
-                *stretch = drive[a] * signs.sign() + force[a] / site.k[a] * signs.sign();
+                *stretch = drive[a] * signs.sign() + give[a] * signs.sign();
                 for k in 0..D {
                     let turned = site.map[(k, a)] * signs.sign();
                     let entry = if k < C { turned } else { turned + moved[k] };

@@ -4,9 +4,10 @@ use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
 use super::residuals::Residuals;
-use super::settle::{Doubt, Rung};
-use crate::formulation::{LeftOut, PolygonCone, State};
+use crate::contact::{PolygonCone, State};
+use crate::forms::LeftOut;
 use crate::grasp::{Twist, Wrench};
+use crate::search::{Doubt, Rung, Settings};
 
 /// How a question for an equilibrium ends.
 #[derive(Debug, Clone)]
@@ -68,7 +69,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// `None` where there was no polygon: nothing slides, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
     /// The states as a complementary basis.
-    pub(crate) states: Vec<State>,
+    pub(crate) states: Vec<State<C>>,
 }
 
 /// The friction cone an answer is for.
@@ -84,6 +85,16 @@ pub enum Cone {
 }
 
 impl Cone {
+    /// The cone that answers with C axes a contact are for.
+    pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
+        if settings.is_round::<C>() { Self::Round } else { Self::polygonal::<C>(settings) }
+    }
+
+    /// The polygonal cone of the settings, which is the exact one in the plane.
+    pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Self {
+        if C == 2 { Self::Planar } else { Self::Polygon(settings.cone) }
+    }
+
     /// Facets of a formulation with this cone: 2 in the plane, and the one facet that touches a round cone.
     pub(crate) fn facets(self) -> usize {
         match self {

@@ -1,10 +1,10 @@
 //! What facets do to an answer: the polygon inside the round cone, the cone itself, the polygon around it.
 
 use super::answer::{Equilibrium, Outcome};
-use super::settings::Settings;
+use crate::contact::{Fit, PolygonCone};
 use crate::error::Error;
-use crate::formulation::{Fit, PolygonCone};
 use crate::grasp::{Grasp, Wrench};
+use crate::search::Settings;
 
 /// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
 ///

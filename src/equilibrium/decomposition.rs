@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use super::answer::{ContactState, Equilibrium};
-use crate::formulation::least_forces;
 use crate::grasp::Grasp;
+use crate::object::least_forces;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
 #[derive(Debug, Clone, PartialEq)]

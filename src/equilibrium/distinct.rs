@@ -3,9 +3,9 @@
 //! Open and touching, rolling and sliding, sliding this way and that meet where a gap, a force, the friction in reserve or a slip
 //! vanishes. Next to such an edge the last digits of the question decide.
 
-use super::candidate::Found;
-use super::slack::{There, scene_force, span};
-use crate::formulation::{Problem, State};
+use crate::contact::Mode;
+use crate::object::Problem;
+use crate::search::Found;
 
 /// A condition met by less than this part of the size of its terms may be rounding of the data: normals, arms and products of
 /// them carry a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
@@ -19,25 +19,20 @@ pub(super) fn distinct<const D: usize, const C: usize>(
     found: &Found<D, C>,
     [force_error, displacement_error]: [f64; 2],
 ) -> Vec<bool> {
-    let largest = scene_force(problem, &found.forces, &found.twist);
+    let largest = problem.largest_force(&found.forces, &found.twist);
     let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
     (0..problem.len())
         .map(|i| {
-            let there =
-                There { drive: &problem.drives[i], force: &found.forces[i], twist: &found.twist, largest };
-            let slide = found.slides.get(i).and_then(Option::as_ref);
-            let facet = slide.map(|slide| std::slice::from_ref(&slide.direction));
-            let normals = facet.unwrap_or_else(|| problem.normals(i));
+            let at = problem.at(i, &found.forces[i], &found.twist, largest);
             let of_forces = part(force_error, largest);
-            let of_displacements =
-                part(displacement_error, span(&problem.sites[i], there.drive, &found.twist));
+            let of_displacements = part(displacement_error, at.span);
             let least = ROUNDING_OF_DATA.max(match found.states[i] {
-                State::Open => of_displacements,
-                State::Rolling => of_forces,
-                State::Sliding { .. } => of_forces.max(of_displacements),
+                Mode::Open => of_displacements,
+                Mode::Rolling => of_forces,
+                _ => of_forces.max(of_displacements),
             });
             let mut distinct = true;
-            there.for_each_slack(problem, i, found.states[i], normals, |value, size| {
+            problem.local(i).for_each_condition(&found.states[i], &at, |value, size| {
                 distinct &= value > least * size;
             });
             distinct

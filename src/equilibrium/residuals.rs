@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use super::answer::{Cone, ContactAnswer, ContactState};
-use super::slack::{NO_FORCE, least_spring_force};
-use crate::formulation::Problem;
-use crate::grasp::{Grasp, Hold, Twist, Wrench, displacement_of, wrench_of};
+use crate::contact::Polygon;
+use crate::grasp::{Grasp, Hold, Site, Twist, Wrench, displacement_of, wrench_of};
+use crate::object::{NO_FORCE, Problem, least_spring_force};
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
@@ -56,6 +56,65 @@ impl Residuals {
     }
 }
 
+/// What a contact has to satisfy, and what its residuals are measured against, N and m.
+struct ContactLaw<'c, const D: usize, const C: usize> {
+    site: &'c Site<D, C>,
+    polygon: &'c Polygon<C>,
+    cone: Cone,
+    force_size: f64,
+    travel: f64,
+}
+
+impl Residuals {
+    /// Takes in those of one contact, with its stretch and its slip since the state was decided.
+    fn note<const D: usize, const C: usize>(
+        &mut self,
+        law: &ContactLaw<'_, D, C>,
+        answer: &ContactAnswer<C>,
+        stretch: &SVector<f64, C>,
+        s: &SVector<f64, C>,
+    ) {
+        let ContactLaw { site, polygon, cone, force_size, travel } = *law;
+        let (f, g, friction) = (&answer.force, answer.gap, site.friction);
+        let give = site.springs.give(f);
+        for a in 0..site.springs.axes() {
+            let jump = if a == 0 { g } else { -s[a] };
+            self.springs = self.springs.max((give[a] - (stretch[a] + jump)).abs() / travel);
+        }
+        if site.hold == Hold::Bonded {
+            self.gap = self.gap.max(g.abs() / travel);
+            self.complementarity = self.complementarity.max(s.norm() / travel);
+            return;
+        }
+        if site.hold == Hold::Unilateral {
+            self.cone = self.cone.max(-f[0] / force_size);
+            self.gap = self.gap.max(-g / travel);
+            self.complementarity = self.complementarity.max((f[0] * g).abs() / (force_size * travel));
+        }
+        if friction.is_infinite() {
+            if answer.state == ContactState::Separated {
+                self.cone = self.cone.max(f.norm() / force_size);
+            } else {
+                self.complementarity = self.complementarity.max(s.norm() / travel);
+            }
+        } else if site.springs.resists_tangentially() {
+            let scale = force_size * friction.round_weight();
+            let (used, support) = if cone == Cone::Round {
+                (answer.friction_force(), s.norm())
+            } else {
+                let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
+                    list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
+                };
+                (most(&polygon.normals, f), most(&polygon.corners, s))
+            };
+            let limit = friction.limit(f[0]);
+            self.cone = self.cone.max((used - limit) / scale);
+            let missing = limit * support - f.dot(s);
+            self.complementarity = self.complementarity.max(missing.abs() / (scale * travel));
+        }
+    }
+}
+
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load. `sizes` are those of the
     /// forces and displacements that the answer is a sum of, if it is one.
@@ -76,71 +135,36 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Residuals::NONE_HOLDS;
         }
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
-        let drives = &problem.drives;
         let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
-        let compression = |i: usize| {
-            let (f, site) = (&answers[i].force, &self.sites()[i]);
-            SVector::<f64, C>::from_fn(|a, _| if a < site.axes { f[a] / site.k[a] } else { 0.0 })
-        };
         // The law is about the slip since the state that the drives count from.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
-        let mut sizes: Vec<f64> = (0..self.len())
+        let mut travels: Vec<f64> = (0..self.len())
             .map(|i| {
                 let contact = &self.contacts()[i];
-                let own = drives[i].norm() + contact.clearance + compression(i).norm();
+                let give = self.sites()[i].springs.give(&answers[i].force).norm();
+                let own = problem.drives[i].norm() + contact.clearance.abs() + give;
                 let moved = twist.as_vector().norm() + turned * contact.point.norm();
                 (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })
             .collect();
         // Where nothing is driven and the object stays, what is left is the rounding of the rounding elsewhere.
-        let still = STILL * sizes.iter().copied().fold(0.0, f64::max);
-        for size in &mut sizes {
-            *size = size.max(still);
+        let still = STILL * travels.iter().copied().fold(0.0, f64::max);
+        for travel in &mut travels {
+            *travel = travel.max(still);
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
-        let spring_force = least_spring_force(self.sites(), sizes.iter().copied());
+        let spring_force = least_spring_force(self.sites(), travels.iter().copied());
         let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
         let equilibrium = self.out_of_balance(load, answers, spring_force.max(force_terms));
         let mut r = Residuals { equilibrium, ..Residuals::default() };
-        for (i, (answer, site)) in answers.iter().zip(self.sites()).enumerate() {
-            let (f, s, g, size) = (&answer.force, slip(i), answer.gap, sizes[i]);
-            let moved = site.frame.tr_mul(&displacement_of(&self.contacts()[i].point, twist.as_vector()));
-            let compression = compression(i);
-            for a in 0..site.axes {
-                let jump = if a == 0 { g } else { -s[a] };
-                r.springs = r.springs.max((compression[a] - (drives[i][a] - moved[a] + jump)).abs() / size);
-            }
-            if site.hold == Hold::Bonded {
-                r.gap = r.gap.max(g.abs() / size);
-                r.complementarity = r.complementarity.max(s.norm() / size);
-                continue;
-            }
-            if site.hold == Hold::Unilateral {
-                r.cone = r.cone.max(-f[0] / force_size);
-                r.gap = r.gap.max(-g / size);
-                r.complementarity = r.complementarity.max((f[0] * g).abs() / (force_size * size));
-            }
-            if site.mu.is_infinite() {
-                if answer.state == ContactState::Separated {
-                    r.cone = r.cone.max(f.norm() / force_size);
-                } else {
-                    r.complementarity = r.complementarity.max(s.norm() / size);
-                }
-            } else if site.axes == C {
-                let scale = force_size * (1.0 + site.mu);
-                let (used, support) = if cone == Cone::Round {
-                    (answer.friction_force(), s.norm())
-                } else {
-                    let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
-                        list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
-                    };
-                    (most(&problem.polygon(i).normals, f), most(&problem.polygon(i).corners, &s))
-                };
-                r.cone = r.cone.max((used - site.mu * f[0]) / scale);
-                let missing = site.mu * f[0] * support - f.dot(&s);
-                r.complementarity = r.complementarity.max(missing.abs() / (scale * size));
-            }
+        for (i, answer) in answers.iter().enumerate() {
+            let site = &self.sites()[i];
+            let point = &self.contacts()[i].point;
+            let moved = site.frame.tr_mul(&displacement_of(point, twist.as_vector()));
+            let stretch = problem.drives[i] - moved;
+            let law = ContactLaw { site, polygon: problem.polygon(i), cone, force_size, travel: travels[i] };
+            r.note(&law, answer, &stretch, &slip(i));
         }
         r
     }
@@ -174,8 +198,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::Residuals;
-    use crate::formulation::{Polygon, PolygonCone, Problem};
+    use crate::contact::{Polygon, PolygonCone};
     use crate::grasp::Twist;
+    use crate::object::{Load, Problem};
     use crate::planar::{Contact, Grasp, Wrench};
 
     /// A comparison with a bound must fail wherever anything is not finite.
@@ -192,7 +217,7 @@ mod tests {
         let answer = grasp.solve(&load)?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
-        let problem = Problem::at_rest(grasp.sites(), polygon, grasp.drives(), wrench);
+        let problem = Problem::at_rest(grasp.sites(), polygon, false, grasp.drives(), &Load::from(&wrench));
         let worst = |twist: &Twist<3>, contacts: &[_]| {
             grasp.residuals(&problem, &load, twist, contacts, answer.cone, [0.0; 2]).worst()
         };

@@ -4,11 +4,12 @@ use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
 use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, WorkDone};
-use super::candidate::Found;
 use super::distinct::distinct;
-use super::settle::{Effort, Rung};
-use crate::formulation::{LeftOut, Problem, State, Why};
+use crate::contact::{Mode, State};
+use crate::forms::{LeftOut, Why};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
+use crate::object::Problem;
+use crate::search::{Effort, Found, Rung};
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Writes a solution of the local problem out as physics.
@@ -22,8 +23,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: Cone,
     ) -> Equilibrium<D, C> {
         // What slides on the round cone along a path is integrated: its law is not that of one state.
-        let slides = |s: &State| matches!(s, State::Sliding { .. });
-        let integrated = rule == Rung::LoadPath && cone == Cone::Round && found.states.iter().any(slides);
+        let slides = found.states.iter().any(State::slides);
+        let integrated = rule == Rung::LoadPath && cone == Cone::Round && slides;
         let accuracy = (!integrated).then(|| Accuracy::of(self, load, problem, found));
         let distinct = distinct(
             problem,
@@ -36,11 +37,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let twist = self.outside(&found.twist);
         let motions =
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
-        let stored_energy = contacts
-            .iter()
-            .zip(self.sites())
-            .map(|(c, site)| (0..site.axes).map(|a| 0.5 * c.force[a] * c.force[a] / site.k[a]).sum::<f64>())
-            .sum();
+        let stored_energy =
+            contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force)).sum();
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
@@ -74,45 +72,32 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: Cone,
         i: usize,
     ) -> ContactAnswer<C> {
-        let (site, contact) = (&self.sites()[i], &self.contacts()[i]);
+        let (site, contact, local) = (&self.sites()[i], &self.contacts()[i], problem.local(i));
         let force = found.forces[i];
         let moved = site.map.tr_mul(&found.twist);
         let stretch = problem.drives[i] - moved;
-        let compression =
-            SVector::<f64, C>::from_fn(|a, _| if a < site.axes { force[a] / site.k[a] } else { 0.0 });
-        let mut slip = stretch - compression;
-        slip[0] = 0.0;
-        let normals = problem.normals(i);
-        let frictionless = site.axes == 1;
-        let state = match found.states[i] {
-            State::Open => ContactState::Separated,
-            State::Rolling if frictionless => ContactState::Frictionless,
-            State::Rolling => {
+        let mut slip = site.springs.slip(&stretch, &force);
+        let state = match &found.states[i] {
+            Mode::Open => ContactState::Separated,
+            Mode::Rolling if local.is_frictionless() => ContactState::Frictionless,
+            Mode::Rolling => {
                 slip.fill(0.0);
                 ContactState::Rolling
             }
-            State::Sliding { first, second } => {
+            sliding => {
                 // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
                 // direction is the one in which it would start.
-                let along = if let Some(Some(slide)) = found.slides.get(i) {
-                    slide.direction
-                } else {
-                    let outward = second.map_or(normals[first], |second| normals[first] + normals[second]);
-                    if slip.norm() > 0.0 && slip.dot(&outward) > 0.0 { slip } else { outward }
-                };
+                let outward = local.outward(sliding).unwrap_or(slip);
+                let told = sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
+                let along = if told { slip } else { outward };
                 ContactState::Sliding { direction: site.frame * along.normalize() }
             }
         };
         let margin = match state {
-            ContactState::Rolling if site.hold == Hold::Bonded || site.mu.is_infinite() => f64::INFINITY,
-            ContactState::Rolling if cone == Cone::Round => {
-                site.mu * force[0] - force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
-            }
-            ContactState::Rolling => problem
-                .polygon(i)
-                .normals
-                .iter()
-                .fold(f64::INFINITY, |least, h| least.min(site.mu * force[0] - h.dot(&force))),
+            ContactState::Rolling if site.hold == Hold::Bonded || local.never_slides() => f64::INFINITY,
+            ContactState::Rolling if cone == Cone::Round => site.friction.round_margin(&force),
+            ContactState::Rolling => (local.polygon.normals.iter())
+                .fold(f64::INFINITY, |least, h| least.min(site.friction.facet_margin(&force, h))),
             _ => 0.0,
         };
         slip += problem.slips[i];
@@ -154,9 +139,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 Hold::Unilateral => {}
             }
             if site.hold != Hold::Bonded {
-                if site.mu == 0.0 {
+                if site.friction.is_frictionless() {
                     push(facets, Why::Frictionless);
-                } else if site.mu.is_infinite() {
+                } else if site.friction.is_infinite() {
                     push(facets, Why::InfiniteFriction);
                 }
             }

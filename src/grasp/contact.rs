@@ -5,6 +5,20 @@ use nalgebra::{SMatrix, SVector};
 use super::stiffness::Stiffness;
 use crate::error::{ContactLabel, Error, Field, LARGEST, MODERATE, is_moderate};
 
+/// A tangent whose part across the normal is at most this much of its length lies along the normal. Rounding turns a
+/// tangent by some 1e-16; with a smaller bound it would choose the direction of the frame, with a much larger one
+/// tangents would be refused that say clearly where to go.
+const ALONG_NORMAL: f64 = 1e-12;
+
+/// The axes along which a command is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Axes {
+    /// Those of the contact frame, the normal first.
+    Frame,
+    /// Those of the coordinates in which the contact is given.
+    World,
+}
+
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -57,6 +71,8 @@ pub struct Contact<const C: usize> {
     pub(crate) stiffness: Stiffness<C>,
     pub(crate) friction: f64,
     pub(crate) command: SVector<f64, C>,
+    /// The axes of `command`; those of the contact frame once the contact is part of a grasp.
+    pub(crate) command_axes: Axes,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
 }
@@ -73,6 +89,7 @@ impl<const C: usize> Contact<C> {
             stiffness: Stiffness::default(),
             friction: 0.0,
             command: SVector::zeros(),
+            command_axes: Axes::Frame,
             clearance: 0.0,
             hold: Hold::Unilateral,
         }
@@ -116,10 +133,7 @@ impl<const C: usize> Contact<C> {
     /// Springs of the object, one for each axis of the contact frame, the normal first, N/m.
     #[must_use]
     pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
-        let finger = match self.stiffness {
-            Stiffness::BodyAndFinger { finger, .. } => finger,
-            Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
-        };
+        let [_, finger] = self.stiffness.sides();
         self.stiffness = Stiffness::BodyAndFinger { body: SVector::from(axes.into()), finger };
         self
     }
@@ -134,10 +148,7 @@ impl<const C: usize> Contact<C> {
     /// Springs of the finger, one for each axis of the contact frame, the normal first, N/m.
     #[must_use]
     pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
-        let body = match self.stiffness {
-            Stiffness::BodyAndFinger { body, .. } => body,
-            Stiffness::Series(_) => SVector::repeat(f64::INFINITY),
-        };
+        let [body, _] = self.stiffness.sides();
         self.stiffness = Stiffness::BodyAndFinger { body, finger: SVector::from(axes.into()) };
         self
     }
@@ -167,29 +178,53 @@ impl<const C: usize> Contact<C> {
 
     /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive
     /// normal part pushes into the object, a positive tangential one drags it along the tangent.
+    /// [`Self::command_world`] takes one along the coordinate axes.
     #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
+        self.command_axes = Axes::Frame;
         self
     }
 
-    /// Clearance between finger and object before anything moves, m, >= 0 (default 0): the finger must come this far along the
-    /// normal before it touches, `F_n = k_n (command - clearance - n·u_c)`.
+    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`].
+    /// A grasp turns it into the contact frame: normal and tangent may be given after it.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    ///
+    /// // A finger pushes up, n = (0, 1), t = (1, 0). To the right is along t, upwards along n.
+    /// let finger = Contact::new([0.0, 0.0], [0.0, 2.0]).series_stiffness(1.0, 1.0).command_world([0.001, 0.002]);
+    /// assert_eq!(finger.commanded(), [0.002, 0.001].into());
+    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded(), [0.002, 0.001].into());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn command_world(mut self, u_f: impl Into<[f64; C]>) -> Self {
+        self.command = SVector::from(u_f.into());
+        self.command_axes = Axes::World;
+        self
+    }
+
+    /// Clearance between finger and object before anything moves, m (default 0).
+    ///
+    /// The finger must come this far along the normal before it touches, `F_n = k_n (command - clearance - n·u_c)`.
+    /// A negative clearance is an overlap at rest, a depth as collision libraries report it: the contact then
+    /// presses with k_n times the overlap before anything moves.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
-    /// // A finger that comes 10 mm and meets a post 2 mm away presses with 8 mm · 500 N/m (two springs of 1000 N/m in series) …
-    /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0])
-    ///     .body_stiffness(1000.0, 1000.0)
-    ///     .finger_stiffness(1000.0, 1000.0)
-    ///     .command([0.010, 0.0])
-    ///     .clearance(0.002);
-    /// // … and the post is bonded to a rigid wall.
-    /// let wall = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
-    /// let outcome = Grasp::new([finger, wall])?.solve(&Wrench::ZERO)?;
-    /// let force = outcome.equilibrium().expect("holds").contacts[0].normal_force();
-    /// assert!((force - 4.0).abs() < 1e-8);
+    /// // A finger meets a post that is bonded to a rigid wall; two springs of 1000 N/m in series.
+    /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0]).body_stiffness(1000.0, 1000.0).finger_stiffness(1000.0, 1000.0);
+    /// let post = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
+    /// let force = |finger: Contact| {
+    ///     let outcome = Grasp::new([finger, post.clone()])?.solve(&Wrench::ZERO)?;
+    ///     Ok::<_, grasp_lcp::Error>(outcome.equilibrium().expect("holds").contacts[0].normal_force())
+    /// };
+    /// // It comes 10 mm and meets the post 2 mm away: 8 mm · 500 N/m.
+    /// assert!((force(finger.clone().command([0.010, 0.0]).clearance(0.002))? - 4.0).abs() < 1e-8);
+    /// // It rests, 3 mm inside of the post: 3 mm · 500 N/m.
+    /// assert!((force(finger.clearance(-0.003))? - 1.5).abs() < 1e-8);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
@@ -245,10 +280,21 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m.
+    /// Commanded displacement of the finger's core in the contact frame, m. One that was given along the coordinate
+    /// axes is not a number where the contact has no frame, which a grasp refuses.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
-        self.command
+        match self.command_axes {
+            Axes::Frame => self.command,
+            Axes::World => {
+                self.frame(0).map_or_else(|_| SVector::repeat(f64::NAN), |frame| frame.tr_mul(&self.command))
+            }
+        }
+    }
+
+    /// Number of axes along which the contact has a spring: 1 without friction, else `C`.
+    pub(crate) fn springs(&self) -> usize {
+        if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C }
     }
 
     /// How tables and pictures call the contact: its name, or "contact" and `index`, its place in the list.
@@ -276,7 +322,7 @@ impl<const C: usize> Contact<C> {
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
-                if !side.is_finite() || side.abs() <= 1e-12 * hint.norm() {
+                if !side.is_finite() || side.abs() <= ALONG_NORMAL * hint.norm() {
                     return Err(fault(
                         Field::Tangent,
                         length_or_culprit(hint),
@@ -299,7 +345,7 @@ impl<const C: usize> Contact<C> {
         // DoubleDouble, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
-        if flat.norm() <= 1e-12 {
+        if flat.norm() <= ALONG_NORMAL {
             return Err(fault(Field::Tangent, flat.norm(), "not along the normal"));
         }
         let t1 = flat.normalize();
@@ -321,26 +367,21 @@ impl<const C: usize> Contact<C> {
         if let Some(value) = bad(&self.point) {
             return fault(Field::Point, value, MODERATE);
         }
-        let (field, sides) = match &self.stiffness {
+        let side = "positive (infinite for a rigid side)";
+        let springs = match &self.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                ([Field::BodyStiffness, Field::FingerStiffness], [Some(body), Some(finger)])
+                [(Field::BodyStiffness, body, side), (Field::FingerStiffness, finger, side)]
             }
-            Stiffness::Series(k) => ([Field::SeriesStiffness; 2], [Some(k), None]),
+            Stiffness::Series(k) => [(Field::SeriesStiffness, k, "positive and finite"); 2],
         };
-        for (field, k) in field.into_iter().zip(sides) {
-            if let Some(&value) = k.into_iter().flatten().find(|k| k.is_nan() || **k <= 0.0) {
-                let series = field == Field::SeriesStiffness;
-                return fault(
-                    field,
-                    value,
-                    if series { "positive and finite" } else { "positive (infinite for a rigid side)" },
-                );
+        for (field, k, allowed) in springs {
+            if let Some(&value) = k.iter().find(|k| k.is_nan() || **k <= 0.0) {
+                return fault(field, value, allowed);
             }
         }
         let series = self.stiffness.series();
-        let resisting = if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C };
         let usable = |k: &&f64| (1.0 / LARGEST..=LARGEST).contains(*k);
-        if let Some(&value) = series.iter().take(resisting).find(|k| !usable(k)) {
+        if let Some(&value) = series.iter().take(self.springs()).find(|k| !usable(k)) {
             return fault(
                 Field::SeriesStiffness,
                 value,
@@ -353,8 +394,8 @@ impl<const C: usize> Contact<C> {
         if let Some(value) = bad(&self.command) {
             return fault(Field::Command, value, MODERATE);
         }
-        if !(is_moderate(self.clearance) && self.clearance >= 0.0) {
-            return fault(Field::Clearance, self.clearance, "from 0 to 1e50");
+        if !is_moderate(self.clearance) {
+            return fault(Field::Clearance, self.clearance, MODERATE);
         }
         Ok(())
     }

@@ -11,8 +11,8 @@
 
 use nalgebra::{AbstractRotation, Isometry, SVector};
 
-use super::contact::Contact;
-use super::rotation::{displacement_of, wrench_of};
+use super::contact::{Axes, Contact};
+use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
 
 impl<const C: usize> Contact<C> {
@@ -39,6 +39,9 @@ impl<const C: usize> Contact<C> {
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
         self.normal = pose.rotation.transform_vector(&self.normal);
+        if self.command_axes == Axes::World {
+            self.command = pose.rotation.transform_vector(&self.command);
+        }
         self
     }
 }
@@ -96,15 +99,3 @@ macro_rules! in_other_frames {
 
 in_other_frames!(3, 2);
 in_other_frames!(6, 3);
-
-/// A wrench whose origin lies at `p`, about the origin.
-fn moved_wrench<const D: usize, const C: usize>(p: &SVector<f64, C>, w: &SVector<f64, D>) -> SVector<f64, D> {
-    let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
-    SVector::from_fn(|k, _| if k < C { w[k] } else { w[k] + moments[k] })
-}
-
-/// A twist whose origin lies at `p`, about the origin.
-fn moved_twist<const D: usize, const C: usize>(p: &SVector<f64, C>, q: &SVector<f64, D>) -> SVector<f64, D> {
-    let translation = displacement_of::<D, C>(&-p, q);
-    SVector::from_fn(|k, _| if k < C { translation[k] } else { q[k] })
-}

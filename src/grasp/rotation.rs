@@ -14,6 +14,15 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::DoubleDouble;
 
+/// Refuses other dimensions where the program is compiled.
+pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
+    assert!(
+        (D == 3 && C == 2) || (D == 6 && C == 3),
+        "D degrees of freedom and C axes a contact are 3 and 2 in the plane, 6 and 3 in space: \
+         take the names in `grasp_lcp::planar` or `grasp_lcp::spatial`"
+    );
+}
+
 /// The planes of rotation of a space with `C` axes.
 pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
     match C {
@@ -52,6 +61,24 @@ pub(crate) fn displacement_of<const D: usize, const C: usize>(
         u[j] += twist[C + k] * arm[i];
     }
     u
+}
+
+/// A wrench whose origin lies at `p`, about the origin.
+pub(super) fn moved_wrench<const D: usize, const C: usize>(
+    p: &SVector<f64, C>,
+    w: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
+    SVector::from_fn(|k, _| if k < C { w[k] } else { w[k] + moments[k] })
+}
+
+/// A twist whose origin lies at `p`, about the origin.
+pub(super) fn moved_twist<const D: usize, const C: usize>(
+    p: &SVector<f64, C>,
+    q: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let translation = displacement_of::<D, C>(&-p, q);
+    SVector::from_fn(|k, _| if k < C { translation[k] } else { q[k] })
 }
 
 /// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the axes of its frame.

@@ -25,6 +25,14 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
+    /// The springs of body and finger; both rigid where only the series of the two is known.
+    pub(super) fn sides(&self) -> [SVector<f64, C>; 2] {
+        match self {
+            Self::BodyAndFinger { body, finger } => [*body, *finger],
+            Self::Series(_) => [SVector::repeat(f64::INFINITY); 2],
+        }
+    }
+
     /// Springs so many times as stiff; a rigid side stays rigid.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         match self {

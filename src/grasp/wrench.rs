@@ -5,6 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
 use super::rotation::{displacement_of, wrench_of};
+use crate::error::{Error, is_moderate};
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, `d` components.
 ///
@@ -72,19 +73,8 @@ macro_rules! vector_like {
             }
         }
 
-        impl<const D: usize> Add for $name<D> {
-            type Output = Self;
-            fn add(self, other: Self) -> Self {
-                Self(self.0 + other.0)
-            }
-        }
-
-        impl<const D: usize> Sub for $name<D> {
-            type Output = Self;
-            fn sub(self, other: Self) -> Self {
-                Self(self.0 - other.0)
-            }
-        }
+        vector_like!($name, Add, add, +);
+        vector_like!($name, Sub, sub, -);
 
         impl<const D: usize> Neg for $name<D> {
             type Output = Self;
@@ -107,10 +97,28 @@ macro_rules! vector_like {
             }
         }
     };
+    ($name:ident, $operator:ident, $operate:ident, $symbol:tt) => {
+        impl<const D: usize> $operator for $name<D> {
+            type Output = Self;
+            fn $operate(self, other: Self) -> Self {
+                Self(self.0 $symbol other.0)
+            }
+        }
+    };
 }
 
 vector_like!(Wrench);
 vector_like!(Twist);
+
+impl<const D: usize> Wrench<D> {
+    /// Refuses components that are not finite or too large; `what` names the wrench in the message.
+    pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
+        match self.0.iter().position(|x| !is_moderate(*x)) {
+            Some(component) => Err(Error::Wrench { what, component, value: self.0[component] }),
+            None => Ok(()),
+        }
+    }
+}
 
 impl Wrench<3> {
     /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.

@@ -1,89 +1,57 @@
 //! From the end of a path to a point that is checked against the data given.
 
-use super::Lcp;
 use super::dictionary::Unknown;
-use super::lemke::Path;
+use super::memory::refill;
 use super::outcome::{BreakdownCause, Outcome};
+use super::path::Path;
 use super::principal;
-use super::residuals::{Residuals, ignores_q, residuals_from, rounded, slack_and_terms};
+use super::problem::Lcp;
+use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
+use super::tolerances::{SOUND, ZERO, residual_rounding};
 use super::workspace::Workspace;
 
-/// Values below this fraction of the largest term they were computed from are zero.
-pub(crate) const ZERO: f64 = 1e-13;
-
-/// z, w = M z + q, and the sizes of the terms of w.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Point {
-    pub(super) z: Vec<f64>,
-    pub(super) w: Vec<f64>,
-    pub(super) terms: Vec<f64>,
-}
+/// Steps of refinement of a point at most: each costs O(n²), and a third that still gains is rare.
+const REFINEMENTS: usize = 3;
+/// A step of refinement that leaves more than this part of the residuals is the last: rounding has been reached.
+const WORTHWHILE: f64 = 0.5;
 
 impl Workspace {
+    /// The point z = 0 of a problem with q ≥ 0.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
-        self.basis.clear(lcp.len());
-        self.vanishing.clear();
-        self.vanishing.resize(lcp.len(), false);
-        self.point.z.clear();
-        self.point.z.resize(lcp.len(), 0.0);
+        let n = lcp.len();
+        self.basis.clear(n);
+        refill(&mut self.vanishing, n, false);
+        refill(&mut self.point.z, n, 0.0);
         let residuals = self.point.evaluate(lcp);
         self.conclude(lcp, residuals, settings)
     }
 
-    /// The point of the complementary basis in the dictionary, refined against the M and q given. `None` if it solves
-    /// the problem.
+    /// The point of the complementary basis in the dictionary, refined against the M and q given. `None` if that
+    /// point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         let n = lcp.len();
-        self.basis.clear(n);
         self.mark_vanishing(lcp);
-        // A z_j which is zero in exact arithmetic comes out as noise that spoils the rows it enters. If w_j can take its place, the
-        // point is that of a smaller block. By index, since the order of rows depends on rounding.
-        let Path { dictionary, scaling, .. } = &mut self.path;
-        for j in (0..n).filter(|j| self.vanishing[*j]) {
-            if let Some(row) = dictionary.basic.iter().position(|basic| *basic == Unknown::Z(j)) {
-                dictionary.retire(j, row, scaling, lcp.m.as_slice());
-            }
-        }
-        for basic in &dictionary.basic {
+        self.retire_vanishing(lcp);
+        self.basis.clear(n);
+        for basic in &self.path.dictionary.basic {
             if let Unknown::Z(j) = *basic {
                 self.basis.insert(j);
             }
         }
-        self.read_point(n);
-        let mut residuals = self.point.evaluate(lcp);
-        for _ in 0..3 {
-            if residuals.within(rounded(n)) || residuals == Residuals::UNUSABLE {
-                break;
-            }
-            std::mem::swap(&mut self.point, &mut self.spare);
-            self.refine();
-            self.read_point(n);
-            let refined = self.point.evaluate(lcp);
-            let gain = refined.max() < 0.5 * residuals.max();
-            if refined.max().is_nan() || refined.max() >= residuals.max() {
-                std::mem::swap(&mut self.point, &mut self.spare);
-            } else {
-                residuals = refined;
-            }
-            if !gain {
-                break;
-            }
-        }
-        // A basic variable which is zero in exact arithmetic comes out as noise; it is left out if that costs nothing.
+        self.path.read_point(&mut self.point.z);
+        let residuals = self.point.evaluate(lcp);
+        let mut residuals = self.refine(lcp, residuals);
+        // A basic variable which is zero in exact arithmetic comes out as noise, and is left out if that costs nothing.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
+            let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();
-            self.spare
-                .z
-                .extend(self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z }));
-            let cut = self.spare.evaluate(lcp);
-            if cut.max() <= residuals.max().max(rounded(n)) {
-                std::mem::swap(&mut self.point, &mut self.spare);
-                residuals = cut;
-            }
+            self.spare.z.extend(kept);
+            let free_of_charge = residuals.max().max(residual_rounding(n));
+            self.take_spare(lcp, &mut residuals, |cut| cut <= free_of_charge);
         }
-        if !residuals.within(ZERO) {
-            residuals = self.finish_by_factorisation(lcp, residuals);
+        if !residuals.within(SOUND) {
+            self.finish_by_factorisation(lcp, &mut residuals);
         }
         if self.settle_pairs(settings) {
             residuals = self.point.evaluate(lcp);
@@ -91,80 +59,100 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Which basic z's are zero but for rounding: those that are small against the terms they were computed from, and
-    /// those that are small against the largest z, if the point without them is as good. The terms alone do not show the noise
-    /// of a z whose terms all vanish.
+    /// Takes the spare point in the place of the point if the largest of its residuals is accepted.
+    fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
+        let spare = self.spare.evaluate(lcp);
+        if accept(spare.max()) {
+            *residuals = spare;
+            std::mem::swap(&mut self.point, &mut self.spare);
+        }
+    }
+
+    /// Marks the basic z's that are zero but for rounding: small against the terms they were computed from, or small
+    /// against the largest z, if the point without them is as good.
+    ///
+    /// The terms alone do not show the noise of a z whose terms all vanish.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
-        self.vanishing.clear();
-        self.vanishing.resize(n, false);
+        refill(&mut self.vanishing, n, false);
+        refill(&mut self.spare.z, n, 0.0);
         let dictionary = &self.path.dictionary;
-        let values = || dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level);
-        let faint = ZERO
-            * values().fold(
-                0.0_f64,
-                |most, ((basic, x), _)| {
-                    if matches!(basic, Unknown::Z(_)) { most.max(*x) } else { most }
-                },
-            );
+        let basic_z = || {
+            let values = dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level);
+            values.filter_map(|((basic, x), level)| match *basic {
+                Unknown::Z(j) => Some((j, *x, *level)),
+                _ => None,
+            })
+        };
+        let faint = ZERO * basic_z().fold(0.0_f64, |most, (_, x, _)| most.max(x));
         let mut doubtful = false;
-        self.spare.z.clear();
-        self.spare.z.resize(n, 0.0);
-        for ((basic, x), level) in values() {
-            if let Unknown::Z(j) = *basic {
-                self.vanishing[j] = *x <= ZERO * level;
-                doubtful |= !self.vanishing[j] && *x <= faint;
-                if *x > faint {
-                    self.spare.z[j] = x * self.path.scaling.column[j];
-                }
+        for (j, x, level) in basic_z() {
+            self.vanishing[j] = x <= ZERO * level;
+            doubtful |= !self.vanishing[j] && x <= faint;
+            if x > faint {
+                self.spare.z[j] = x * self.path.scaling.column[j];
             }
         }
-        if doubtful && self.spare.evaluate(lcp).within(rounded(n)) {
-            for basic in &self.path.dictionary.basic {
-                if let Unknown::Z(j) = *basic {
-                    self.vanishing[j] |= self.spare.z[j] == 0.0;
-                }
+        if doubtful && self.spare.evaluate(lcp).within(residual_rounding(n)) {
+            for (j, ..) in basic_z() {
+                self.vanishing[j] |= self.spare.z[j] == 0.0;
             }
         }
     }
 
-    /// z from the values in the dictionary; noise below zero is cut off.
-    fn read_point(&mut self, n: usize) {
-        self.point.z.clear();
-        self.point.z.resize(n, 0.0);
-        let dictionary = &self.path.dictionary;
-        for (basic, x) in dictionary.basic.iter().zip(&dictionary.x) {
-            if let Unknown::Z(j) = *basic {
-                self.point.z[j] = x.max(0.0) * self.path.scaling.column[j];
+    /// Lets w_j take the place of each vanishing z_j where it can: the point is then that of a smaller block, in whose
+    /// rows the noise of z_j has no part. By index, since the order of rows depends on rounding.
+    fn retire_vanishing(&mut self, lcp: &Lcp) {
+        let Path { dictionary, scaling, .. } = &mut self.path;
+        for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
+            if let Some(row) = dictionary.basic.iter().position(|basic| *basic == Unknown::Z(j)) {
+                dictionary.retire(j, row, scaling, lcp.m.as_slice());
             }
         }
     }
 
-    /// Adds to the values the effect of the defect that the point in `spare` leaves in the rows that should vanish.
-    fn refine(&mut self) {
+    /// Refines the point until its residuals are rounding or a step gains little; returns those of the best point.
+    fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
+        let n = lcp.len();
+        for _ in 0..REFINEMENTS {
+            if residuals.within(residual_rounding(n)) || residuals == Residuals::UNUSABLE {
+                break;
+            }
+            self.correct_values();
+            self.path.read_point(&mut self.spare.z);
+            let before = residuals.max();
+            self.take_spare(lcp, &mut residuals, |refined| refined < before);
+            if residuals.max() >= WORTHWHILE * before {
+                break;
+            }
+        }
+        residuals
+    }
+
+    /// Adds to the values the effect of the defect that the point leaves in the rows that should vanish.
+    fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
-        self.defect.extend(self.spare.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row));
+        self.defect.extend(self.point.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row));
         for (i, defect) in self.defect.iter_mut().enumerate() {
             if !path.dictionary.is_active(i) {
                 *defect = 0.0;
             }
         }
-        self.correction.clear();
-        self.correction.resize(self.defect.len(), 0.0);
+        refill(&mut self.correction, self.defect.len(), 0.0);
         path.dictionary.effect(&self.defect, &mut self.correction);
         for (x, c) in path.dictionary.x.iter_mut().zip(&self.correction) {
             *x += c;
         }
     }
 
-    /// Where z_i is basic but w_i is not zero although the residuals are small, z_i has no share in any row that
-    /// could be seen: it is the one to vanish. Returns whether there was such a pair.
+    /// Sets z_i to zero where z_i is basic and w_i is not zero although the residuals are small: such a z_i has no share
+    /// in any row that could be seen. Returns whether there was one.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
-        for (i, z) in self.point.z.iter_mut().enumerate() {
-            if self.basis.contains(i) && self.point.w[i] > settings.residual_tolerance * self.point.terms[i] {
-                *z = 0.0;
+        for i in 0..self.point.z.len() {
+            if self.basis.contains(i) && self.point.has_slack(i, settings.residual_tolerance) {
+                self.point.z[i] = 0.0;
                 self.basis.toggle(i);
                 changed = true;
             }
@@ -172,63 +160,39 @@ impl Workspace {
         changed
     }
 
-    /// The point of the basis by a fresh factorisation, without and with its vanishing variables; the best one is kept.
-    fn finish_by_factorisation(&mut self, lcp: &Lcp, mut best: Residuals) -> Residuals {
+    /// The point of the basis by a fresh factorisation, without and with its vanishing variables, if one of these points
+    /// is better.
+    fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().collect();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
         for indices in [&support, &alpha] {
-            if best.within(ZERO) {
+            if best.within(SOUND) {
                 break;
             }
-            if let Some(basic) = principal::solve(&lcp.m, &lcp.q, indices) {
-                self.spare.z.clear();
-                self.spare.z.resize(lcp.len(), 0.0);
+            if let Some(basic) = principal::solve(lcp, indices) {
+                refill(&mut self.spare.z, lcp.len(), 0.0);
                 for (j, value) in indices.iter().zip(&basic) {
                     self.spare.z[*j] = value.max(0.0);
                 }
-                let residuals = self.spare.evaluate(lcp);
-                if best.max().is_nan() || residuals.max() < best.max() {
-                    best = residuals;
-                    std::mem::swap(&mut self.point, &mut self.spare);
-                }
+                let before = best.max();
+                self.take_spare(lcp, best, |fresh| fresh < before);
             }
         }
-        best
     }
 
-    /// Says "solved" only if the residuals do.
+    /// Says "solved" (`None`) only if the residuals do.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Outcome> {
-        let pivots = self.path.pivots;
-        if residuals == Residuals::UNUSABLE {
-            return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow });
-        }
-        if !residuals.within(settings.residual_tolerance) {
-            return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::Residual(residuals) });
-        }
-        if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row) {
-            return Some(Outcome::Breakdown { pivots, cause: BreakdownCause::SingularBasis });
-        }
-        self.degenerate = false;
-        for (i, w) in self.point.w.iter_mut().enumerate() {
-            if self.basis.contains(i) {
-                *w = 0.0;
-                self.degenerate |= self.vanishing[i] || self.point.z[i] == 0.0;
-            } else {
-                self.degenerate |= self.vanishing[i] || *w <= ZERO * self.point.terms[i];
-                *w = w.max(0.0);
-            }
-        }
-        self.residuals = Some(residuals);
-        None
-    }
-}
-
-impl Point {
-    fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
-        let n = lcp.len();
-        self.w.resize(n, 0.0);
-        self.terms.resize(n, 0.0);
-        slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
-        residuals_from(&lcp.m, &self.z, &self.w, &self.terms)
+        let cause = if residuals == Residuals::UNUSABLE {
+            BreakdownCause::Overflow
+        } else if !residuals.within(settings.residual_tolerance) {
+            BreakdownCause::Residual(residuals)
+        } else if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row) {
+            BreakdownCause::SingularBasis
+        } else {
+            self.degenerate = self.point.settle_slacks(&self.basis) | self.vanishing.contains(&true);
+            self.residuals = Some(residuals);
+            return None;
+        };
+        Some(Outcome::Breakdown { pivots: self.path.pivots, cause })
     }
 }

@@ -20,6 +20,7 @@
 
 use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine};
 use super::scaling::Scaling;
+use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
@@ -40,9 +41,6 @@ impl Unknown {
         }
     }
 }
-
-/// The least pivot, relative to its column, for which a z that is zero is taken out of the basis.
-const RETIRING: f64 = 1e-5;
 
 const NONE: usize = usize::MAX;
 
@@ -160,7 +158,7 @@ impl Dictionary {
     /// them. The column of a slack is not summed; there, entries below rounding of the largest are cut.
     pub(crate) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
         if let Unknown::W(_) = entering {
-            let rounding = 64.0 * f64::EPSILON * largest(&self.u);
+            let rounding = STORED_ROUNDING * largest(&self.u);
             for u in self.u.iter_mut().filter(|u| u.abs() <= rounding) {
                 *u = 0.0;
             }
@@ -247,7 +245,7 @@ impl Dictionary {
             return;
         }
         self.enter(Unknown::W(j), m, scaling);
-        if self.u[r].abs() >= RETIRING * largest(&self.u).max(1.0) {
+        if self.u[r].abs() >= RETIRING_PIVOT * largest(&self.u).max(1.0) {
             self.exchange(Unknown::W(j), r);
         }
     }

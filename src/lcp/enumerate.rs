@@ -1,12 +1,15 @@
 //! All solutions of a small problem.
 
-use super::certificate::least_violation;
-use super::conclusion::ZERO;
+use super::basis::Basis;
+use super::linear_program::least_violation;
 use super::outcome::Solution;
-use super::residuals::{Residuals, ignores_q, residuals_from, slack_and_terms};
+use super::point::Point;
+use super::principal;
+use super::problem::Lcp;
+use super::residuals::ignores_q;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::{Basis, Lcp, principal};
+use super::tolerances::{SAME_ENTRY, SAME_POINT, ZERO};
 use nalgebra::{DMatrix, DVector};
 
 /// The largest n for which 2ⁿ bases are tried.
@@ -25,6 +28,28 @@ pub struct AllSolutions {
     pub singular: Vec<Basis>,
 }
 
+impl Lcp {
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases: one factorisation of at most n rows each, and a linear
+    /// program for each singular one. `None` if n > 20. Of the settings only the tolerances count.
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Lcp, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = 1 − z in both rows: z_i = 0 or z_i = 1, each by itself.
+    /// let problem = Lcp::new(-DMatrix::identity(2, 2), DVector::from_element(2, 1.0))?;
+    /// let all = problem.all_solutions(&Settings::default()).expect("n <= 20");
+    /// let z: Vec<[f64; 2]> = all.solutions.iter().map(|solution| [solution.z[0], solution.z[1]]).collect();
+    /// assert_eq!(z, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    /// assert!(all.singular.is_empty());
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    #[must_use]
+    pub fn all_solutions(&self, settings: &Settings) -> Option<AllSolutions> {
+        (self.len() <= LARGEST).then(|| all_solutions(self, settings))
+    }
+}
+
 /// Tries all 2ⁿ complementary bases; n is at most [`LARGEST`].
 pub(crate) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
@@ -35,7 +60,7 @@ pub(crate) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let mut without_point = Vec::new();
     for bits in 0..1_u32 << n {
         let alpha = indices(bits);
-        match principal::solve(&lcp.m, &lcp.q, &alpha) {
+        match principal::solve(lcp, &alpha) {
             Some(basic) => {
                 let _ = all.offer(lcp, &scaling, &alpha, &basic, settings);
             }
@@ -64,10 +89,9 @@ impl AllSolutions {
         basic: &DVector<f64>,
         settings: &Settings,
     ) -> Option<Basis> {
-        let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
-        let solution = solution_at(lcp, scaling, &basis, alpha, basic, settings).or_else(|| {
-            solution_at(lcp, scaling, &basis, alpha, &without_noise(scaling, alpha, basic), settings)
-        })?;
+        let solution = solution_at(lcp, scaling, alpha, basic, settings)
+            .or_else(|| solution_at(lcp, scaling, alpha, &without_noise(scaling, alpha, basic), settings))?;
+        let basis = solution.basis.clone();
         match self.solutions.iter_mut().find(|known| same_point(lcp, known, &solution)) {
             Some(known) => known.degenerate = true,
             None => self.solutions.push(solution),
@@ -87,48 +111,32 @@ fn without_noise(scaling: &Scaling, alpha: &[usize], basic: &DVector<f64>) -> DV
 fn solution_at(
     lcp: &Lcp,
     scaling: &Scaling,
-    basis: &Basis,
     alpha: &[usize],
     basic: &DVector<f64>,
     settings: &Settings,
 ) -> Option<Solution> {
-    let mut z = DVector::zeros(lcp.len());
+    let tolerance = settings.residual_tolerance;
+    let mut z = vec![0.0; lcp.len()];
     for (i, value) in alpha.iter().zip(basic) {
         z[*i] = *value;
     }
+    let mut point = Point { z, ..Point::default() };
     // With its negative entries first: those that are more than noise must not be cut off.
-    if !evaluate(lcp, &z).0.within(settings.residual_tolerance) {
+    if !point.evaluate(lcp).within(tolerance) {
         return None;
     }
-    z.iter_mut().for_each(|z| *z = z.max(0.0));
-    let (residuals, mut w, terms) = evaluate(lcp, &z);
-    if !residuals.within(settings.residual_tolerance) {
+    point.z.iter_mut().for_each(|z| *z = z.max(0.0));
+    let residuals = point.evaluate(lcp);
+    if !residuals.within(tolerance)
+        || alpha.iter().any(|i| point.has_slack(*i, tolerance))
+        || ignores_q(residuals, lcp.q.as_slice(), &point.terms, &scaling.row)
+    {
         return None;
     }
-    if alpha.iter().any(|i| w[*i] > settings.residual_tolerance * terms[*i]) {
-        return None;
-    }
-    if ignores_q(residuals, lcp.q.as_slice(), &terms, &scaling.row) {
-        return None;
-    }
-    let mut degenerate = false;
-    for i in 0..lcp.len() {
-        if basis.contains(i) {
-            w[i] = 0.0;
-            degenerate |= z[i] == 0.0;
-        } else {
-            degenerate |= w[i] <= ZERO * terms[i];
-            w[i] = w[i].max(0.0);
-        }
-    }
-    Some(Solution { z, w, basis: basis.clone(), residuals, pivots: 0, degenerate })
-}
-
-fn evaluate(lcp: &Lcp, z: &DVector<f64>) -> (Residuals, DVector<f64>, Vec<f64>) {
-    let mut w = DVector::zeros(lcp.len());
-    let mut terms = vec![0.0; lcp.len()];
-    slack_and_terms(&lcp.m, lcp.q.as_slice(), z.as_slice(), w.as_mut_slice(), &mut terms);
-    (residuals_from(&lcp.m, z.as_slice(), w.as_slice(), &terms), w, terms)
+    let basis = Basis::from_indices(lcp.len(), alpha.iter().copied());
+    let degenerate = point.settle_slacks(&basis);
+    let [z, w] = [point.z, point.w].map(DVector::from_vec);
+    Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
 }
 
 /// Whether two points differ by no more than rounding, entry by entry or measured by the largest entry.
@@ -136,7 +144,7 @@ fn same_point(lcp: &Lcp, a: &Solution, b: &Solution) -> bool {
     let size = a.z.amax().max(b.z.amax());
     (0..lcp.len()).all(|i| {
         let difference = (a.z[i] - b.z[i]).abs();
-        difference <= 1e-9 * a.z[i].abs().max(b.z[i].abs()) || difference <= 1e-12 * size
+        difference <= SAME_ENTRY * a.z[i].abs().max(b.z[i].abs()) || difference <= SAME_POINT * size
     })
 }
 

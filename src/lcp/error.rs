@@ -1,5 +1,6 @@
 //! Malformed input.
 
+use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 /// What can be wrong with the numbers a problem is made of.
@@ -66,4 +67,50 @@ pub enum LcpError {
         /// The entry.
         value: f64,
     },
+}
+
+impl LcpError {
+    /// Refuses a matrix that is not square or has an entry that is not finite.
+    pub(super) fn check_square(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
+        let (rows, columns) = m.shape();
+        if rows != columns {
+            return Err(Self::NotSquare { rows, columns });
+        }
+        Self::check_entries(what, m)
+    }
+
+    /// Refuses a block of another shape than (rows, columns), or with an entry that is not finite.
+    pub(super) fn check_block(
+        what: &'static str,
+        block: &DMatrix<f64>,
+        (needed_rows, needed_columns): (usize, usize),
+    ) -> Result<(), Self> {
+        let (rows, columns) = block.shape();
+        if (rows, columns) != (needed_rows, needed_columns) {
+            return Err(Self::BlockShape { what, rows, columns, needed_rows, needed_columns });
+        }
+        Self::check_entries(what, block)
+    }
+
+    /// Refuses a vector that has not `needed` entries, or one that is not finite.
+    pub(super) fn check_vector(what: &'static str, v: &DVector<f64>, needed: usize) -> Result<(), Self> {
+        if v.len() != needed {
+            return Err(Self::Length { what, given: v.len(), needed });
+        }
+        match v.iter().position(|x| !x.is_finite()) {
+            Some(row) => Err(Self::VectorEntry { what, row, value: v[row] }),
+            None => Ok(()),
+        }
+    }
+
+    fn check_entries(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
+        // Stored by columns.
+        match m.iter().position(|x| !x.is_finite()) {
+            Some(at) => {
+                let (row, column) = (at % m.nrows(), at / m.nrows());
+                Err(Self::MatrixEntry { what, row, column, value: m[at] })
+            }
+            None => Ok(()),
+        }
+    }
 }

@@ -4,12 +4,12 @@
 //! z = 0 with large z₀ to z₀ = 0 (Cottle, Pang & Stone, algorithm 4.4.5): the variable driven next is always
 //! the complement of the one that left last.
 
-use super::dictionary::{Dictionary, Unknown, largest};
+use super::dictionary::{Unknown, largest};
 use super::outcome::BreakdownCause;
+use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
-use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::generic;
+use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,69 +22,9 @@ pub(crate) enum End {
     Breakdown(BreakdownCause),
 }
 
-/// A pivot smaller than this fraction of its column, or a drift larger than this, asks for a fresh dictionary.
-const DOUBTFUL: f64 = 1e-7;
-/// A coefficient below this fraction of its column is noise in any case; between that and the pivot tolerance it is worth
-/// a second look.
-const GREY: f64 = 4.0 * f64::EPSILON;
 /// The values are compared with the data after so many pivots.
 const CHECK_EVERY: usize = 32;
-/// A dictionary whose values miss the data by more than this fraction of their terms is computed anew.
-const DRIFT: f64 = 1e-10;
-
-/// A path through the dictionaries of one balanced problem.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Path {
-    pub(crate) scaling: Scaling,
-    pub(crate) dictionary: Dictionary,
-    /// The balanced right-hand side, perturbation and covering vector.
-    pub(crate) q: Vec<f64>,
-    pub(crate) p: Vec<f64>,
-    pub(crate) d: Vec<f64>,
-    pub(crate) pivots: usize,
-    /// Pivots since the dictionary was last computed from the data.
-    pub(super) age: usize,
-    /// The perturbation of each basic variable while the dictionary is computed anew.
-    pub(super) saved: Vec<f64>,
-    pub(super) members: Vec<Unknown>,
-    pub(super) active: Vec<bool>,
-    pub(super) defect: Vec<f64>,
-    pub(super) terms: Vec<f64>,
-}
-
 impl Path {
-    /// Balances M, and q and p with it. The dictionary still has to be started.
-    pub(crate) fn prepare(&mut self, m: &[f64], q: &[f64]) {
-        self.scaling.balance(q.len(), m, q);
-        self.p.clear();
-        self.p.extend(self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)));
-        self.set_right_hand_side(q);
-        self.pivots = 0;
-        self.reserve(q.len());
-    }
-
-    /// Room for what only some problems need, so that no later problem of this size has to allocate.
-    fn reserve(&mut self, n: usize) {
-        self.d.reserve(n.saturating_sub(self.d.len()));
-        self.saved.reserve((2 * n + 1).saturating_sub(self.saved.len()));
-        self.members.reserve((n + 1).saturating_sub(self.members.len()));
-        self.active.reserve(n.saturating_sub(self.active.len()));
-        for scratch in [&mut self.defect, &mut self.terms] {
-            scratch.reserve(n.saturating_sub(scratch.len()));
-        }
-    }
-
-    pub(crate) fn set_right_hand_side(&mut self, q: &[f64]) {
-        self.q.clear();
-        self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
-    }
-
-    /// Starts from the slack basis with the present q, p and d.
-    pub(crate) fn start_from_slacks(&mut self) {
-        self.dictionary.reset(&self.q, &self.p, &self.d);
-        self.age = 0;
-    }
-
     /// Lets z₀ enter an infeasible basis and follows the path until z₀ has left again. The column of z₀ is in the dictionary.
     pub(crate) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
         let row = match most_violated_row(&self.dictionary, settings) {
@@ -100,6 +40,20 @@ impl Path {
         }
         let leaving = self.pivot(Unknown::Covering, row, m);
         self.run(leaving.complement(), m, settings, limit)
+    }
+
+    /// Follows a path from the complementary basis in which z_i is basic where `active(i)`. Whether it ended in
+    /// another complementary basis; a singular or feasible start has no path.
+    pub(super) fn run_from(
+        &mut self,
+        m: &[f64],
+        active: impl Fn(usize) -> bool,
+        settings: &Settings,
+        limit: usize,
+    ) -> bool {
+        self.install_basis(m, active).is_ok()
+            && self.cover_violations(m)
+            && self.cover_and_run(m, settings, limit) == End::Complementary
     }
 
     /// Follows the path from the entering variable on, whose column is in the dictionary.
@@ -154,9 +108,9 @@ impl Path {
                 continue;
             }
             let certain = settings.pivot_tolerance * size;
-            let row = blocking_row(&self.dictionary, GREY * size, certain, role, settings);
+            let row = blocking_row(&self.dictionary, COLUMN_NOISE * size, certain, role, settings);
             let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
-            if pivot < DOUBTFUL * size && self.age > 0 {
+            if pivot < DOUBTFUL_PIVOT * size && self.age > 0 {
                 self.refactor(entering, m)?;
                 continue;
             }

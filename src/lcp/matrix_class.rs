@@ -1,6 +1,7 @@
 //! To which classes a matrix belongs, and what that guarantees.
 
 use super::error::LcpError;
+use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
 use nalgebra::DMatrix;
 
 /// For n up to this all principal minors are looked at when nothing else decides whether M is a P-matrix.
@@ -83,7 +84,7 @@ impl MatrixClass {
     ///
     /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
     pub fn of(m: &DMatrix<f64>) -> Result<Self, LcpError> {
-        super::Lcp::new(m.clone(), nalgebra::DVector::zeros(m.nrows()))?;
+        LcpError::check_square("M", m)?;
         let n = m.nrows();
         let off_diagonal =
             |test: &dyn Fn(f64) -> bool| (0..n).all(|j| (0..n).all(|i| i == j || test(m[(i, j)])));
@@ -131,13 +132,13 @@ fn definiteness(s: &DMatrix<f64>) -> Definiteness {
         }
     }
     let mut a = DMatrix::from_fn(n, n, |i, j| s[(i, j)] * factor(i) * factor(j));
-    let rounding = 8.0 * n as f64 * f64::EPSILON;
+    let rounding = elimination_rounding(n);
     for k in 0..n {
         let (pivot, value) = (k..n)
             .fold((k, f64::NEG_INFINITY), |best, i| if a[(i, i)] > best.1 { (i, a[(i, i)]) } else { best });
         if value <= rounding {
             let rest = a.view((k, k), (n - k, n - k));
-            let small = rest.iter().all(|x| x.abs() <= 4.0 * rounding);
+            let small = rest.iter().all(|x| x.abs() <= OFF_DIAGONAL * rounding);
             return if small { Definiteness::PositiveSemidefinite } else { Definiteness::Indefinite };
         }
         a.swap_rows(k, pivot);
@@ -197,7 +198,7 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         // A Z-matrix is a P-matrix exactly if elimination without exchanges meets positive pivots only (3.11.10).
         let mut a = m.clone();
         for k in 0..n {
-            if a[(k, k)] <= 8.0 * n as f64 * f64::EPSILON * m[(k, k)] {
+            if a[(k, k)] <= elimination_rounding(n) * m[(k, k)] {
                 return Some(false);
             }
             eliminate(&mut a, k);
@@ -223,7 +224,7 @@ fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     if n == 0 {
         return true;
     }
-    if a[(0, 0)] <= 1e-14 * m[(0, 0)] {
+    if a[(0, 0)] <= POSITIVE_MINOR * m[(0, 0)] {
         return false;
     }
     let smaller = m.view((1, 1), (n - 1, n - 1)).into_owned();

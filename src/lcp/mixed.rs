@@ -3,10 +3,12 @@
 use super::basis::Basis;
 use super::error::LcpError;
 use super::outcome::Outcome;
+use super::point::Point;
+use super::principal;
+use super::problem::Lcp;
 use super::reduction::Reduction;
-use super::residuals::{residuals_from, slack_and_terms};
+use super::residuals::Residuals;
 use super::settings::Settings;
-use super::{Lcp, Residuals, principal};
 use nalgebra::{DMatrix, DVector};
 
 /// The mixed problem: find u (m entries, free) and z (n entries) with
@@ -36,10 +38,8 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MixedLcp {
-    /// [A, C; D, M].
-    matrix: DMatrix<f64>,
-    /// (b, q).
-    vector: DVector<f64>,
+    /// ([A, C; D, M], (b, q)), whose first `free` rows are equalities.
+    whole: Lcp,
     free: usize,
 }
 
@@ -119,42 +119,22 @@ impl MixedLcp {
         q: &DVector<f64>,
     ) -> Result<Self, LcpError> {
         let (free, n) = (a.nrows(), m.nrows());
-        for (what, block, shape) in
-            [("A", a, (free, free)), ("C", c, (free, n)), ("D", d, (n, free)), ("M", m, (n, n))]
-        {
-            if block.shape() != shape {
-                let (rows, columns) = block.shape();
-                return Err(LcpError::BlockShape {
-                    what,
-                    rows,
-                    columns,
-                    needed_rows: shape.0,
-                    needed_columns: shape.1,
-                });
-            }
-            for column in 0..block.ncols() {
-                if let Some(row) = block.column(column).iter().position(|x| !x.is_finite()) {
-                    return Err(LcpError::MatrixEntry { what, row, column, value: block[(row, column)] });
-                }
-            }
+        let size = free + n;
+        let mut whole = Lcp { m: DMatrix::zeros(size, size), q: DVector::zeros(size) };
+        for (what, block, at, shape) in [
+            ("A", a, (0, 0), (free, free)),
+            ("C", c, (0, free), (free, n)),
+            ("D", d, (free, 0), (n, free)),
+            ("M", m, (free, free), (n, n)),
+        ] {
+            LcpError::check_block(what, block, shape)?;
+            whole.m.view_mut(at, shape).copy_from(block);
         }
-        for (what, vector, needed) in [("b", b, free), ("q", q, n)] {
-            if vector.len() != needed {
-                return Err(LcpError::Length { what, given: vector.len(), needed });
-            }
-            if let Some(row) = vector.iter().position(|x| !x.is_finite()) {
-                return Err(LcpError::VectorEntry { what, row, value: vector[row] });
-            }
+        for (what, vector, at, needed) in [("b", b, 0, free), ("q", q, free, n)] {
+            LcpError::check_vector(what, vector, needed)?;
+            whole.q.rows_mut(at, needed).copy_from(vector);
         }
-        let entry = |i: usize, j: usize| match (i < free, j < free) {
-            (true, true) => a[(i, j)],
-            (true, false) => c[(i, j - free)],
-            (false, true) => d[(i - free, j)],
-            (false, false) => m[(i - free, j - free)],
-        };
-        let matrix = DMatrix::from_fn(free + n, free + n, entry);
-        let vector = DVector::from_fn(free + n, |i, _| if i < free { b[i] } else { q[i - free] });
-        Ok(Self { matrix, vector, free })
+        Ok(Self { whole, free })
     }
 
     /// The number m of free variables.
@@ -166,7 +146,7 @@ impl MixedLcp {
     /// The number n of pairs.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.vector.len() - self.free
+        self.whole.len() - self.free
     }
 
     /// Whether there is no pair.
@@ -180,22 +160,17 @@ impl MixedLcp {
     #[must_use]
     pub fn split(&self) -> Lcp {
         let m = self.free;
-        let (n, size) = (self.len(), self.len() + 2 * self.free);
-        let place = |i: usize| {
-            if i < m {
-                (i, 1.0)
-            } else if i < 2 * m {
-                (i - m, -1.0)
-            } else {
-                (i - m, 1.0)
-            }
+        let size = self.len() + 2 * m;
+        let place = |i: usize| match i {
+            i if i < m => (i, 1.0),
+            i if i < 2 * m => (i - m, -1.0),
+            i => (i - m, 1.0),
         };
-        debug_assert_eq!(size, n + 2 * m);
         let matrix = DMatrix::from_fn(size, size, |i, j| {
             let ((i, a), (j, b)) = (place(i), place(j));
-            a * b * self.matrix[(i, j)]
+            a * b * self.whole.m[(i, j)]
         });
-        let vector = DVector::from_fn(size, |i, _| place(i).1 * self.vector[place(i).0]);
+        let vector = DVector::from_fn(size, |i, _| place(i).1 * self.whole.q[place(i).0]);
         Lcp { m: matrix, q: vector }
     }
 
@@ -210,26 +185,25 @@ impl MixedLcp {
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> MixedOutcome {
         let settings = Settings { covering: None, ..settings.clone() };
-        let reduction = Reduction::of(&self.matrix, &self.vector, self.free);
+        let (m, n) = (self.free, self.len());
+        let reduction = Reduction::of(&self.whole, m);
         if let Some(reduced) = &reduction.problem
             && let Outcome::Solved(solution) = reduced.solve_with(&settings)
         {
-            let alpha = (0..self.len()).filter(|i| solution.basis.contains(*i) != reduction.swapped[*i]);
-            let basis = Basis::from_indices(self.len(), alpha);
+            let alpha = (0..n).filter(|i| solution.basis.contains(*i) != reduction.swapped[*i]);
+            let basis = Basis::from_indices(n, alpha);
             let point = reduction.point(&solution);
-            if let Ok(solution) = self.conclude(point, &basis, &reduction, solution.pivots, &settings) {
+            if let Ok(solution) = self.conclude(point, basis, &reduction, solution.pivots, &settings) {
                 return MixedOutcome::Solved(solution);
             }
         }
         match self.split().solve_with(&settings) {
             Outcome::Solved(solution) => {
-                let m = self.free;
-                let alpha = (0..self.len()).filter(|i| solution.basis.contains(2 * m + i));
-                let basis = Basis::from_indices(self.len(), alpha);
-                let z = &solution.z;
-                let point =
-                    DVector::from_fn(m + self.len(), |i, _| if i < m { z[i] - z[m + i] } else { z[m + i] });
-                match self.conclude(point, &basis, &reduction, solution.pivots, &settings) {
+                let basis = Basis::from_indices(n, (0..n).filter(|i| solution.basis.contains(2 * m + i)));
+                let z = solution.z.as_slice();
+                let free = (0..m).map(|i| z[i] - z[m + i]);
+                let point = free.chain(z[2 * m..].iter().copied()).collect();
+                match self.conclude(point, basis, &reduction, solution.pivots, &settings) {
                     Ok(solution) => MixedOutcome::Solved(solution),
                     Err(residuals) => MixedOutcome::Inaccurate(residuals),
                 }
@@ -242,41 +216,40 @@ impl MixedLcp {
         }
     }
 
-    /// The better of the point given and the point of its basis computed from the data, if it is good enough.
+    /// The better of the point (u, z) given and the point of its basis computed from the data, if that is good enough.
     fn conclude(
         &self,
-        point: DVector<f64>,
-        basis: &Basis,
+        point: Vec<f64>,
+        basis: Basis,
         reduction: &Reduction,
         pivots: usize,
         settings: &Settings,
     ) -> Result<MixedSolution, MixedResiduals> {
         let m = self.free;
-        let (mut residuals, mut w) = self.evaluate(&point);
-        let mut point = point;
+        let (mut residuals, mut point) = self.evaluate(point);
         let determined = (0..m).filter(|i| !reduction.undetermined.contains(i));
         let indices: Vec<usize> = determined.chain(basis.iter().map(|i| m + i)).collect();
         if reduction.dependent.is_empty()
-            && let Some(values) = principal::solve(&self.matrix, &self.vector, &indices)
+            && let Some(values) = principal::solve(&self.whole, &indices)
         {
-            let mut fresh = DVector::zeros(point.len());
+            let mut fresh = vec![0.0; self.whole.len()];
             for (i, value) in indices.iter().zip(&values) {
                 fresh[*i] = if *i < m { *value } else { value.max(0.0) };
             }
-            let (fresh_residuals, fresh_w) = self.evaluate(&fresh);
-            if residuals.max().is_nan() || fresh_residuals.max() <= residuals.max() {
-                (residuals, w, point) = (fresh_residuals, fresh_w, fresh);
+            let fresh = self.evaluate(fresh);
+            if residuals.max().is_nan() || fresh.0.max() <= residuals.max() {
+                (residuals, point) = fresh;
             }
         }
         if residuals.max().is_nan() || residuals.max() > settings.residual_tolerance {
             return Err(residuals);
         }
-        let w = DVector::from_fn(self.len(), |i, _| if basis.contains(i) { 0.0 } else { w[m + i].max(0.0) });
+        let slack = |i: usize| if basis.contains(i) { 0.0 } else { point.w[m + i].max(0.0) };
         Ok(MixedSolution {
-            u: point.rows(0, m).into_owned(),
-            z: point.rows(m, self.len()).into_owned(),
-            w,
-            basis: basis.clone(),
+            u: DVector::from_column_slice(&point.z[..m]),
+            z: DVector::from_column_slice(&point.z[m..]),
+            w: DVector::from_fn(self.len(), |i, _| slack(i)),
+            basis,
             residuals,
             undetermined: reduction.undetermined.clone(),
             dependent: reduction.dependent.clone(),
@@ -290,27 +263,22 @@ impl MixedLcp {
         if u.len() != self.free || z.len() != self.len() {
             return MixedResiduals { equality: f64::INFINITY, complementarity: Residuals::UNUSABLE };
         }
-        let point =
-            DVector::from_fn(self.vector.len(), |i, _| if i < self.free { u[i] } else { z[i - self.free] });
-        self.evaluate(&point).0
+        self.evaluate(u.iter().chain(z).copied().collect()).0
     }
 
-    fn evaluate(&self, point: &DVector<f64>) -> (MixedResiduals, DVector<f64>) {
-        let size = point.len();
-        let mut w = DVector::zeros(size);
-        let mut terms = vec![0.0; size];
-        slack_and_terms(&self.matrix, self.vector.as_slice(), point.as_slice(), w.as_mut_slice(), &mut terms);
+    fn evaluate(&self, point: Vec<f64>) -> (MixedResiduals, Point) {
+        let point = Point::new(point, &self.whole);
         let mut equality = 0.0_f64;
-        for i in 0..self.free {
-            if w[i] != 0.0 {
-                let miss = w[i].abs() / terms[i];
+        for (w, terms) in point.w.iter().zip(&point.terms).take(self.free) {
+            if *w != 0.0 {
+                let miss = w.abs() / terms;
                 equality = if miss.is_nan() { f64::INFINITY } else { equality.max(miss) };
             }
         }
         // Without the free part, whose signs do not matter.
-        let only = |v: &DVector<f64>| DVector::from_fn(size, |i, _| if i < self.free { 0.0 } else { v[i] });
-        let complementarity =
-            residuals_from(&self.matrix, only(point).as_slice(), only(&w).as_slice(), &terms);
-        (MixedResiduals { equality, complementarity }, w)
+        let mut pairs = point.clone();
+        pairs.z[..self.free].fill(0.0);
+        pairs.w[..self.free].fill(0.0);
+        (MixedResiduals { equality, complementarity: pairs.residuals(&self.whole) }, point)
     }
 }

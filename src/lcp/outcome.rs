@@ -74,13 +74,6 @@ pub struct Ray {
     pub pivots: usize,
 }
 
-impl Ray {
-    /// The answer when infeasibility was proved without a ray.
-    pub(crate) fn without_direction(n: usize, pivots: usize) -> Self {
-        Self { direction: DVector::zeros(n), covering_rate: 0.0, proof: Proof::None, pivots }
-    }
-}
-
 /// Whether a problem on which Lemke's method met a ray is known to have no solution.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

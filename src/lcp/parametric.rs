@@ -1,10 +1,10 @@
 //! The path of solutions of q(τ) = q₀ + τ dq.
 
-use super::Lcp;
 use super::basis::{Basis, Variable};
 use super::dictionary::{Unknown, largest};
 use super::error::LcpError;
 use super::outcome::{BreakdownCause, Outcome};
+use super::problem::Lcp;
 use super::ratio::Covering;
 use super::settings::Settings;
 use super::workspace::Workspace;
@@ -112,12 +112,7 @@ impl<'a> Parametric<'a> {
         dq: &DVector<f64>,
         settings: Settings,
     ) -> Result<Self, LcpError> {
-        if dq.len() != lcp.len() {
-            return Err(LcpError::Length { what: "dq", given: dq.len(), needed: lcp.len() });
-        }
-        if let Some(row) = dq.iter().position(|q| !q.is_finite()) {
-            return Err(LcpError::VectorEntry { what: "dq", row, value: dq[row] });
-        }
+        LcpError::check_vector("dq", dq, lcp.len())?;
         let mut workspace = Workspace::new();
         let start = if basis.count() == 0 {
             let failure = workspace.solve_first(lcp, &settings);
@@ -181,23 +176,14 @@ impl<'a> Parametric<'a> {
     /// Rates of z and τ as the entering variable grows by one, in the caller's units.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
-        let mut rate = DVector::zeros(self.lcp.len());
-        let mut tau = if self.entering == Unknown::Covering { 1.0 } else { 0.0 };
+        let mut rate = Vec::new();
+        let covering = path.unknowns(&path.dictionary.u, &mut rate);
         if let Unknown::Z(e) = self.entering {
             rate[e] = path.scaling.column[e];
         }
-        for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
-            match *basic {
-                Unknown::Z(j) => rate[j] = u * path.scaling.column[j],
-                Unknown::Covering => tau = *u,
-                Unknown::W(_) => {}
-            }
-        }
-        let size = largest(&path.dictionary.u).max(1.0);
-        if tau.abs() <= self.settings.pivot_tolerance * size {
-            tau = 0.0;
-        }
-        (rate, tau)
+        let tau = if self.entering == Unknown::Covering { 1.0 } else { covering.unwrap_or(0.0) };
+        let noise = self.settings.pivot_tolerance * largest(&path.dictionary.u).max(1.0);
+        (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
     fn breakpoint(&mut self, leaving: Variable) -> Breakpoint {
@@ -213,19 +199,11 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        let path = &self.workspace.path;
-        let mut z = DVector::zeros(self.lcp.len());
-        let mut tau = 0.0;
-        for (basic, x) in path.dictionary.basic.iter().zip(&path.dictionary.x) {
-            match *basic {
-                Unknown::Z(j) => z[j] = x.max(0.0) * path.scaling.column[j],
-                Unknown::Covering => tau = *x,
-                Unknown::W(_) => {}
-            }
-        }
+        let mut z = Vec::new();
+        let tau = self.workspace.path.read_point(&mut z).unwrap_or(0.0);
         Breakpoint {
             tau,
-            z,
+            z: DVector::from_vec(z),
             leaving,
             entering: leaving.complement(),
             basis: self.basis.clone(),

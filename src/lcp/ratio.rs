@@ -7,10 +7,8 @@
 
 use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
+use super::tolerances::VALUE_ROUNDING;
 use crate::numerics::{Loop, wide};
-
-/// The rounding error a value may carry, as a fraction of the largest term that has gone into it.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// What z₀ is on the path that is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +47,7 @@ pub(crate) fn blocking_row(
     }
     let mut best: Option<(usize, bool, f64)> = None;
     let blocks = |x: f64, u: f64, level: f64| {
-        let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDING * level;
+        let margin = settings.tie_tolerance * (u.abs() * step) + VALUE_ROUNDING * level;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
     // Blocking rows are rare: eight rows at a time are first asked together, without a branch for each.
@@ -99,7 +97,7 @@ pub(crate) fn doubtful_row_breaks(
     values.into_iter().any(|(((x, u), level), basic)| {
         let exempt = role == Covering::Parameter && *basic == Unknown::Covering;
         let doubtful = *u < 0.0 && *u >= -certain && !exempt;
-        doubtful && x.max(0.0) + u * step < -ROUNDING * level.max(size)
+        doubtful && x.max(0.0) + u * step < -VALUE_ROUNDING * level.max(size)
     })
 }
 

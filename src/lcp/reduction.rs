@@ -1,11 +1,10 @@
 //! Eliminating free variables by pivoting.
 
+use super::outcome::Solution;
+use super::problem::Lcp;
 use super::scaling::Scaling;
-use super::{Lcp, Solution};
+use super::tolerances::{DEPENDENT, FREE_PIVOT};
 use nalgebra::{DMatrix, DVector};
-
-/// A pivot below this fraction of the balanced entries is taken for zero.
-const SINGULAR: f64 = 1e-12;
 
 /// The tableau after all free variables that can be were made basic.
 pub(crate) struct Reduction {
@@ -29,15 +28,13 @@ pub(crate) struct Reduction {
 }
 
 impl Reduction {
-    /// Eliminates the first `free` unknowns of 0 = …, w = matrix (u, z) + vector.
-    pub(crate) fn of(matrix: &DMatrix<f64>, vector: &DVector<f64>, free: usize) -> Self {
-        let size = vector.len();
+    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are equalities.
+    pub(super) fn of(whole: &Lcp, free: usize) -> Self {
+        let size = whole.len();
         let n = size - free;
         let mut scaling = Scaling::default();
-        scaling.balance(size, matrix.as_slice(), vector.as_slice());
-        let tableau =
-            DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * scaling.row[i] * scaling.column[j]);
-        let constant = DVector::from_fn(size, |i, _| vector[i] * scaling.row[i]);
+        scaling.balance(size, whole.m.as_slice(), whole.q.as_slice());
+        let (tableau, constant) = scaling.balanced(&whole.m, &whole.q);
         let mut out = Self {
             problem: None,
             swapped: vec![false; n],
@@ -57,14 +54,14 @@ impl Reduction {
             && (out.pivot_direct(&mut rows, &mut columns) || out.pivot_pair(&mut rows, &mut columns))
         {
         }
-        let noise = 1e-10 * (1.0 + out.constant.amax());
+        let noise = DEPENDENT * (1.0 + out.constant.amax());
         let consistent = rows.iter().all(|r| {
             out.constant[*r].abs() <= noise
-                && out.column_of_pair.iter().all(|c| out.tableau[(*r, *c)].abs() <= SINGULAR)
+                && out.column_of_pair.iter().all(|c| out.tableau[(*r, *c)].abs() <= FREE_PIVOT)
         });
         // A free variable that still acts on some w_i cannot be set to zero.
         let idle =
-            columns.iter().all(|c| out.row_of_pair.iter().all(|r| out.tableau[(*r, *c)].abs() <= SINGULAR));
+            columns.iter().all(|c| out.row_of_pair.iter().all(|r| out.tableau[(*r, *c)].abs() <= FREE_PIVOT));
         out.undetermined = columns;
         out.dependent = rows;
         if consistent && idle {
@@ -77,7 +74,7 @@ impl Reduction {
 
     /// A free variable takes the place of an equality row.
     fn pivot_direct(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
-        let mut best = (0, 0, SINGULAR);
+        let mut best = (0, 0, FREE_PIVOT);
         for (a, r) in rows.iter().enumerate() {
             for (b, c) in columns.iter().enumerate() {
                 let size = self.tableau[(*r, *c)].abs();
@@ -86,7 +83,7 @@ impl Reduction {
                 }
             }
         }
-        if best.2 <= SINGULAR {
+        if best.2 <= FREE_PIVOT {
             return false;
         }
         let (r, c) = (rows.swap_remove(best.0), columns.swap_remove(best.1));
@@ -98,7 +95,7 @@ impl Reduction {
 
     /// A free variable takes the place of w_i, and z_i that of an equality row.
     fn pivot_pair(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
-        let mut best = (0, 0, 0, SINGULAR);
+        let mut best = (0, 0, 0, FREE_PIVOT);
         for (pair, (r_pair, c_pair)) in self.row_of_pair.iter().zip(&self.column_of_pair).enumerate() {
             for (a, r) in rows.iter().enumerate() {
                 for (b, c) in columns.iter().enumerate() {
@@ -109,7 +106,7 @@ impl Reduction {
                 }
             }
         }
-        if best.3 <= SINGULAR {
+        if best.3 <= FREE_PIVOT {
             return false;
         }
         let pair = best.0;
@@ -152,9 +149,9 @@ impl Reduction {
     }
 
     /// (u, z) in the caller's units from a solution of the problem that is left.
-    pub(crate) fn point(&self, solution: &Solution) -> DVector<f64> {
+    pub(crate) fn point(&self, solution: &Solution) -> Vec<f64> {
         let n = self.swapped.len();
-        let mut point = DVector::zeros(self.free + n);
+        let mut point = vec![0.0; self.free + n];
         for (u, row) in self.row_of_free.iter().enumerate() {
             if let Some(r) = *row {
                 let sum: f64 =

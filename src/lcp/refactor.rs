@@ -1,21 +1,17 @@
 //! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
-use super::lemke::Path;
 use super::outcome::BreakdownCause;
+use super::path::Path;
+use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS, ZERO};
 use crate::numerics::generic;
-
-/// An elimination pivot below this fraction of its column before elimination makes the basis singular.
-const SINGULAR: f64 = 1e-14;
-/// Values above minus this fraction of their terms are not infeasible.
-const NOISE: f64 = 1e-13;
 
 impl Path {
     /// How far the values of the basic variables are from solving w = q + M z + d z₀, as a fraction of the terms of a
     /// row. A thousandth of the largest q_i is counted with the terms, or rows of nothing but noise would drift.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
-        let floor = 1e-3 * largest(&self.q);
+        let floor = DRIFT_FLOOR * largest(&self.q);
         self.defect
             .iter()
             .zip(&self.terms)
@@ -85,7 +81,7 @@ impl Path {
                     best = (row, u.abs());
                 }
             }
-            if best.1.is_nan() || best.1 <= SINGULAR * self.dictionary.entering_size() {
+            if best.1.is_nan() || best.1 <= SINGULAR_BASIS * self.dictionary.entering_size() {
                 return Err(BreakdownCause::SingularBasis);
             }
             self.dictionary.exchange(member, best.0);
@@ -133,7 +129,7 @@ impl Path {
             // By the variable, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
-            if dictionary.x[row] >= -NOISE * dictionary.level[row] {
+            if dictionary.x[row] >= -ZERO * dictionary.level[row] {
                 dictionary.x[row] = dictionary.x[row].max(0.0);
                 continue;
             }

@@ -1,6 +1,7 @@
 //! How well a point solves the problem, from the data as given.
 
-use nalgebra::{DMatrix, DVector};
+use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
+use nalgebra::DMatrix;
 
 /// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, as pure numbers.
 ///
@@ -39,27 +40,12 @@ impl Residuals {
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
 
-/// Residuals of a point of n rows up to this are rounding: a row of so many terms cannot be summed much better.
-pub(crate) fn rounded(n: usize) -> f64 {
-    (8.0 + n as f64 / 8.0) * f64::EPSILON
-}
-
-/// A point whose residuals exceed rounding must solve the problem for a q that differs by at most this fraction of its
-/// largest entry, in balanced rows. Residuals alone measure against the terms of M z: where those cancel down to a q that is
-/// 1e-10 of them, a tolerance of 1e-10 says nothing about q any more.
-const BACKWARD: f64 = 1e-6;
-
-/// q counts as lost in the terms of M z below this part of them in every row: some hundred thousand roundings. A singular basis
-/// whose determinant came out as 1e-16 instead of zero gives a z of 1e14 that satisfies 0 ≤ z ⟂ M z ≥ 0 and, to rounding,
-/// any q; problems of condition 1e10 stay clear of it.
-const LOST: f64 = 1e-11;
-
 /// Whether a point with these residuals and terms says nothing about q, because another q of quite different entries
 /// would have passed as well. `row` balances the rows.
 pub(crate) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
-    if missed > rounded(q.len()) && missed * balanced(terms) > BACKWARD * balanced(q) {
+    if missed > residual_rounding(q.len()) && missed * balanced(terms) > BACKWARD_ERROR * balanced(q) {
         return true;
     }
     q.iter().any(|q| *q != 0.0) && q.iter().zip(terms).all(|(q, a)| q.abs() <= LOST * a)
@@ -135,14 +121,6 @@ pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
         }
     }
     out
-}
-
-/// The residuals at z of the problem (M, q); z must have as many entries as q.
-pub(crate) fn residuals(m: &DMatrix<f64>, q: &DVector<f64>, z: &[f64]) -> Residuals {
-    let mut w = vec![0.0; z.len()];
-    let mut terms = vec![0.0; z.len()];
-    slack_and_terms(m, q.as_slice(), z, &mut w, &mut terms);
-    residuals_from(m, z, &w, &terms)
 }
 
 /// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is so too.

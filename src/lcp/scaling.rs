@@ -13,6 +13,8 @@
 
 use super::logarithms::Logarithms;
 use super::pattern::{Pattern, counts};
+use super::tolerances::SETTLED;
+use nalgebra::{DMatrix, DVector};
 
 /// Row and column factors: scaled M_ij = row_i M_ij column_j, all factors powers of two.
 #[derive(Debug, Clone, Default)]
@@ -32,8 +34,6 @@ pub(crate) struct Scaling {
     image: Vec<f64>,
 }
 
-/// Exponents are settled when their equations hold to this.
-const SETTLED: f64 = 1e-13;
 /// A bound on the conjugate-gradient steps for patterns with zeros: contact problems take about ten; on chains the ends
 /// are felt more slowly, but then no longer matter.
 const STEPS: usize = 24;
@@ -142,6 +142,15 @@ impl Scaling {
     /// What one unit of the exactly balanced z_j measures in the rounded one: 2^γ_j / column_j.
     pub(crate) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
+    }
+
+    /// The balanced matrix and vector.
+    pub(super) fn balanced(&self, m: &DMatrix<f64>, q: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
+        let (row, column) = (&self.row, &self.column);
+        (
+            DMatrix::from_fn(row.len(), column.len(), |i, j| m[(i, j)] * row[i] * column[j]),
+            DVector::from_fn(row.len(), |i, _| q[i] * row[i]),
+        )
     }
 
     fn round(&mut self) {

@@ -1,8 +1,10 @@
 //! Many right-hand sides, one matrix.
 
+use super::answer::Answer;
 use super::error::LcpError;
-use super::workspace::{Answer, Workspace};
-use super::{Lcp, Settings};
+use super::problem::Lcp;
+use super::settings::Settings;
+use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
 /// A series of problems with the same M, each solved from the basis of the one before.
@@ -48,12 +50,7 @@ impl Series {
     ///
     /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn solve(&mut self, q: &DVector<f64>) -> Result<Answer<'_>, LcpError> {
-        if q.len() != self.lcp.len() {
-            return Err(LcpError::Length { what: "q", given: q.len(), needed: self.lcp.len() });
-        }
-        if let Some(row) = q.iter().position(|q| !q.is_finite()) {
-            return Err(LcpError::VectorEntry { what: "q", row, value: q[row] });
-        }
+        LcpError::check_vector("q", q, self.lcp.len())?;
         self.lcp.q.copy_from(q);
         let failure = if self.started {
             self.workspace.solve_next(&self.lcp, &self.settings)

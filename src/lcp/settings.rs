@@ -118,8 +118,19 @@ impl Settings {
         self
     }
 
+    /// For problems on which Lemke's method cannot fail, positive semidefinite and solvable: one path, nothing after it.
+    pub(crate) fn one_path() -> Self {
+        Self { retries: 0, enumerate_up_to: 0, ..Self::default() }
+    }
+
     /// The pivot limit for a problem of n rows.
     pub(crate) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
+    }
+
+    /// The limit for one more path of a problem of n rows on which so many pivots are made: a path of exponential
+    /// length is not followed again to its end.
+    pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
+        self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
     }
 }

@@ -1,14 +1,12 @@
 //! Memory for solving many problems.
 
-use super::Lcp;
+use super::answer::{Answer, SolutionView};
 use super::basis::Basis;
-use super::conclusion::Point;
 use super::dictionary::Unknown;
-use super::lemke::Path;
-use super::outcome::{BreakdownCause, Outcome, Solution};
+use super::outcome::{BreakdownCause, Outcome};
+use super::path::Path;
+use super::point::Point;
 use super::residuals::Residuals;
-use super::settings::Settings;
-use nalgebra::DVector;
 
 /// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
 /// that size allocates nothing, as long as they are solved by the first path.
@@ -41,76 +39,11 @@ pub struct Workspace {
     pub(super) degenerate: bool,
 }
 
-/// What a [`Workspace`] or a [`Series`](super::Series) answers: a view of the solution it holds, or the [`Outcome`] that is not one.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Answer<'a> {
-    /// The problem is solved.
-    Solved(SolutionView<'a>),
-    /// It is not; the outcome is never [`Outcome::Solved`].
-    Unsolved(Box<Outcome>),
-}
-
-/// A [`Solution`] that still lies in the memory of its [`Workspace`] or [`Series`](super::Series); the fields mean the same.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct SolutionView<'a> {
-    /// z (n entries, none negative).
-    pub z: &'a [f64],
-    /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
-    pub w: &'a [f64],
-    /// Which z_i are basic.
-    pub basis: &'a Basis,
-    /// The violations at z, recomputed from the M and q given.
-    pub residuals: Residuals,
-    /// Pivots made, on all paths.
-    pub pivots: usize,
-    /// Whether a basic variable is zero.
-    pub degenerate: bool,
-}
-
-impl SolutionView<'_> {
-    /// A copy that outlives the workspace.
-    #[must_use]
-    pub fn to_solution(&self) -> Solution {
-        Solution {
-            z: DVector::from_column_slice(self.z),
-            w: DVector::from_column_slice(self.w),
-            basis: self.basis.clone(),
-            residuals: self.residuals,
-            pivots: self.pivots,
-            degenerate: self.degenerate,
-        }
-    }
-}
-
-impl Answer<'_> {
-    /// A copy that outlives the workspace.
-    #[must_use]
-    pub fn into_outcome(self) -> Outcome {
-        match self {
-            Self::Solved(view) => Outcome::Solved(view.to_solution()),
-            Self::Unsolved(outcome) => *outcome,
-        }
-    }
-}
-
 impl Workspace {
     /// A workspace without memory yet.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Solves a problem like [`Lcp::solve_with`].
-    pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> Answer<'_> {
-        let outcome = self.solve_cold(lcp, settings);
-        self.answer(outcome)
-    }
-
-    /// Solves a problem like [`Lcp::solve_from`].
-    pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
-        let outcome = self.solve_warm(lcp, basis, settings);
-        self.answer(outcome)
     }
 
     pub(crate) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {

@@ -20,10 +20,10 @@
 use nalgebra::{Matrix, SVector};
 
 use super::segment::Segment;
-use crate::equilibrium::{largest_force, span};
-use crate::formulation::{Piece, PieceState, Problem, Springs, State, balance, slide_on, tangent_stiffness};
+use crate::contact::{Mode, State, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::PartialPivoting;
+use crate::object::{Piece, PieceState, Springs, balance, largest_force, tangent_stiffness};
 
 /// Newton's steps: near the last state three do.
 const STEPS: usize = 12;
@@ -74,9 +74,7 @@ pub(super) struct Swept<const D: usize, const C: usize> {
 /// States that stay, from one factor on.
 pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
     segment: &'s Segment<'g, D, C>,
-    /// Its laws are those of the present slides.
-    linear: Problem<'g, D, C>,
-    pub(super) states: &'s [State],
+    pub(super) states: &'s [State<C>],
     pub(super) from: f64,
     pub(super) start: PieceState<D, C>,
     /// Of the twist, at the start: where Newton's method looks first.
@@ -86,12 +84,12 @@ pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
 impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     pub(super) fn new(
         segment: &'s Segment<'g, D, C>,
-        states: &'s [State],
+        states: &'s [State<C>],
         from: f64,
         start: PieceState<D, C>,
         rate: SVector<f64, D>,
     ) -> Self {
-        Self { segment, linear: segment.problem.clone(), states, from, start, rate }
+        Self { segment, states, from, start, rate }
     }
 
     pub(super) fn sites(&self) -> &'g [Site<D, C>] {
@@ -104,13 +102,13 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     pub(super) fn slides(&self, contact: usize) -> bool {
-        matches!(self.states[contact], State::Sliding { .. })
+        self.states[contact].slides()
     }
 
     /// The equilibrium at a factor in which what slides has slipped from this memory on along its friction force, forwards or
     /// backwards. `None` if Newton's method does not arrive.
     pub(super) fn poise(
-        &mut self,
+        &self,
         factor: f64,
         memory: &[SVector<f64, C>],
         near: &SVector<f64, D>,
@@ -124,32 +122,27 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         let mut twist = *near;
         let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
         let mut stretches = drives.clone();
+        let mut states = self.states.to_vec();
         let mut springs = vec![Springs::<C>::zeros(); sites.len()];
         for _ in 0..STEPS {
             for (i, site) in sites.iter().enumerate() {
-                let v = drives[i] - site.map.tr_mul(&twist);
+                let v = site.stretch(&drives[i], &twist);
+                let local = self.segment.problem.local(i);
                 stretches[i] = v;
-                match self.states[i] {
-                    State::Open => {}
-                    State::Rolling => {
-                        forces[i] = site.k.component_mul(&v);
-                        springs[i] = Springs::from_diagonal(&site.k);
-                    }
-                    State::Sliding { .. } => {
-                        let (force, slide) = slide_on(site, site.mu, &v)?;
-                        springs[i] = slide.stiffness(site);
-                        stretches[i] -= slide.rest(&v, &force, site.mu * force[0]);
-                        self.linear.laws[i] = self.segment.problem.turning(i, slide);
-                        forces[i] = force;
-                    }
+                if states[i].slides() {
+                    let (force, slide) = local.slide_on(&v)?;
+                    stretches[i] -= slide.rest(&site.springs, &v, &force, site.friction.limit(force[0]));
+                    (states[i], forces[i]) = (Mode::Round(slide), force);
+                } else if states[i].is_rolling() {
+                    forces[i] = site.springs.force(&v);
                 }
+                springs[i] = local.tangent(&states[i]);
             }
             let solved = if let Some(solved) = balanced(sites, &springs, &wrench, &forces, twist) {
                 solved
             } else {
-                let step = Piece::new(&self.linear, self.states)
-                    .solve(self.linear.sites, &stretches, &wrench)
-                    .ok()?;
+                let step =
+                    Piece::new(&self.segment.problem, &states).solve(sites, &stretches, &wrench).ok()?;
                 PieceState { forces: step.forces, twist: twist + step.twist }
             };
             twist = solved.twist;
@@ -158,8 +151,8 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
             let sizes = solved.forces.iter().map(Matrix::norm);
             let largest = largest_force(sites, &drives, &twist, wrench.norm(), sizes);
             let on_its_cone = |i: usize| {
-                let (f, r) = (&solved.forces[i], sites[i].mu * solved.forces[i][0]);
-                !self.slides(i) || (tangential(f).norm() - r).abs() <= ON_THE_CONE * largest.max(r)
+                let (f, r) = (&solved.forces[i], sites[i].friction.limit(solved.forces[i][0]));
+                !self.slides(i) || (tangential_norm(f) - r).abs() <= ON_THE_CONE * largest.max(r)
             };
             if change <= SETTLED * largest && (0..sites.len()).all(on_its_cone) {
                 let at = PieceState { forces: solved.forces, twist };
@@ -180,15 +173,14 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         let mut slipped = memory.to_vec();
         for (i, site) in self.sites().iter().enumerate().filter(|(i, _)| self.slides(*i)) {
             let p = tangential(&at.forces[i]).normalize();
-            let stretch = drives[i] - site.map.tr_mul(&at.twist);
-            let give: f64 = (1..C).map(|a| p[a] * (stretch[a] - at.forces[i][a] / site.k[a])).sum();
-            slipped[i] += p * give;
+            let slip = site.springs.slip(&site.stretch(&drives[i], &at.twist), &at.forces[i]);
+            slipped[i] += p * p.dot(&slip);
         }
         slipped
     }
 
     /// So many equal small steps up to a factor.
-    pub(super) fn sweep(&mut self, rule: Rule, count: usize, to: f64) -> Option<Swept<D, C>> {
+    pub(super) fn sweep(&self, rule: Rule, count: usize, to: f64) -> Option<Swept<D, C>> {
         let n = self.states.len();
         let step = (to - self.from) / count as f64;
         let (mut at_factor, mut twist, mut rate) = (self.from, self.start.twist, self.rate);
@@ -212,7 +204,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                 swept.works[1] += dissipated;
                 swept.turnover += finger.abs() + dissipated.abs();
                 if dissipated < 0.0 {
-                    let least = tangential(force).norm() * span(&self.sites()[i], &drives[i], &at.twist);
+                    let least = tangential(force).norm() * self.sites()[i].span(&drives[i], &at.twist);
                     swept.backwards |= dissipated < -BACKWARDS * least;
                 }
             }
@@ -233,7 +225,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     /// the slip over the largest displacement.
     pub(super) fn effect(&self, stuck: &Piece<D, C>, slipped: &[SVector<f64, C>]) -> f64 {
         let back: Vec<_> = slipped.iter().map(|s| -s).collect();
-        let Ok(change) = stuck.solve(self.linear.sites, &back, &SVector::zeros()) else {
+        let Ok(change) = stuck.solve(self.sites(), &back, &SVector::zeros()) else {
             return f64::INFINITY;
         };
         let largest = |list: &[SVector<f64, C>]| list.iter().map(Matrix::norm).fold(0.0, f64::max);
@@ -241,7 +233,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         let twist = &self.start.twist;
         let sizes = self.start.forces.iter().map(Matrix::norm);
         let force = largest_force(self.sites(), &drives, twist, load, sizes);
-        let spans = self.sites().iter().zip(&drives).map(|(site, a)| span(site, a, twist));
+        let spans = self.sites().iter().zip(&drives).map(|(site, a)| site.span(a, twist));
         let travel = spans.fold(0.0, f64::max);
         (largest(&change.forces) / force).max(largest(slipped) / travel)
     }
@@ -250,7 +242,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     pub(super) fn rounding(&self) -> Vec<SVector<f64, C>> {
         let drives = self.segment.drives(self.from);
         let one = |i: usize| {
-            let span = span(&self.sites()[i], &drives[i], &self.start.twist);
+            let span = self.sites()[i].span(&drives[i], &self.start.twist);
             let (at_rest, memory) = (&self.segment.problem.drives[i], &self.segment.problem.slips[i]);
             let size = f64::EPSILON * (span + at_rest.norm() + memory.norm());
             let slides = self.slides(i);
@@ -261,7 +253,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
 
     /// The piece in which everything closed sticks.
     pub(super) fn stuck(&self) -> Piece<D, C> {
-        let stick = |s: &State| if *s == State::Open { State::Open } else { State::Rolling };
+        let stick = |state: &State<C>| if state.is_open() { Mode::Open } else { Mode::Rolling };
         Piece::new(&self.segment.problem, &self.states.iter().map(stick).collect::<Vec<_>>())
     }
 }
@@ -277,11 +269,4 @@ fn balanced<const D: usize, const C: usize>(
     let tangent = PartialPivoting::new(&tangent_stiffness(sites, springs))?;
     let mut state = PieceState { forces: forces.to_vec(), twist };
     balance(sites, springs, &tangent, wrench, &mut state, BALANCED).map(|_| state)
-}
-
-/// The tangential part of a contact force.
-pub(super) fn tangential<const C: usize>(force: &SVector<f64, C>) -> SVector<f64, C> {
-    let mut t = *force;
-    t[0] = 0.0;
-    t
 }

@@ -7,13 +7,13 @@
 
 use nalgebra::SVector;
 
-use super::margin::ROUNDING;
-use crate::equilibrium::{
-    Cone, ContactState, Doubt, Effort, NoEquilibrium, Outcome, Rung, Settings, Settled, combinations,
-    for_each_combination, for_each_slack,
-};
-use crate::formulation::{Piece, Problem};
+use crate::contact::ZERO_SLACK;
+use crate::equilibrium::{Cone, ContactState, NoEquilibrium, Outcome};
 use crate::grasp::{Grasp, Twist};
+use crate::object::{Piece, Problem};
+use crate::search::{
+    Doubt, Effort, Rung, Settings, Settled, combinations, for_each_combination, for_each_condition,
+};
 
 /// A state that holds for less than this part of the way that brought the load here is taken to end at the event.
 const FLEETING: f64 = 1e-9;
@@ -121,14 +121,14 @@ fn search_beyond<const D: usize, const C: usize>(
         ) else {
             return false;
         };
-        let rounding = (ROUNDING * piece.growth()).min(1e-10);
+        let rounding = (ZERO_SLACK * piece.growth()).min(1e-10);
         let mut values = Vec::new();
-        for_each_slack(here, &states, &here.drives, &now.forces, &now.twist, |value, size| {
+        for_each_condition(here, &states, &now.forces, &now.twist, |value, size| {
             values.push((value, size));
         });
         let mut holds = true;
         let mut at = 0;
-        for_each_slack(rates, &states, &rates.drives, &next.forces, &next.twist, |rate, rate_size| {
+        for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
             // Also what would be gone within the uncertainty of the load factor itself.

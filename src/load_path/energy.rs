@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::segment::{Here, Segment};
-use crate::formulation::State;
+use crate::contact::State;
 use crate::grasp::Site;
 
 /// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, so that every integral is exact; where contacts
@@ -41,12 +41,9 @@ impl Energy {
         to: &[SVector<f64, C>],
     ) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
-            for axis in 0..site.axes {
-                let stored = 0.5 * (to[axis] - from[axis]) * (to[axis] + from[axis]) / site.k[axis];
-                self.stored += stored;
-                // A difference of two energies carries the rounding of both.
-                self.turnover += 0.5 * (to[axis] * to[axis] + from[axis] * from[axis]) / site.k[axis];
-            }
+            self.stored += 0.5 * (to - from).dot(&site.springs.give(&(to + from)));
+            // A difference of two energies carries the rounding of both.
+            self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
     }
 
@@ -63,7 +60,7 @@ impl Energy {
     pub(super) fn add<const D: usize, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,
-        states: &[State],
+        states: &[State<C>],
         here: &Here<D, C>,
         factor: f64,
         step: f64,
@@ -74,15 +71,15 @@ impl Energy {
         self.turnover += works.abs().sum();
         for (i, (line, site)) in here.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
-            let slips = matches!(states[i], State::Sliding { .. });
-            let moving = segment.change[i] - site.map.tr_mul(&here.twist_rate);
-            for axis in 0..site.axes {
+            let (give, moving) =
+                (site.springs.give(&line.rate), site.stretch(&segment.change[i], &here.twist_rate));
+            let slip =
+                if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
+            for axis in 0..site.springs.axes() {
                 let pushed = force[axis] * segment.change[i][axis] * step;
                 // d(½F²/k) = F dF / k, exact at the middle of the piece.
-                let stored = force[axis] * line.rate[axis] * step / site.k[axis];
-                let slip =
-                    if slips && axis > 0 { moving[axis] - line.rate[axis] / site.k[axis] } else { 0.0 };
-                let dissipated = force[axis] * slip * step;
+                let stored = force[axis] * give[axis] * step;
+                let dissipated = force[axis] * slip[axis] * step;
                 self.finger_work += pushed;
                 self.stored += stored;
                 self.dissipated += dissipated;

@@ -40,7 +40,7 @@ pub(super) struct Reached<const D: usize, const C: usize> {
 
 /// A step to a factor with an error below the tolerance, if there is one.
 pub(super) fn extrapolate<const D: usize, const C: usize>(
-    arc: &mut Arc<'_, '_, D, C>,
+    arc: &Arc<'_, '_, D, C>,
     rule: Rule,
     to: f64,
     tolerance: f64,
@@ -86,7 +86,7 @@ pub(super) fn extrapolate<const D: usize, const C: usize>(
 
 /// On the cone and in balance with these slips.
 fn arrive<const D: usize, const C: usize>(
-    arc: &mut Arc<'_, '_, D, C>,
+    arc: &Arc<'_, '_, D, C>,
     to: f64,
     values: &[f64],
     swept: &Swept<D, C>,

@@ -26,15 +26,12 @@
 
 mod arc;
 mod beyond;
-mod edge;
 mod energy;
 mod event;
 mod extrapolation;
 mod leg;
 mod loss;
-mod margin;
 mod node;
-mod nothing_holds;
 mod onset;
 mod pace;
 mod patch;
@@ -55,7 +52,6 @@ pub use beyond::{Beyond, Continuation};
 pub use energy::Energy;
 pub use event::{Change, Event, Loss, PathEnd};
 pub use leg::Leg;
-pub(crate) use margin::ROUNDING;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use patch::{PatchEvent, PatchPath};
 pub use path::LoadPath;

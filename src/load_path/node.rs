@@ -2,33 +2,30 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::arc::tangential;
-use super::edge::Stand;
 use super::event::{Change, Loss, PathEnd};
 use super::loss::end_of_path;
-use super::margin::ROUNDING;
 use super::segment::{Here, Segment};
-use super::transition::{change, everything_slides, in_the_whole_law, nothing_changes, others};
-use crate::equilibrium::{
-    ContactState, Effort, Found, Rung, Settings, Settled, Verdict, force_size, polish, settle, solution_near,
-    span, try_states,
-};
-use crate::formulation::{Law, PieceState, Problem, State};
+use super::transition::{change, everything_slides, nothing_changes, others};
+use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
+use crate::equilibrium::ContactState;
 use crate::grasp::Wrench;
+use crate::object::{PieceState, Problem};
+use crate::search::{
+    Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
+};
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
 const LESS: f64 = 1e-9;
 
 /// Where the path stands, contact by contact.
 pub(super) struct Node<const D: usize, const C: usize> {
-    pub(super) states: Vec<State>,
-    /// Directions of the sliding contacts, coordinate axes.
+    /// Those of contacts that slide on the round cone have the direction of their friction force.
+    pub(super) states: Vec<State<C>>,
+    /// Directions in which contacts slide, coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, C>>>,
     pub(super) stands: Vec<Stand<C>>,
     /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
     pub(super) holds: Vec<bool>,
-    /// On the round cone, the unit friction force of what slides, contact frames.
-    pub(super) edges: Vec<Option<SVector<f64, C>>>,
     pub(super) at: PieceState<D, C>,
 }
 
@@ -49,9 +46,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         load: Wrench<D>,
         settings: &Settings,
     ) -> Result<Onward<D, C>, PathEnd<D, C>> {
-        let laws: Vec<_> =
-            (0..self.states.len()).map(|i| self.stands[i].law(&segment.problem, i, self.states[i])).collect();
-        let rates = segment.rates(laws);
+        let rates = segment.rates(segment.laws_of_rates(&self.stands, &self.states));
         let sliding = everything_slides(&rates);
         let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
             Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
@@ -78,14 +73,11 @@ impl<const D: usize, const C: usize> Node<D, C> {
             ));
         };
         let mut found = self.without_dragging(&rates, found);
-        for i in 0..self.states.len() {
-            if segment.problem.round && grazes(&rates, &found, i) {
-                found.states[i] = State::Sliding { first: 0, second: None };
-            }
+        if segment.problem.round {
+            slide_where_they_graze(&rates, &mut found);
         }
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
-        let lets_go =
-            |i: usize| self.holds[i] && self.states[i] != State::Open && found.states[i] == State::Open;
+        let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
             return Err(PathEnd::Snap(loss(motion)));
@@ -94,8 +86,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let changes = self.take_over(segment, factor, &rates, &found);
         let here = self.look(segment, factor).map_err(|_| PathEnd::Undecided { leg, fraction: factor })?;
         for (i, stand) in self.stands.iter_mut().enumerate() {
-            let [_, rate, _, size] = here.gaps[i];
-            stand.leave(&segment.problem, i, self.states[i], &here.lines[i], [rate, size]);
+            segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
         }
         Ok(Onward { here, changes, other_continuations })
     }
@@ -106,7 +97,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         segment: &Segment<'_, D, C>,
         factor: f64,
         rates: &Problem<D, C>,
-        sliding: &[State],
+        sliding: &[State<C>],
     ) -> Verdict<D, C> {
         // Within a leg something has just left its cone, and must change.
         let as_before =
@@ -124,7 +115,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             if let holds @ Verdict::Holds(_) = try_states(rates, sliding.to_vec()) {
                 return holds;
             }
-            let closed = (0..rates.len()).map(|i| if at_the_apex(i) { State::Rolling } else { sliding[i] });
+            let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Rolling } else { sliding[i] });
             let found = [closed.collect(), sliding.to_vec()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
@@ -137,18 +128,13 @@ impl<const D: usize, const C: usize> Node<D, C> {
     /// the object moves less then, it parts. Forces are the same.
     fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        let states: Vec<State> = (0..self.states.len())
-            .map(|i| {
-                let size = force_size(
-                    &rates.sites[i],
-                    &found.forces[i],
-                    span(&rates.sites[i], &rates.drives[i], &found.twist),
-                    largest,
-                );
-                let idle = rates.may_open(i) && found.forces[i].norm() <= ROUNDING * size;
-                if idle { State::Open } else { found.states[i] }
-            })
-            .collect();
+        let state = |i: usize| {
+            let (local, force) = (rates.local(i), &found.forces[i]);
+            let size = local.force_size(force, rates.span(i, &found.twist), largest);
+            let idle = local.may_open() && force.norm() <= ZERO_SLACK * size;
+            if idle { Mode::Open } else { found.states[i] }
+        };
+        let states: Vec<State<C>> = (0..self.states.len()).map(state).collect();
         if states == found.states {
             return found;
         }
@@ -170,20 +156,14 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let directions = directions(segment, rates, found);
         for (i, direction) in directions.into_iter().enumerate() {
             let (was, before) = (self.states[i], self.directions[i]);
-            let is = in_the_whole_law(&segment.problem, i, &rates.laws[i], found.states[i]);
-            if was == State::Open && is != State::Open {
+            let is = segment.problem.local(i).of_the_rates(&rates.laws[i], found.states[i]);
+            let is = is.unwrap_or(Mode::Open);
+            if was.is_open() && !is.is_open() {
                 // It closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
-            if segment.problem.round {
-                self.edges[i] = match (&rates.laws[i], direction) {
-                    (_, None) => None,
-                    (Law::Edge(facets), _) => Some(facets[0]),
-                    (_, Some(direction)) => Some(segment.grasp.sites()[i].frame.tr_mul(&direction)),
-                };
-                if let Some(p) = self.edges[i] {
-                    self.stands[i].facets = vec![p];
-                }
+            if let Mode::Round(slide) = &is {
+                self.stands[i].facets = vec![slide.direction];
             }
             (self.states[i], self.directions[i]) = (is, direction);
             changes.extend(change((was, before), (is, direction)).map(|change| (i, change)));
@@ -192,23 +172,16 @@ impl<const D: usize, const C: usize> Node<D, C> {
     }
 }
 
-/// Whether a rolling contact on the edge of the round cone goes along a tangent of it, which leads outside: it slides, if only
-/// with a rate of zero at first.
-fn grazes<const D: usize, const C: usize>(
-    rates: &Problem<D, C>,
-    found: &Found<D, C>,
-    contact: usize,
-) -> bool {
-    let (Law::Edge(facets), State::Rolling) = (&rates.laws[contact], found.states[contact]) else {
-        return false;
-    };
-    let (p, f, mu) = (&facets[0], &found.forces[contact], rates.mu(contact));
+/// A contact that rolls along a tangent of the round cone slides, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+fn slide_where_they_graze<const D: usize, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-    let site = &rates.sites[contact];
-    let size = force_size(site, f, span(site, &rates.drives[contact], &found.twist), largest);
-    let outward = p.dot(f);
-    let across = (tangential(f) - p * outward).norm();
-    (mu * f[0] - outward).abs() <= ROUNDING * size * (1.0 + mu) && across > ROUNDING * size
+    for (i, state) in found.states.iter_mut().enumerate() {
+        let (local, rate) = (rates.local(i), &found.forces[i]);
+        let size = local.force_size(rate, rates.span(i, &found.twist), largest);
+        if local.grazes(state, rate, size) {
+            *state = Mode::Facet(0);
+        }
+    }
 }
 
 /// In which directions contacts slide.

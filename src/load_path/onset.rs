@@ -13,12 +13,12 @@ use super::beyond::Beyond;
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::walk::Walk;
-use crate::equilibrium::{
-    Cone, Equilibrium, Found, NoEquilibrium, Outcome, Rung, Settings, Settled, Undecided, polygonal, settle,
-};
+use crate::contact::{Polygon, State};
+use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Outcome, Undecided};
 use crate::error::{Error, Field};
-use crate::formulation::{Polygon, Problem, State};
 use crate::grasp::{Grasp, Wrench};
+use crate::object::{Load, Problem};
+use crate::search::{Found, Rung, Settings, Settled, settle};
 
 /// The answer to "at which load factor τ >= 0 does the first contact leave rolling?"
 #[derive(Debug, Clone)]
@@ -191,7 +191,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn onset_on_polygon(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
-        self.search_onset(ramp, settings, polygonal::<C>(settings))
+        self.search_onset(ramp, settings, Cone::polygonal::<C>(settings))
     }
 
     fn search_onset(&self, ramp: &Ramp<D, C>, settings: &Settings, cone: Cone) -> Result<Onset<D, C>, Error> {
@@ -205,7 +205,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             None => vec![SVector::zeros(); self.len()],
         };
         let polygon = Arc::new(Polygon::new(&settings.cone));
-        let problem = Problem::at_rest(self.sites(), polygon, self.drives(), base);
+        let round = cone == Cone::Round;
+        let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&base));
         let (found, rule) = match self.rolling_base(&problem, ramp, settings, cone) {
             Ok(base) => base,
             Err(onset) => return Ok(*onset),
@@ -223,8 +224,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
         cone: Cone,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<D, C>>> {
-        let problem = &Problem { round: cone == Cone::Round, ..problem.clone() };
-        let slides = |found: &Found<D, C>| found.states.iter().any(|s| matches!(s, State::Sliding { .. }));
+        let slides = |found: &Found<D, C>| found.states.iter().any(State::slides);
         let (settled, effort) = settle(problem, settings);
         match &settled {
             Settled::Found(found, rule) if !slides(found) => {

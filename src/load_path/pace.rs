@@ -12,6 +12,10 @@ const MOST_OFTEN: u8 = 2;
 /// From there steps are tried again, as a part of what is left of the leg.
 const AGAIN: f64 = 1e-3;
 
+/// A step shorter than this part of the intended one was cut short. Lengths are differences of two factors and lose their last digits,
+/// which cuts nothing short.
+const WHOLE: f64 = 0.999;
+
 /// How the steps along an arc go.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
@@ -54,7 +58,7 @@ impl Pace {
         };
         // A step that was cut short by the end of the leg or an apex says nothing against longer ones.
         let before = self.length.unwrap_or(length);
-        self.length = Some(if length < before { before } else { length * grow });
+        self.length = Some(if length < WHOLE * before { before } else { length * grow });
         self.refused = false;
         self.steps += 1;
     }

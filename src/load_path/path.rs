@@ -18,10 +18,12 @@ use super::node::Node;
 use super::pace::Pace;
 use super::segment::{Here, Segment};
 use super::stretch::{Bend, Stretch};
-use crate::equilibrium::{ACCURATE, Equilibrium, Settings, Settled, settle};
+use crate::contact::Polygon;
+use crate::equilibrium::{ACCURATE, Cone, Equilibrium};
 use crate::error::Error;
-use crate::formulation::{PieceState, Polygon, Problem};
 use crate::grasp::{Grasp, Wrench};
+use crate::object::{Load, PieceState, Problem};
+use crate::search::{Settings, Settled, settle};
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
 /// [`Grasp::follow`]; when the iterator has ended, [`end`](Self::end) says how the path did.
@@ -93,13 +95,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {
         let polygon = Arc::new(Polygon::new(&settings.cone));
-        let problem =
-            Problem::at_rest(self.sites(), polygon, self.drives(), self.inside(&start, "start load")?);
-        let problem = Problem { round: settings.is_round::<C>(), ..problem };
+        let (round, wrench) = (settings.is_round::<C>(), self.inside(&start, "start load")?);
+        let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, start);
         program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, settings);
-        let cone = settings.cone_of::<C>();
+        let cone = Cone::of::<C>(settings);
         let (start_state, end) = match settled {
             Settled::Found(found, _) => (Some(found), None),
             lost => {

@@ -4,9 +4,9 @@ use super::event::{Loss, PathEnd};
 use super::leg::Leg;
 use super::onset::Onset;
 use super::ramp::Ramp;
-use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Grasp;
+use crate::search::Settings;
 
 /// Onset of sliding and limit load along one ramp, side by side; see [`Grasp::reserve`].
 #[derive(Debug, Clone)]

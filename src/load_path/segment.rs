@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix, SVector};
 
-use super::margin::{Exit, Line, ROUNDING, polygon_exits, round_exit};
-use crate::equilibrium::{Cone, NoEquilibrium, Proof, force_size, largest_force, span};
-use crate::formulation::{Law, Piece, PieceState, Problem, Slide, State};
+use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
+use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Grasp;
+use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 pub(super) struct Segment<'g, const D: usize, const C: usize> {
@@ -33,8 +33,7 @@ pub(super) struct Here<const D: usize, const C: usize> {
     pub(super) neutral_motions: Vec<SVector<f64, D>>,
     /// The linear piece of these states.
     pub(super) piece: Arc<Piece<D, C>>,
-    /// Gap of every contact, its rate, and the sizes that the rounding of both is measured against.
-    pub(super) gaps: Vec<[f64; 4]>,
+    pub(super) gaps: Vec<GapLine>,
     /// Largest force and displacement of the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
@@ -48,7 +47,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     /// `near`: nothing drives the object along them.
     pub(super) fn look(
         &self,
-        states: &[State],
+        states: &[State<C>],
         factor: f64,
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
@@ -66,22 +65,14 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Ok(self.here(piece, factor, at, &rate, (0.0, &base)))
     }
 
-    /// The same where contacts slide on the round cone: the first order of what comes next from a state, as long as it lasts.
+    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last.
     pub(super) fn tangent(
         &self,
-        states: &[State],
+        states: &[State<C>],
         factor: f64,
         at: &PieceState<D, C>,
-        directions: &[Option<SVector<f64, C>>],
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let mut linear = self.problem.clone();
-        for (i, direction) in directions.iter().enumerate() {
-            if let (State::Sliding { .. }, Some(direction)) = (states[i], direction) {
-                let slide = Slide::new(&self.grasp.sites()[i], direction, 0.0);
-                linear.laws[i] = self.problem.turning(i, slide);
-            }
-        }
-        let piece = Arc::new(Piece::new(&linear, states));
+        let piece = Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.direction)
             .map_err(|u| self.unbalanced(u.motion))?;
@@ -112,7 +103,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let sizes =
             |drives: &[SVector<f64, C>], twist: &SVector<f64, D>, load: f64, forces: &[SVector<f64, C>]| {
                 let travel =
-                    sites.iter().zip(drives).map(|(site, a)| span(site, a, twist)).fold(0.0, f64::max);
+                    sites.iter().zip(drives).map(|(site, a)| site.span(a, twist)).fold(0.0, f64::max);
                 [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
             };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
@@ -121,17 +112,19 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
-            let (moved, moving) = (site.map.tr_mul(&twist), site.map.tr_mul(&rate.twist));
-            let span_rate = span(site, &self.change[i], &rate.twist);
-            let span_here = span(site, &drives[i], &twist);
-            let span = span_here.max(span(site, &base_drives[i], &base.twist) + way * span_rate);
+            let (stretch, stretching) =
+                (site.stretch(&drives[i], &twist), site.stretch(&self.change[i], &rate.twist));
+            let span_rate = site.span(&self.change[i], &rate.twist);
+            let span_here = site.span(&drives[i], &twist);
+            let span = span_here.max(site.span(&base_drives[i], &base.twist) + way * span_rate);
+            let local = self.problem.local(i);
             lines.push(Line {
                 force: forces[i],
                 rate: rate.forces[i],
-                force_size: force_size(site, &forces[i], span, most),
-                rate_size: force_size(site, &rate.forces[i], span_rate, rate_sizes[0]),
+                force_size: local.force_size(&forces[i], span, most),
+                rate_size: local.force_size(&rate.forces[i], span_rate, rate_sizes[0]),
             });
-            gaps.push([moved[0] - drives[i][0], moving[0] - self.change[i][0], span, span_rate]);
+            gaps.push(GapLine { gap: -stretch[0], rate: -stretching[0], size: span, rate_size: span_rate });
         }
         Here {
             lines,
@@ -176,23 +169,18 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     pub(super) fn way_to(
         &self,
         contact: usize,
-        state: State,
+        state: &State<C>,
         exit: &Exit<C>,
         here: &Here<D, C>,
         factor: f64,
         at: &PieceState<D, C>,
     ) -> f64 {
-        let (force, rate) = (&at.forces[contact], &here.lines[contact].rate);
-        if state == State::Open {
-            let site = &self.grasp.sites()[contact];
-            let gap = site.map.column(0).dot(&at.twist)
-                - (self.problem.drives[contact][0] + self.change[contact][0] * factor);
-            return gap / -here.gaps[contact][1];
+        if state.is_open() {
+            let drive = self.problem.drives[contact] + self.change[contact] * factor;
+            let gap = -self.grasp.sites()[contact].stretch(&drive, &at.twist)[0];
+            return gap / -here.gaps[contact].rate;
         }
-        let slack = |f: &SVector<f64, C>| {
-            if exit.facet.norm() == 0.0 { f[0] } else { self.problem.mu(contact) * f[0] - exit.facet.dot(f) }
-        };
-        slack(force) / -slack(rate)
+        self.problem.local(contact).way_to(exit, &at.forces[contact], &here.lines[contact].rate)
     }
 
     /// The drives at a factor.
@@ -215,52 +203,30 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         force: &SVector<f64, C>,
     ) {
         let site = &self.grasp.sites()[contact];
-        let stretch = self.problem.drives[contact] + self.change[contact] * factor - site.map.tr_mul(twist);
-        for axis in 1..site.axes {
-            let slip = stretch[axis] - force[axis] / site.k[axis];
-            self.problem.slips[contact][axis] += slip;
-            self.problem.drives[contact][axis] -= slip;
+        let drive = self.problem.drives[contact] + self.change[contact] * factor;
+        let mut slip = site.springs.slip(&site.stretch(&drive, twist), force);
+        if !site.springs.resists_tangentially() {
+            slip.fill(0.0);
         }
+        self.problem.slips[contact] += slip;
+        self.problem.drives[contact] -= slip;
     }
 
-    pub(super) fn exits(&self, contact: usize, here: &Here<D, C>) -> Vec<Exit<C>> {
-        if self.problem.laws[contact] == Law::Bonded {
-            return Vec::new();
-        }
-        if self.cone == Cone::Round {
-            round_exit(&self.problem, contact, &here.lines[contact]).into_iter().collect()
-        } else {
-            polygon_exits(&self.problem, contact, &here.lines[contact])
-        }
+    /// What leads a contact out of its state.
+    pub(super) fn ways_out(&self, contact: usize, state: &State<C>, here: &Here<D, C>) -> Vec<Exit<C>> {
+        self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
 
-    /// Where an open contact closes.
-    fn closing(gap: &[f64; 4]) -> Option<Exit<C>> {
-        let [gap, rate, span, span_rate] = *gap;
-        (rate < -ROUNDING * span_rate).then(|| {
-            let step = (gap / -rate).max(0.0);
-            Exit { step, uncertainty: ROUNDING * (span + step * span_rate) / -rate, facet: SVector::zeros() }
-        })
-    }
-
-    pub(super) fn ways_out(&self, contact: usize, state: State, here: &Here<D, C>) -> Vec<Exit<C>> {
-        match state {
-            State::Rolling => self.exits(contact, here),
-            State::Open => Self::closing(&here.gaps[contact]).into_iter().collect(),
-            // The facets on which it slides stay reached.
-            State::Sliding { first, second } => {
-                let normals = self.problem.normals(contact);
-                let mut exits = self.exits(contact, here);
-                exits.retain(|e| e.facet != normals[first] && second.is_none_or(|s| e.facet != normals[s]));
-                exits
-            }
-        }
+    /// The law of the rates of every contact that stands here.
+    pub(super) fn laws_of_rates(&self, stands: &[Stand<C>], states: &[State<C>]) -> Vec<Law<C>> {
+        let locals = self.problem.locals().zip(stands).zip(states);
+        locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
 
     /// The smallest step to an edge, an apex or a closed gap, and everything that reaches one there.
-    pub(super) fn first_exits(&self, states: &[State], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
+    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
         let ways: Standing<C> =
-            states.iter().enumerate().map(|(i, &state)| (i, self.ways_out(i, state, here))).collect();
+            states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
             ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;
         // Symmetric grasps reach several edges at once: equal up to the rounding of both.
@@ -273,7 +239,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Some((first.step, together))
     }
 
-    /// The same grasp driven at the rates of this stretch, with these laws. The round cone matters only at its apex: on an edge it
+    /// The grasp driven at the rates of this stretch, with these laws. The round cone matters only at its apex: on an edge it
     /// is a facet.
     pub(super) fn rates(&self, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
         let mut rates = Problem {
@@ -283,7 +249,8 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             wrench: self.direction,
             ..self.problem.clone()
         };
-        rates.round &= (0..rates.len()).any(|i| rates.may_slide(i));
+        let round = rates.locals().any(|local| local.may_slide());
+        rates.round &= round;
         rates
     }
 }

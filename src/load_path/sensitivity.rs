@@ -17,9 +17,11 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use super::onset::OnsetEvent;
 use super::ramp::Ramp;
-use crate::equilibrium::{Cone, Equilibrium, Rung, Settings};
-use crate::formulation::{Law, Piece, Polygon, Problem, Slide, State, edge_direction, least_combination};
+use crate::contact::{Mode, Polygon, State, tangential};
+use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Grasp, Twist, Wrench};
+use crate::object::{Load, Piece, Problem, least_combination};
+use crate::search::Settings;
 
 /// One datum of a grasp or its load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -181,10 +183,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     #[must_use]
     pub fn onset_gradients(&self, ramp: &Ramp<D, C>, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
         let Some(local) = Local::new(self, &event.state) else { return Vec::new() };
-        let at_rest = |i: usize| event.state.contacts[i].slip.norm() == 0.0;
-        if (0..self.len())
-            .any(|i| local.states[i] == State::Rolling && local.problem.sites[i].axes == C && !at_rest(i))
-        {
+        let has_slipped = |i: usize| {
+            let sticks = local.states[i].is_rolling() && !local.problem.local(i).is_frictionless();
+            sticks && event.state.contacts[i].slip.norm() != 0.0
+        };
+        if (0..self.len()).any(has_slipped) {
             return Vec::new();
         }
         let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
@@ -206,24 +209,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         contact: usize,
         rate: &SVector<f64, C>,
     ) -> Option<OnsetGradient<D, C>> {
-        let (site, force) = (&self.sites()[contact], &local.forces[contact]);
+        let (law, force) = (local.problem.local(contact), &local.forces[contact]);
         // The margin that vanishes: μ F_n - h·F_t, or F_n alone where there is no friction or no limit to it.
-        let (mu, h) = if site.mu == 0.0 || site.mu.is_infinite() {
-            (f64::INFINITY, SVector::zeros())
+        let h = if !law.cone().has_edges() {
+            None
         } else if cone == Cone::Round {
-            let mut t = *force;
-            t[0] = 0.0;
-            (site.mu, t.normalize())
+            Some(tangential(force).normalize())
         } else {
-            let normals = local.problem.normals(contact);
-            (site.mu, *normals.iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force)))?)
+            Some(*law.facets().iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force)))?)
         };
-        let margin = |f: &SVector<f64, C>| if mu.is_finite() { mu * f[0] - h.dot(f) } else { f[0] };
+        let margin = |f: &SVector<f64, C>| h.map_or(f[0], |h| law.cone().facet_margin(f, &h));
         let slope = margin(rate);
         let by = |parameter| -> Option<f64> {
             let (_, forces) = local.derivative(parameter)?;
-            let own =
-                matches!(parameter, Parameter::Friction { contact: i } if i == contact && mu.is_finite());
+            let own = matches!(parameter, Parameter::Friction { contact: i } if i == contact && h.is_some());
             Some(-(margin(&forces[contact]) + if own { force[0] } else { 0.0 }) / slope)
         };
         let n = self.len();
@@ -268,7 +267,7 @@ impl Response {
 struct Local<'g, const D: usize, const C: usize> {
     grasp: &'g Grasp<D, C>,
     problem: Problem<'g, D, C>,
-    states: Vec<State>,
+    states: Vec<State<C>>,
     forces: Vec<SVector<f64, C>>,
     piece: Piece<D, C>,
 }
@@ -282,20 +281,9 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             Cone::Polygon(cone) => Polygon::new(&cone),
             _ => Polygon::new(&Settings::default().cone),
         };
-        let mut problem =
-            Problem::at_rest(grasp.sites(), Arc::new(polygon), grasp.drives(), SVector::zeros());
+        let nothing = Load::from(&SVector::zeros());
+        let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), false, grasp.drives(), &nothing);
         let states = equilibrium.states.clone();
-        if equilibrium.cone == Cone::Round {
-            for (i, contact) in equilibrium.contacts.iter().enumerate() {
-                if matches!(states[i], State::Sliding { .. }) && contact.friction_force() > 0.0 {
-                    // At rest the slip is λ F_t; on a path it goes on from what has slipped so far.
-                    let on_a_path = equilibrium.rule == Rung::LoadPath;
-                    let lambda = if on_a_path { 0.0 } else { contact.slip.norm() / contact.friction_force() };
-                    problem.laws[i] =
-                        problem.turning(i, Slide::new(&grasp.sites()[i], &contact.force, lambda));
-                }
-            }
-        }
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.contacts.iter().map(|c| c.force).collect();
         Some(Self { grasp, problem, states, forces, piece })
@@ -333,37 +321,34 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
 
     /// (∂K/∂μ) v of one contact.
     fn by_friction(&self, contact: usize) -> SVector<f64, C> {
-        match self.states[contact] {
-            State::Sliding { first, second } => {
-                edge_direction(&self.problem, contact, first, second) * self.forces[contact][0]
-            }
-            _ => SVector::zeros(),
+        let state = &self.states[contact];
+        if !state.slides() {
+            return SVector::zeros();
         }
+        self.problem.local(contact).edge_direction(state) * self.forces[contact][0]
     }
 
     /// (∂K/∂k) v of one contact along one axis.
     fn by_stiffness(&self, contact: usize, axis: usize) -> SVector<f64, C> {
-        let (site, force) = (&self.problem.sites[contact], &self.forces[contact]);
+        let (local, force) = (self.problem.local(contact), &self.forces[contact]);
+        let state = &self.states[contact];
         let mut f = SVector::zeros();
-        if axis >= site.axes || self.states[contact] == State::Open {
+        if axis >= local.springs.axes() || state.is_open() {
             return f;
         }
-        let stretch = force[axis] / site.k[axis];
-        let State::Sliding { first, second } = self.states[contact] else {
+        let stretch = local.springs.give_along(axis, force[axis]);
+        if state.is_rolling() {
             f[axis] = stretch;
-            return f;
-        };
-        if axis == 0 {
-            f = edge_direction(&self.problem, contact, first, second) * (site.mu * stretch);
+        } else if axis == 0 {
+            f = local.edge_direction(state) * local.cone().limit(stretch);
             f[0] = stretch;
-        } else if second.is_none() {
+        } else if !matches!(state, Mode::Corner(_))
+            && let Some(h) = local.outward(state)
+        {
             // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n; on the round cone softened by the slip.
-            let softened = match &self.problem.laws[contact] {
-                Law::Turning { slide, .. } => stretch * slide.held[axis] / site.k[axis],
-                _ => stretch,
-            };
-            let h = self.problem.normals(contact)[first];
-            f = edge_direction(&self.problem, contact, first, None) * (-h[axis] * softened);
+            let softened =
+                state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
+            f = local.edge_direction(state) * (-h[axis] * softened);
             f[axis] += softened;
         }
         f

@@ -2,15 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::arc::{Arc, tangential};
-use super::edge::Stand;
-use super::margin::{Line, ROUNDING};
+use super::arc::Arc;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment, Standing};
 use super::watch::is_vanishing;
-use crate::equilibrium::{Found, NoEquilibrium};
-use crate::formulation::{PieceState, Problem, State};
-use crate::grasp::Hold;
+use crate::contact::{Mode, Stand, State, ZERO_SLACK, tangential};
+use crate::equilibrium::NoEquilibrium;
+use crate::object::PieceState;
+use crate::search::Found;
 
 impl<const D: usize, const C: usize> Node<D, C> {
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
@@ -18,11 +17,10 @@ impl<const D: usize, const C: usize> Node<D, C> {
     pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Option<Found<D, C>>) -> Self {
         let n = segment.grasp.len();
         let mut node = Self {
-            states: vec![State::Open; n],
+            states: vec![Mode::Open; n],
             directions: vec![None; n],
             stands: vec![Stand::NOWHERE; n],
             holds: vec![false; n],
-            edges: vec![None; n],
             at: PieceState { forces: vec![SVector::zeros(); n], twist: SVector::zeros() },
         };
         let Some(found) = found else { return node };
@@ -40,7 +38,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
 
     /// Whether something slides on the round cone: then the path is no straight line.
     pub(super) fn turns(&self) -> bool {
-        self.edges.iter().any(Option::is_some)
+        self.states.iter().any(|state| state.slide().is_some())
     }
 
     /// Forces and their rates in the present states.
@@ -52,35 +50,37 @@ impl<const D: usize, const C: usize> Node<D, C> {
         if self.turns() {
             // Where a contact has opened, or its force was corrected, the others take its share.
             let memory = vec![SVector::zeros(); self.states.len()];
-            let mut arc = Arc::new(segment, &self.states, factor, self.at.clone(), SVector::zeros());
+            let arc = Arc::new(segment, &self.states, factor, self.at.clone(), SVector::zeros());
             let poised = arc.poise(factor, &memory, &self.at.twist).map(|poised| poised.at);
-            segment.tangent(&self.states, factor, poised.as_ref().unwrap_or(&self.at), &self.edges)
+            segment.tangent(&self.states, factor, poised.as_ref().unwrap_or(&self.at))
         } else {
             segment.look(&self.states, factor, Some(&self.at.twist))
         }
     }
 
-    /// The same a step further along a sliding arc.
+    /// Forces and their rates a step further along a sliding arc.
     pub(super) fn tangent_at(
         &self,
         segment: &Segment<'_, D, C>,
         factor: f64,
         at: &PieceState<D, C>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let edge =
-            |(slides, force): (&Option<_>, &SVector<f64, C>)| slides.map(|_| tangential(force).normalize());
-        let edges: Vec<_> = self.edges.iter().zip(&at.forces).map(edge).collect();
-        segment.tangent(&self.states, factor, at, &edges)
+        let there = |(state, force): (&State<C>, &SVector<f64, C>)| {
+            if state.slide().is_some() { State::sliding_along(force) } else { *state }
+        };
+        let states: Vec<_> = self.states.iter().zip(&at.forces).map(there).collect();
+        segment.tangent(&states, factor, at)
     }
 
     /// The slip of what slides becomes memory; on the round cone it slides on along its friction force.
     fn slip_until_now(&mut self, segment: &mut Segment<'_, D, C>, factor: f64) {
         for i in 0..self.states.len() {
-            if matches!(self.states[i], State::Sliding { .. }) {
+            if self.states[i].slides() {
                 segment.remember_slip(i, factor, &self.at.twist, &self.at.forces[i]);
                 if segment.problem.round {
-                    let p = tangential(&self.at.forces[i]).normalize();
-                    (self.edges[i], self.stands[i].facets) = (Some(p), vec![p]);
+                    let state = State::sliding_along(&self.at.forces[i]);
+                    self.stands[i].facets = state.slide().map(|slide| slide.direction).into_iter().collect();
+                    self.states[i] = state;
                 }
             }
         }
@@ -88,35 +88,21 @@ impl<const D: usize, const C: usize> Node<D, C> {
 
     fn stand(&mut self, segment: &mut Segment<'_, D, C>, here: &Here<D, C>) {
         for (i, line) in here.lines.iter().enumerate() {
-            let site = &segment.grasp.sites()[i];
-            if self.states[i] == State::Open {
-                let [gap, _, span, _] = here.gaps[i];
-                self.stands[i].apex = gap <= ROUNDING * span;
+            if self.states[i].is_open() {
+                self.stands[i].apex = here.gaps[i].gap <= ZERO_SLACK * here.gaps[i].size;
                 continue;
             }
-            if site.hold == Hold::Bonded {
-                continue;
-            }
-            self.stands[i].apex = line.force.norm() <= ROUNDING * line.force_size;
-            if segment.problem.round {
-                self.stands[i].facets = round_edge(&segment.problem, i, line).into_iter().collect();
-                continue;
-            }
-            if matches!(self.states[i], State::Sliding { .. }) {
+            self.stands[i] = segment.problem.local(i).stand(line);
+            if !segment.problem.round && self.states[i].slides() {
                 segment.remember_slip(i, 0.0, &here.twist, &line.force);
             }
-            let no_margin = |h: &&SVector<f64, C>| {
-                let size = line.force_size * (site.mu + h.norm());
-                site.mu * line.force[0] - h.dot(&line.force) <= ROUNDING * size
-            };
-            self.stands[i].facets = segment.problem.normals(i).iter().filter(no_margin).copied().collect();
         }
     }
 
     /// What was reached on the way here.
     pub(super) fn reach(&mut self, reached: &Standing<C>) {
         for (i, exits) in reached {
-            self.stands[*i].reach(self.states[*i], exits);
+            self.stands[*i].reach(&self.states[*i], exits);
         }
     }
 
@@ -130,11 +116,11 @@ impl<const D: usize, const C: usize> Node<D, C> {
     ) {
         self.at = there.clone();
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
-            let closed = self.states[i] != State::Open;
+            let closed = !self.states[i].is_open();
             if closed && line.force.norm() > 0.0 && Stand::is_weightless(force, line.force_size) {
                 self.stands[i].apex = true;
             }
-            let infinite = segment.grasp.sites()[i].mu.is_infinite();
+            let infinite = segment.problem.local(i).never_slides();
             self.holds[i] = infinite && !Stand::is_weightless(&tangential(force), line.force_size);
         }
         self.slip_until_now(segment, factor);
@@ -145,7 +131,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
     pub(super) fn let_go(&mut self, here: &Here<D, C>) -> bool {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
-            let slides = matches!(self.states[i], State::Sliding { .. });
+            let slides = self.states[i].slides();
             if slides && !self.stands[i].apex && is_vanishing(line) {
                 (self.stands[i].apex, any) = (true, true);
             }
@@ -157,18 +143,4 @@ impl<const D: usize, const C: usize> Node<D, C> {
     pub(super) fn stick(&mut self, contact: usize) {
         self.stands[contact] = Stand::NOWHERE;
     }
-}
-
-/// Where the force of a contact is on the edge of the round cone.
-fn round_edge<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    contact: usize,
-    line: &Line<C>,
-) -> Option<SVector<f64, C>> {
-    let (mu, friction) = (problem.mu(contact), tangential(&line.force));
-    let size = line.force_size * (1.0 + mu);
-    let edge = problem.may_slide(contact)
-        && friction.norm() > ROUNDING * size
-        && mu * line.force[0] - friction.norm() <= ROUNDING * size;
-    edge.then(|| friction.normalize())
 }

@@ -3,7 +3,7 @@
 use super::event::PathEnd;
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
-use crate::formulation::PieceState;
+use crate::object::PieceState;
 
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             return step;
         };
         let there = self.state_after(here, step);
-        let more = self.segment.way_to(i, self.node.states[i], exit, here, self.factor + step, &there);
+        let more = self.segment.way_to(i, &self.node.states[i], exit, here, self.factor + step, &there);
         if more.abs() <= ROUGHLY * (self.factor + step) { (step + more).max(0.0) } else { step }
     }
 }

@@ -5,11 +5,12 @@ use nalgebra::SVector;
 
 use super::arc::{Arc, Poised, Rule};
 use super::extrapolation::extrapolate;
-use super::margin::Line;
 use super::segment::{Here, Segment};
-use crate::equilibrium::{Cone, Effort, Equilibrium, Found, Rung};
-use crate::formulation::{PieceState, Problem, Slide, State};
+use crate::contact::{Line, State};
+use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Grasp, Wrench};
+use crate::object::{PieceState, Problem};
+use crate::search::{Effort, Found, Rung};
 
 /// How often a part of a step is made with a ten times larger error where it cannot be made with that of the whole.
 const LOOSER: i32 = 4;
@@ -25,7 +26,7 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) direction: SVector<f64, D>,
     /// Load at the beginning and at the end of the leg.
     pub(super) load: [Wrench<D>; 2],
-    pub(super) states: Vec<State>,
+    pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
     /// At `to`.
@@ -58,16 +59,13 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         // Between the ends, each of which is solved where it is.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
         let between = |line: &Line<C>, there: &SVector<f64, C>| line.force * (1.0 - part) + there * part;
+        let forces = self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect();
+        let twist = self.here.twist * (1.0 - part) + self.there.twist * part;
         let found = Found {
-            states: self.states.clone(),
-            forces: self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect(),
-            twist: self.here.twist * (1.0 - part) + self.there.twist * part,
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
-            slides: Vec::new(),
-            from_polygon: None,
-            piece: None,
+            ..Found::new(self.states.clone(), forces, twist)
         };
         Some(self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found))
     }
@@ -90,28 +88,22 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         } else if fraction <= self.from {
             Poised { at: start, slipped: vec![SVector::zeros(); grasp.len()] }
         } else {
-            let mut arc = Arc::new(&segment, &self.states, self.from, start, self.here.twist_rate);
+            let arc = Arc::new(&segment, &self.states, self.from, start, self.here.twist_rate);
             // What reached the end of the piece reaches a part of it, if not always to the same error: rounding is in the way.
             let errors = (0..LOOSER).map(|k| bend.tolerance * 10.0_f64.powi(k));
             let mut tries = errors.flat_map(|error| [(bend.rule, error), (bend.rule.other(), error)]);
-            let reached = tries.find_map(|(rule, error)| extrapolate(&mut arc, rule, fraction, error));
+            let reached = tries.find_map(|(rule, error)| extrapolate(&arc, rule, fraction, error));
             reached?.there
         };
-        let site = |i: usize| &grasp.sites()[i];
-        let slide = |i: usize| {
-            let slides = matches!(self.states[i], State::Sliding { .. });
-            slides.then(|| Slide::new(site(i), &poised.at.forces[i], 0.0))
+        let state = |(state, force): (&State<C>, &SVector<f64, C>)| {
+            if state.slides() { State::sliding_along(force) } else { *state }
         };
+        let states = self.states.iter().zip(&poised.at.forces).map(state).collect();
         let found = Found {
-            states: self.states.clone(),
-            slides: (0..grasp.len()).map(slide).collect(),
-            forces: poised.at.forces.clone(),
-            twist: poised.at.twist,
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: self.here.sizes,
-            from_polygon: None,
-            piece: None,
+            ..Found::new(states, poised.at.forces, poised.at.twist)
         };
         let mut problem = segment.problem_at(fraction);
         for (i, s) in poised.slipped.iter().enumerate() {

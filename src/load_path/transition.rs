@@ -3,9 +3,11 @@
 use nalgebra::SVector;
 
 use super::event::Change;
-use crate::equilibrium::{Found, combinations, search};
-use crate::formulation::{Law, Piece, Problem, State, kinematic_form};
+use crate::contact::{Law, LocalLaw, Mode, State};
+use crate::forms::kinematic_form;
 use crate::lcp::MatrixClass;
+use crate::object::{Piece, Problem};
+use crate::search::{Found, combinations, search};
 
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
 /// goes on in more than one way.
@@ -17,78 +19,36 @@ const MOST_ROWS: usize = 64;
 pub(super) fn nothing_changes<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     rates: &Problem<D, C>,
-    states: &[State],
-) -> Option<Vec<State>> {
-    let in_the_rates = |(contact, &state): (usize, &State)| {
-        if let (true, State::Sliding { .. }) = (problem.round, state) {
-            return match rates.laws[contact] {
-                Law::Edge(_) => Some(state),
-                // It has just stuck.
-                Law::Bonded => Some(State::Rolling),
-                // At the apex there is no telling which way it slid.
-                _ => None,
-            };
-        }
-        let (Law::Edge(facets), State::Sliding { first, second }) = (&rates.laws[contact], state) else {
-            return Some(state);
-        };
-        let normals = problem.normals(contact);
-        let at = |k: usize| facets.iter().position(|h| *h == normals[k]);
-        match second {
-            None => Some(State::Sliding { first: at(first)?, second: None }),
-            Some(second) => Some(State::Sliding { first: at(first)?, second: Some(at(second)?) }),
-        }
-    };
-    states.iter().enumerate().map(in_the_rates).collect()
+    states: &[State<C>],
+) -> Option<Vec<State<C>>> {
+    let locals = problem.locals().zip(&rates.laws).zip(states);
+    locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
 /// What slides goes on sliding and what has reached an edge slides along it: the common case, one solve. What is at the
 /// apex of its cone opens.
-pub(super) fn everything_slides<const D: usize, const C: usize>(rates: &Problem<D, C>) -> Vec<State> {
-    (0..rates.len())
-        .map(|i| match &rates.laws[i] {
-            Law::Edge(facets) => {
-                State::Sliding { first: 0, second: (C == 3 && facets.len() == 2).then_some(1) }
-            }
-            Law::Cone { gap: true } => State::Open,
-            _ => rates.unjumped(i),
-        })
-        .collect()
-}
-
-/// A state of the rates, in which facets count among those its law has, in terms of the whole law.
-pub(super) fn in_the_whole_law<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    contact: usize,
-    law: &Law<C>,
-    state: State,
-) -> State {
-    let (Law::Edge(facets), State::Sliding { first, second }) = (law, state) else { return state };
-    if problem.round {
-        return state;
-    }
-    let normals = problem.normals(contact);
-    let mut at: Vec<usize> = [Some(first), second]
-        .into_iter()
-        .flatten()
-        .filter_map(|k| normals.iter().position(|h| *h == facets[k]))
-        .collect();
-    at.sort_unstable();
-    problem.slipping_state(contact, &at)
+pub(super) fn everything_slides<const D: usize, const C: usize>(rates: &Problem<D, C>) -> Vec<State<C>> {
+    let slides = |local: LocalLaw<'_, C>| match local.law {
+        Law::Edge(facets) if C == 3 && facets.len() == 2 => Mode::Corner(0),
+        Law::Edge(_) => Mode::Facet(0),
+        Law::Cone { gap: true } => Mode::Open,
+        _ => local.unjumped(),
+    };
+    rates.locals().map(slides).collect()
 }
 
 /// What a contact changes from one state to the next, each with its direction if it slides.
 pub(super) fn change<const C: usize>(
-    (was, before): (State, Option<SVector<f64, C>>),
-    (is, direction): (State, Option<SVector<f64, C>>),
+    (was, before): (State<C>, Option<SVector<f64, C>>),
+    (is, direction): (State<C>, Option<SVector<f64, C>>),
 ) -> Option<Change<C>> {
     match (was, is, direction) {
-        (State::Open, State::Rolling, _) => Some(Change::Closes),
-        (State::Open, State::Sliding { .. }, Some(direction)) => Some(Change::ClosesSliding { direction }),
-        (State::Rolling, State::Sliding { .. }, Some(direction)) => Some(Change::Slides { direction }),
-        (State::Sliding { .. }, State::Rolling, _) => Some(Change::Sticks),
-        (State::Rolling | State::Sliding { .. }, State::Open, _) => Some(Change::Opens),
-        (State::Sliding { .. }, State::Sliding { .. }, Some(direction)) if was != is => {
+        (Mode::Open, Mode::Rolling, _) => Some(Change::Closes),
+        (Mode::Open, _, Some(direction)) if is.slides() => Some(Change::ClosesSliding { direction }),
+        (Mode::Rolling, _, Some(direction)) if is.slides() => Some(Change::Slides { direction }),
+        (_, Mode::Rolling, _) if was.slides() => Some(Change::Sticks),
+        (_, Mode::Open, _) if !was.is_open() => Some(Change::Opens),
+        (_, _, Some(direction)) if was.slides() && is.slides() && !was.is_kind_of(&is) => {
             let back = before.is_some_and(|before| before.dot(&direction) < -0.5);
             Some(if back { Change::Reverses { direction } } else { Change::Turns { direction } })
         }
@@ -133,12 +93,11 @@ pub(super) fn others<const D: usize, const C: usize>(
 
 /// Whether the kinematic form of the rates has a P-matrix: one solution whatever the load does.
 fn has_one_solution<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
-    let rows: usize = (0..rates.len()).map(|i| rates.normals(i).len() + usize::from(rates.may_open(i))).sum();
+    let rows: usize = rates.locals().map(|local| local.pairs()).sum();
     if rows == 0 || rows > MOST_ROWS {
         return rows == 0;
     }
-    let stuck: Vec<State> = (0..rates.len()).map(|i| rates.unjumped(i)).collect();
-    let trial = Piece::new(rates, &stuck);
+    let trial = Piece::new(rates, &rates.unjumped());
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     kinematic_form(rates, &trial, &state)
         .and_then(|form| MatrixClass::of(form.lcp.matrix()).ok())

@@ -14,15 +14,14 @@
 use nalgebra::SVector;
 
 use super::arc::{Arc, Rule};
-use super::edge::Stand;
 use super::event::{Loss, PathEnd};
 use super::extrapolation::{Reached, extrapolate};
 use super::loss::end_of_arc;
-use super::margin::{Exit, ROUNDING};
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
 use super::watch::{Watch, watch};
-use crate::formulation::{PieceState, State};
+use crate::contact::{Exit, Line, Mode, Stand, ZERO_SLACK, tangential};
+use crate::object::PieceState;
 
 /// The first step turns the fastest contact by this angle, as far as can be told from the rate there.
 const FIRST_TURN: f64 = 0.3;
@@ -92,7 +91,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             let (f, df) = (&line.force, &line.rate);
             // What has just closed has no direction yet.
             let touches = Stand::is_weightless(f, line.force_size);
-            if C == 3 && matches!(state, State::Sliding { .. }) && !touches {
+            if C == 3 && state.slides() && !touches {
                 let turn = (f[1] * df[C - 1] - f[C - 1] * df[1]).abs() / (f[1] * f[1] + f[C - 1] * f[C - 1]);
                 if turn.is_finite() && turn * length > FIRST_TURN {
                     length = FIRST_TURN / turn;
@@ -105,8 +104,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     fn way_to_apex(&self, here: &Here<D, C>) -> f64 {
         let mut way = f64::INFINITY;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
-            if matches!(state, State::Sliding { .. })
-                && line.rate[0] < -ROUNDING * line.rate_size
+            if state.slides()
+                && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !Stand::is_weightless(&line.force, line.force_size)
             {
                 way = way.min((1.0 - APPROACH) * line.force[0] / -line.rate[0]);
@@ -119,9 +118,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     fn step(&self, here: &Here<D, C>, to: f64, rule: Rule) -> Option<End<D, C>> {
         let forces = here.lines.iter().map(|line| line.force).collect();
         let start = PieceState { forces, twist: here.twist };
-        let mut arc = Arc::new(&self.segment, &self.node.states, self.factor, start, here.twist_rate);
+        let arc = Arc::new(&self.segment, &self.node.states, self.factor, start, here.twist_rate);
         let tolerance = self.settings.step_error * self.pace.looser;
-        let reached = extrapolate(&mut arc, rule, to, tolerance)?;
+        let reached = extrapolate(&arc, rule, to, tolerance)?;
         // A step that jumped over to another equilibrium converges as well; its energy does not balance.
         if reached.energy.residual().abs() > UNBALANCED * tolerance.max(reached.error) {
             return None;
@@ -195,22 +194,20 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             }
             let line = &end.here.lines[watch.contact];
             match self.node.states[watch.contact] {
-                // At the end of a leg its rates are no longer what counts.
-                State::Sliding { .. } if end.to >= 1.0 => {}
-                State::Sliding { .. } => sticks.push(watch.contact),
-                State::Open => standing.push((watch.contact, vec![apex()])),
-                State::Rolling => {
-                    let mut facet = line.force;
-                    facet[0] = 0.0;
-                    let rubs = self.segment.problem.may_slide(watch.contact);
-                    let facet = if rubs { facet.normalize() } else { SVector::zeros() };
+                Mode::Open => standing.push((watch.contact, vec![apex()])),
+                Mode::Rolling => {
+                    let rubs = self.segment.problem.local(watch.contact).may_slide();
+                    let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     standing.push((watch.contact, vec![Exit { facet, ..apex() }]));
                 }
+                // At the end of a leg its rates are no longer what counts.
+                _ if end.to >= 1.0 => {}
+                _ => sticks.push(watch.contact),
             }
         }
         let weightless = |i: usize| {
             let (size, force) = (end.here.lines[i].force_size, &end.here.lines[i].force);
-            matches!(self.node.states[i], State::Sliding { .. }) && Stand::is_weightless(force, size)
+            self.node.states[i].slides() && Stand::is_weightless(force, size)
         };
         let leg_done = end.to >= 1.0;
         let stops = !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
@@ -238,7 +235,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             return PathEnd::Undecided { leg, fraction };
         }
         let motion = here.twist_rate / size;
-        let on_an_edge = |i: &usize| matches!(self.node.states[*i], State::Sliding { .. });
+        let on_an_edge = |i: &usize| self.node.states[*i].slides();
         let loss = Loss {
             leg,
             fraction,
@@ -246,7 +243,10 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             contacts: (0..self.node.states.len()).filter(on_an_edge).collect(),
             motion: Some(self.grasp.outside(&motion)),
         };
-        end_of_arc(&self.segment, &motion, &self.node.at.forces, loss, &self.settings)
+        // Without forces there is nothing that an arc could close in on: it only could not set out.
+        let weightless = |line: &Line<C>| Stand::is_weightless(&line.force, line.force_size);
+        let ends = !here.lines.iter().all(weightless);
+        end_of_arc(&self.segment, ends, &motion, &self.node.at.forces, loss, &self.settings)
     }
 }
 

@@ -3,15 +3,13 @@
 use nalgebra::SVector;
 
 use super::beyond::{Beyond, just_beyond};
-use super::edge::Stand;
-use super::margin::ROUNDING;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
-use crate::equilibrium::{
-    ACCURATE, ContactState, Doubt, Effort, Found, Rung, Settings, Settled, Undecided, WorkDone, settle,
-};
-use crate::formulation::{Law, Problem, State};
+use crate::contact::{Stand, State, ZERO_SLACK};
+use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone};
+use crate::object::Problem;
+use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
 /// The walk along the ramp while nothing slides.
 pub(super) struct Walk<'a, const D: usize, const C: usize> {
@@ -23,7 +21,7 @@ pub(super) struct Walk<'a, const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Walk<'_, D, C> {
-    pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<D, C> {
+    pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<D, C> {
         let mut reached: Option<Standing<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
@@ -35,21 +33,19 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             let standing = reached.take().unwrap_or_else(|| self.standing_at_base(&states, &here));
             if !standing.is_empty() {
                 let stands = stands(&states, &here, &standing);
-                let law = |i: usize| stands[i].law(&self.segment.problem, i, states[i]);
-                let rates = self.segment.rates((0..states.len()).map(law).collect());
+                let rates = self.segment.rates(self.segment.laws_of_rates(&stands, &states));
                 let (settled, effort) = settle(&rates, self.settings);
                 let stays = |found: &Found<D, C>| {
-                    standing.iter().all(|&(i, _)| match found.states[i] {
-                        State::Sliding { .. } => false,
-                        // What carried no force at the base and opens at once never rolled.
-                        State::Open => at_base || states[i] == State::Open,
-                        State::Rolling => true,
+                    standing.iter().all(|&(i, _)| {
+                        let state = &found.states[i];
+                        // A contact that carried no force at the base and opens at once never rolled.
+                        state.is_rolling() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
                 match settled {
                     Settled::Found(found, _) if stays(&found) => {
                         for &(i, _) in &standing {
-                            if states[i] == State::Open && found.states[i] == State::Rolling {
+                            if states[i].is_open() && found.states[i].is_rolling() {
                                 let nothing = SVector::zeros();
                                 self.segment.remember_slip(i, self.factor, &here.twist, &nothing);
                             }
@@ -76,15 +72,15 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
 
     /// At the base, a contact on its way out that has no way left to go, or that touches without force, whose fate
     /// only the rates decide.
-    fn standing_at_base(&self, states: &[State], here: &Here<D, C>) -> Standing<C> {
+    fn standing_at_base(&self, states: &[State<C>], here: &Here<D, C>) -> Standing<C> {
         let mut standing = Vec::new();
-        for (i, &state) in states.iter().enumerate() {
+        for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, here);
             exits.retain(|exit| exit.step <= exit.uncertainty);
             let line = &here.lines[i];
-            let weightless = state == State::Rolling
-                && self.segment.problem.laws[i] != Law::Bonded
-                && line.force.norm() <= ROUNDING * line.force_size;
+            let weightless = state.is_rolling()
+                && !self.segment.problem.local(i).is_bonded()
+                && line.force.norm() <= ZERO_SLACK * line.force_size;
             if weightless || !exits.is_empty() {
                 standing.push((i, exits));
             }
@@ -94,7 +90,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
 
     fn event(
         &self,
-        states: Vec<State>,
+        states: Vec<State<C>>,
         here: &Here<D, C>,
         stands: &[Stand<C>],
         rates: &Problem<D, C>,
@@ -118,7 +114,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                     ContactState::Sliding { direction } => {
                         Some(Leaving { contact, how: Departure::Slides { direction } })
                     }
-                    ContactState::Separated if states[contact] == State::Rolling => {
+                    ContactState::Separated if states[contact].is_rolling() => {
                         Some(Leaving { contact, how: Departure::Opens })
                     }
                     _ => None,
@@ -127,16 +123,11 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             _ => standing.map(|contact| self.driven_out(contact, &stands[contact])).collect(),
         };
         let load = self.ramp.load_at(self.factor);
+        let forces = here.lines.iter().map(|line| line.force).collect();
         let found = Found {
-            states,
-            forces: here.lines.iter().map(|line| line.force).collect(),
-            twist: here.twist,
             free_motions: here.free_motions.clone(),
-            neutral_motions: Vec::new(),
             sizes: here.sizes,
-            slides: Vec::new(),
-            from_polygon: None,
-            piece: None,
+            ..Found::new(states, forces, here.twist)
         };
         let state = self.segment.grasp.equilibrium(
             &problem,
@@ -173,14 +164,14 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
 
 /// Where these ways out lead to. A contact without one touches without force.
 fn stands<const D: usize, const C: usize>(
-    states: &[State],
+    states: &[State<C>],
     here: &Here<D, C>,
     standing: &Standing<C>,
 ) -> Vec<Stand<C>> {
     let mut stands = vec![Stand::NOWHERE; states.len()];
     for (i, exits) in standing {
         let line = &here.lines[*i];
-        stands[*i].reach(states[*i], exits);
+        stands[*i].reach(&states[*i], exits);
         stands[*i].apex |= exits.is_empty() || Stand::is_weightless(&line.force, line.force_size);
     }
     stands

@@ -1,9 +1,7 @@
 //! What has to stay positive along a sliding arc.
 
-use super::arc::tangential;
-use super::margin::{Line, ROUNDING};
 use super::segment::{Here, Segment};
-use crate::formulation::{Law, State};
+use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
 
 /// On an arc a value carries the error of the steps besides rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;
@@ -24,12 +22,12 @@ pub(super) struct Watch {
 impl Watch {
     /// Clearly negative.
     pub(super) fn is_violated(&self) -> bool {
-        self.value < -(ROUNDING + ERROR_OF_STEPS) * self.size
+        self.value < -(ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
     /// Zero, as far as can be told.
     pub(super) fn is_met(&self) -> bool {
-        self.value.abs() <= (ROUNDING + ERROR_OF_STEPS) * self.size
+        self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
     /// Not known to grow.
@@ -51,44 +49,36 @@ pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
 /// The conditions in these states.
 pub(super) fn watch<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    states: &[State],
+    states: &[State<C>],
     here: &Here<D, C>,
 ) -> Vec<Watch> {
     let mut list = Vec::new();
     for (contact, state) in states.iter().enumerate() {
-        let (line, site) = (&here.lines[contact], &segment.grasp.sites()[contact]);
+        let (line, local) = (&here.lines[contact], segment.problem.local(contact));
         let mut push = |value, rate, size| list.push(Watch { contact, value, rate, size });
         match state {
-            State::Open if segment.problem.laws[contact] == Law::Absent => {}
-            State::Open => {
-                let [gap, rate, span, _] = here.gaps[contact];
-                push(gap, Some(rate), span);
+            Mode::Open if local.is_absent() => {}
+            Mode::Open => {
+                let gap = &here.gaps[contact];
+                push(gap.gap, Some(gap.rate), gap.size);
             }
-            State::Rolling if segment.problem.may_slide(contact) => {
+            Mode::Rolling if local.may_slide() => {
                 let (friction, change) = (tangential(&line.force), tangential(&line.rate));
                 let used = friction.norm();
                 let rate = if used > 0.0 { friction.dot(&change) / used } else { change.norm() };
-                push(
-                    site.mu * line.force[0] - used,
-                    Some(site.mu * line.rate[0] - rate),
-                    line.force_size * (1.0 + site.mu),
-                );
+                let (cone, size) = (local.cone(), line.force_size * local.cone().round_weight());
+                push(cone.limit(line.force[0]) - used, Some(cone.limit(line.rate[0]) - rate), size);
             }
-            State::Rolling if segment.problem.may_open(contact) => {
-                push(line.force[0], Some(line.rate[0]), line.force_size);
-            }
-            State::Rolling => {}
+            Mode::Rolling if local.may_open() => push(line.force[0], Some(line.rate[0]), line.force_size),
+            Mode::Rolling => {}
             // Whether what is about to vanish sticks on the way there is decided by rounding.
-            State::Sliding { .. } if is_vanishing(line) => {
-                push(f64::INFINITY, None, 1.0);
-            }
-            State::Sliding { .. } => {
-                let p = tangential(&line.force).normalize();
-                let moving = segment.change[contact] - site.map.tr_mul(&here.twist_rate);
-                let slip: f64 = (1..C).map(|a| p[a] * (moving[a] - line.rate[a] / site.k[a])).sum();
-                let give: f64 = (1..C).map(|a| (line.rate[a] / site.k[a]).abs()).sum();
-                let [_, _, _, span_rate] = here.gaps[contact];
-                push(slip, None, span_rate + give);
+            _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
+            _ => {
+                let p = tangential(&line.force) / tangential_norm(&line.force);
+                let site = &segment.grasp.sites()[contact];
+                let moving = site.stretch(&segment.change[contact], &here.twist_rate);
+                let give = tangential(&site.springs.give(&line.rate));
+                push(p.dot(&(moving - give)), None, here.gaps[contact].rate_size + give.lp_norm(1));
             }
         }
     }

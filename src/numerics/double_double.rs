@@ -24,6 +24,12 @@ impl DoubleDouble {
     }
 
     #[inline(always)]
+    pub(crate) fn subtract(&mut self, other: Self) {
+        self.add(-other.high);
+        self.add(-other.low);
+    }
+
+    #[inline(always)]
     pub(crate) fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
         self.low += rounding_of(product, a, b);

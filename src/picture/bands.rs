@@ -3,7 +3,7 @@
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
-use super::sheet::{in_steps, round_up};
+use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
 /// Levels between which a map has one colour each: round numbers, evenly spaced, or in ratios where the largest value is several times the smallest.
 pub(super) struct Bands {
@@ -15,6 +15,8 @@ pub(super) struct Bands {
 
 /// From this ratio of the largest to the smallest value on.
 const IN_RATIOS: f64 = 4.0;
+/// Levels in ratios that are written without an exponent: six digits behind the point show all of a preferred number.
+const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// About how many bands.
 const MOST: f64 = 12.0;
 /// Preferred numbers (ISO 3), ten, five and three to a decade, and the decades.
@@ -34,8 +36,8 @@ impl Bands {
     fn even(low: f64, high: f64) -> Self {
         let width = if high > low { high - low } else { high.abs().max(f64::MIN_POSITIVE) };
         let step = round_up(width / MOST);
-        let first = (low / step + 1e-9).floor();
-        let count = ((high / step - 1e-9).ceil() - first).clamp(1.0, 2.0 * MOST);
+        let first = whole_below(low / step);
+        let count = (whole_above(high / step) - first).clamp(1.0, 2.0 * MOST);
         let levels = (0..=100).map(f64::from).take_while(|k| *k <= count).map(|k| (first + k) * step);
         Self { levels: levels.collect(), step: Some(step) }
     }
@@ -74,7 +76,7 @@ impl Bands {
     pub(super) fn label(&self, level: f64) -> String {
         match self.step {
             Some(step) => in_steps(level, step),
-            None if (1e-3..1e5).contains(&level) => {
+            None if PLAIN.contains(&level) => {
                 format!("{level:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
             }
             None => format!("{level:.2e}"),

@@ -5,7 +5,12 @@ use plotters::element::{DashedPathElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters::style::text_anchor as text_style;
 
-use super::{FONT, GREY, PALETTE, PictureError};
+use super::canvas::{Canvas, Plotted};
+use super::error::{Drawn, PictureError};
+use super::legend_corner::emptiest_corner;
+use super::palette::{FONT, GREY, PALETTE};
+use super::series::{Series, Stroke};
+use super::sheet::pixels;
 
 /// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are not finite are left out.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,37 +22,6 @@ pub struct Chart {
     marks: Vec<(f64, String)>,
     shaded: Option<(f64, String)>,
     logarithmic: bool,
-}
-
-/// One series of a chart.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Series {
-    /// Its name in the legend.
-    pub name: String,
-    /// Its points (x, y).
-    pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
-    pub stroke: Stroke,
-}
-
-/// How a series is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Stroke {
-    /// A line from point to point.
-    #[default]
-    Line,
-    /// A line with a dot at each point.
-    Marked,
-    /// A dashed line.
-    Dashed,
-    /// Circles.
-    Circles,
-    /// Small dots, for clouds of points.
-    Dots,
-    /// Bars from zero to y around x, as wide as the first two points are apart.
-    Bars,
 }
 
 impl Chart {
@@ -118,10 +92,9 @@ impl Chart {
         }
         let columns = columns.min(charts.len());
         let rows = charts.len().div_ceil(columns);
-        let pixels = |count: usize, each: u32| u32::try_from(count).unwrap_or(u32::MAX).saturating_mul(each);
         let mut svg = String::new();
         {
-            let size = (pixels(columns, 860), pixels(rows, 540));
+            let size = (pixels(columns, 860)?, pixels(rows, 540)?);
             let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             root.fill(&WHITE).map_err(PictureError::from_backend)?;
             for (chart, area) in charts.iter().zip(root.split_evenly((rows, columns))) {
@@ -132,7 +105,7 @@ impl Chart {
         Ok(svg)
     }
 
-    fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
+    fn draw_on(&self, area: &Area<'_>) -> Drawn {
         let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
         chart.marks.retain(|(x, _)| x.is_finite());
         let finite: Vec<(f64, f64)> = chart
@@ -169,7 +142,8 @@ impl Chart {
         chart
     }
 
-    fn draw(&self, root: &Area<'_>, [x0, x1, y0, y1]: [f64; 4]) -> Result<(), Box<dyn std::error::Error>> {
+    fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
+        let [x0, x1, y0, y1] = window;
         let mut chart = ChartBuilder::on(root)
             .caption(&self.title, (FONT, 20))
             .margin(14)
@@ -182,6 +156,24 @@ impl Chart {
             let at = (from + 0.02 * (x1 - x0), y0 + 0.05 * (y1 - y0));
             chart.draw_series([Text::new(label.clone(), at, (FONT, 14).into_font().color(&GREY))])?;
         }
+        self.draw_axes(&mut chart, window)?;
+        for (series, color) in self.series.iter().zip(PALETTE.iter().cycle()) {
+            draw_series(&mut chart, series, *color)?;
+        }
+        for (x, label) in &self.marks {
+            draw_mark(&mut chart, window, *x, label)?;
+        }
+        chart
+            .configure_series_labels()
+            .position(emptiest_corner(window, &self.series, !self.marks.is_empty(), self.shaded.is_some()))
+            .background_style(WHITE.mix(0.85))
+            .border_style(GREY.mix(0.4))
+            .label_font((FONT, 14))
+            .draw()?;
+        Ok(())
+    }
+
+    fn draw_axes(&self, chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4]) -> Plotted {
         let mut mesh = chart.configure_mesh();
         mesh.light_line_style(TRANSPARENT)
             .bold_line_style(GREY.mix(0.2))
@@ -197,57 +189,50 @@ impl Chart {
             mesh.x_label_formatter(&|x| power_of_ten(*x)).y_label_formatter(&|y| power_of_ten(*y));
         }
         mesh.draw()?;
-        for (i, series) in self.series.iter().enumerate() {
-            let color = PALETTE[i % PALETTE.len()];
-            let style = color.stroke_width(2);
-            let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
-            let drawn = match series.stroke {
-                Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
-                Stroke::Marked => chart.draw_series(LineSeries::new(points, style.filled()).point_size(3))?,
-                Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
-                Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
-                Stroke::Dots => {
-                    chart.draw_series(points.map(|p| Circle::new(p, 2, color.mix(0.6).filled())))?
-                }
-                Stroke::Bars => {
-                    let wide = series.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
-                    let bar = |(x, y): (f64, f64)| {
-                        let corners = [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, y)];
-                        Rectangle::new(corners, color.mix(0.7).filled())
-                    };
-                    chart.draw_series(points.map(bar))?
-                }
-            };
-            let stroke = series.stroke;
-            drawn.label(&series.name).legend(move |(x, y)| {
-                let line = [(x, y), (x + 20, y)];
-                match stroke {
-                    Stroke::Circles | Stroke::Dots => Circle::new((x + 10, y), 4, style).into_dyn(),
-                    Stroke::Dashed => DashedPathElement::new(line, 5, 3, style).into_dyn(),
-                    Stroke::Line | Stroke::Marked | Stroke::Bars => PathElement::new(line, style).into_dyn(),
-                }
-            });
-        }
-        for (x, label) in &self.marks {
-            let line = [(*x, y0), (*x, y1)];
-            chart.draw_series(DashedLineSeries::new(line, 4, 4, BLACK.stroke_width(1)))?;
-            // To the side on which there is room.
-            let left = (x - x0) > 0.6 * (x1 - x0);
-            let text = (FONT, 14).into_font().color(&BLACK);
-            let anchor = if left { text_style::HPos::Right } else { text_style::HPos::Left };
-            let shift = 0.008 * (x1 - x0) * if left { -1.0 } else { 1.0 };
-            let style = text.pos(text_style::Pos::new(anchor, text_style::VPos::Top));
-            chart.draw_series([Text::new(label.clone(), (x + shift, y1 - 0.02 * (y1 - y0)), style)])?;
-        }
-        chart
-            .configure_series_labels()
-            .position(self.emptiest_corner([x0, x1, y0, y1]))
-            .background_style(WHITE.mix(0.85))
-            .border_style(GREY.mix(0.4))
-            .label_font((FONT, 14))
-            .draw()?;
         Ok(())
     }
+}
+
+fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: RGBColor) -> Plotted {
+    let style = color.stroke_width(2);
+    let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
+    let drawn = match series.stroke {
+        Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
+        Stroke::Marked => chart.draw_series(LineSeries::new(points, style.filled()).point_size(3))?,
+        Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
+        Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
+        Stroke::Dots => chart.draw_series(points.map(|p| Circle::new(p, 2, color.mix(0.6).filled())))?,
+        Stroke::Bars => {
+            let wide = series.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
+            let bar = |(x, y): (f64, f64)| {
+                let corners = [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, y)];
+                Rectangle::new(corners, color.mix(0.7).filled())
+            };
+            chart.draw_series(points.map(bar))?
+        }
+    };
+    let stroke = series.stroke;
+    drawn.label(&series.name).legend(move |(x, y)| {
+        let line = [(x, y), (x + 20, y)];
+        match stroke {
+            Stroke::Circles | Stroke::Dots => Circle::new((x + 10, y), 4, style).into_dyn(),
+            Stroke::Dashed => DashedPathElement::new(line, 5, 3, style).into_dyn(),
+            Stroke::Line | Stroke::Marked | Stroke::Bars => PathElement::new(line, style).into_dyn(),
+        }
+    });
+    Ok(())
+}
+
+fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Plotted {
+    chart.draw_series(DashedLineSeries::new([(x, y0), (x, y1)], 4, 4, BLACK.stroke_width(1)))?;
+    // To the side on which there is room.
+    let left = (x - x0) > 0.6 * (x1 - x0);
+    let text = (FONT, 14).into_font().color(&BLACK);
+    let anchor = if left { text_style::HPos::Right } else { text_style::HPos::Left };
+    let shift = 0.008 * (x1 - x0) * if left { -1.0 } else { 1.0 };
+    let style = text.pos(text_style::Pos::new(anchor, text_style::VPos::Top));
+    chart.draw_series([Text::new(label.to_owned(), (x + shift, y1 - 0.02 * (y1 - y0)), style)])?;
+    Ok(())
 }
 
 /// Between the least and the largest number.
@@ -267,52 +252,6 @@ fn power_of_ten(exponent: f64) -> String {
         _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
     };
     format!("10{}", format!("{exponent:.0}").chars().map(raised).collect::<String>())
-}
-
-/// Places for the legend: how much of the room beside and below it is on its left and below.
-const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
-    (SeriesLabelPosition::UpperRight, 1.0, 1.0),
-    (SeriesLabelPosition::LowerRight, 1.0, 0.0),
-    (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
-    (SeriesLabelPosition::MiddleLeft, 0.0, 0.5),
-    (SeriesLabelPosition::MiddleRight, 1.0, 0.5),
-    (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
-];
-
-impl Chart {
-    /// Where the legend hides least of the curves.
-    fn emptiest_corner(&self, [x0, x1, y0, y1]: [f64; 4]) -> SeriesLabelPosition {
-        // Part of the plot that a legend of so many lines and letters covers.
-        let height = 0.08 + 0.06 * self.series.len() as f64;
-        let letters = self.series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
-        let width = (0.08 + 0.009 * letters as f64).max(0.32);
-        let hidden = |&(_, side, anchor): &(SeriesLabelPosition, f64, f64)| {
-            let (left, bottom) = (side * (1.0 - width), anchor * (1.0 - height));
-            let inside = |x: f64, y: f64| {
-                let (x, y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0));
-                (left..left + width).contains(&x) && (bottom..bottom + height).contains(&y)
-            };
-            let mut count = 0;
-            for Series { points, stroke, .. } in &self.series {
-                if matches!(stroke, Stroke::Circles | Stroke::Dots | Stroke::Bars) {
-                    count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
-                    continue;
-                }
-                for pair in points.windows(2) {
-                    for k in 0..=20 {
-                        let along = |a: f64, b: f64| a + f64::from(k) / 20.0 * (b - a);
-                        let (x, y) = (along(pair[0].0, pair[1].0), along(pair[0].1, pair[1].1));
-                        count += usize::from(inside(x, y));
-                    }
-                }
-            }
-            // Labels of marks stand at the top, that of a shaded area at the bottom right.
-            let marked = !self.marks.is_empty() && anchor == 1.0;
-            let shaded = self.shaded.is_some() && side > 0.0 && anchor == 0.0;
-            count + 10 * (usize::from(marked) + usize::from(shaded))
-        };
-        PLACES.iter().min_by_key(|place| hidden(place)).map_or(PLACES[0].0.clone(), |place| place.0.clone())
-    }
 }
 
 /// Smallest and largest value, with some room; a range of zero width gets one.

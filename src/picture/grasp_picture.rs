@@ -1,18 +1,17 @@
 //! A planar grasp: object, fingers, friction cones, contact forces, load.
 
 use nalgebra::Vector2;
-use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{BLUE, FONT, GREEN, GREY, PictureError, VERMILION, word};
+use super::canvas::{Canvas, Plotted};
+use super::contact_look::{slope, word};
+use super::error::PictureError;
+use super::palette::{BLUE, FONT, GREEN, GREY, VERMILION};
 use crate::planar::{Equilibrium, Grasp};
 
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
-
-type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 560;
@@ -78,7 +77,7 @@ impl<'a> Picture<'a> {
         Self { grasp, state, outline, span, scale }
     }
 
-    fn draw(&self, svg: &mut String, title: &str) -> Drawn {
+    fn draw(&self, svg: &mut String, title: &str) -> Plotted {
         let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
         root.fill(&WHITE)?;
         let load_tip = force_of_load(self.state) * self.scale;
@@ -123,7 +122,7 @@ impl<'a> Picture<'a> {
         Ok(())
     }
 
-    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Drawn {
+    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Plotted {
         let (contact, answer) = (&self.grasp.contacts()[index], &self.state.contacts[index]);
         let Some(frame) = self.grasp.frames().nth(index) else { return Ok(()) };
         let (p, n, t) = (contact.point, frame.column(0).into_owned(), frame.column(1).into_owned());
@@ -131,7 +130,7 @@ impl<'a> Picture<'a> {
         let finger = [p, p + (t * 0.35 - n) * (0.09 * self.span), p - (t * 0.35 + n) * (0.09 * self.span)];
         chart.draw_series([Polygon::new(finger.map(|v| (v.x, v.y)).to_vec(), GREY.mix(0.55))])?;
         let length = 1.15 * answer.normal_force() * self.scale;
-        let mu = contact.friction.min(1e3);
+        let mu = slope(contact);
         if mu > 0.0 && length > 0.0 {
             let cone = [p, p + (n + t * mu) * length, p + (n - t * mu) * length];
             chart.draw_series([Polygon::new(cone.map(|v| (v.x, v.y)).to_vec(), GREEN.mix(0.2))])?;
@@ -160,7 +159,7 @@ impl<'a> Picture<'a> {
         Ok(())
     }
 
-    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Drawn {
+    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Plotted {
         let along = to - from;
         if along.norm() == 0.0 {
             return Ok(());
@@ -175,7 +174,7 @@ impl<'a> Picture<'a> {
     }
 
     #[expect(clippy::unused_self, reason = "reads like the other strokes")]
-    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Drawn {
+    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Plotted {
         let style = (FONT, 15).into_font().color(&BLACK).pos(Pos::new(side, VPos::Center));
         chart.draw_series([Text::new(text.to_owned(), (at.x, at.y), style)])?;
         Ok(())

@@ -1,12 +1,16 @@
 //! Curves around a point: a number for every direction in the plane.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use plotters::style::{Color, colors::BLACK};
 
-use super::polar_curve::{draw_curve, width_of};
-use super::sheet::{Place, Sheet, in_steps, round_up, sheet};
-use super::{GREY, PALETTE, PictureError, Series, Stroke};
+use super::error::{Drawn, PictureError};
+use super::palette::{GREY, PALETTE};
+use super::polar_curve::draw_curve;
+use super::polar_plane::{MIDDLE, RADIUS, at, turn, width_of};
+use super::round_numbers::{in_steps, round_up, whole_above};
+use super::series::{Series, Stroke};
+use super::sheet::{Sheet, sheet};
 
 /// A polar chart: radius over direction, angles from x towards y; build it up, then [`Polar::to_svg`].
 ///
@@ -33,12 +37,14 @@ pub struct Polar {
 }
 
 const SIZE: (u32, u32) = (860, 640);
-pub(super) const MIDDLE: Place = (330.0, 340.0);
-/// Of the rim, pixels.
-pub(super) const RADIUS: f64 = 225.0;
 /// Left edge of the legend, and the length of its lines.
 const LEGEND: f64 = 630.0;
 const SAMPLE: f64 = 22.0;
+/// Directions closer than this, rad, have no room for two texts: beside each other, or outside the rim.
+const BESIDE: f64 = 0.12;
+const MEET: f64 = 0.06;
+/// A ring beyond this part of the rim is the rim itself, but for rounding.
+const INSIDE: f64 = 1.0 - 1e-6;
 /// Letters of a name that has room outside the rim.
 const SHORT: usize = 10;
 
@@ -101,7 +107,7 @@ impl Polar {
             return Err(PictureError("the rim must have a positive, finite radius".into()));
         }
         let step = round_up(wanted / 5.0);
-        let rim = step * (wanted / step - 1e-9).ceil();
+        let rim = step * whole_above(wanted / step);
         sheet(SIZE, |paper| {
             paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
             self.draw_grid(paper, rim, step)?;
@@ -120,7 +126,7 @@ impl Polar {
         })
     }
 
-    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
         for radius in rings(rim, step) {
             paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7))?;
         }
@@ -139,7 +145,7 @@ impl Polar {
             };
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
             // A little aside of a named direction.
-            let named = |(ray, _): &(f64, String)| ((ray - angle + PI).rem_euclid(TAU) - PI).abs() < 0.12;
+            let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < BESIDE;
             let aside = if self.rays.iter().any(named) { 0.13 } else { 0.0 };
             outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0)?;
         }
@@ -147,7 +153,7 @@ impl Polar {
     }
 
     /// Small arrows outside the arcs, with their names, or with letters for the legend where names are long or meet.
-    fn draw_rays(&self, paper: &Sheet) -> Result<(), PictureError> {
+    fn draw_rays(&self, paper: &Sheet) -> Drawn {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
@@ -168,13 +174,12 @@ impl Polar {
     }
 
     /// Along the spoke on which the curves leave most room.
-    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Result<(), PictureError> {
+    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
         let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
         let crowd = |angle: f64| {
             let close = |a: f64, r: f64| {
-                let turn = (a - angle + PI).rem_euclid(TAU) - PI;
                 let near = |ring: &&f64| (r - **ring).abs() < 0.05 * rim;
-                turn.abs() < 0.12 && numbered.iter().find(near).is_some()
+                turn(angle, a).abs() < BESIDE && numbered.iter().find(near).is_some()
             };
             let marks = self.marks.iter().flat_map(|(points, _)| points).map(|(a, _)| (*a, numbered[0]));
             let points = self.curves.iter().flat_map(|curve| &curve.points).copied();
@@ -190,7 +195,7 @@ impl Polar {
         Ok(())
     }
 
-    fn draw_legend(&self, paper: &Sheet) -> Result<(), PictureError> {
+    fn draw_legend(&self, paper: &Sheet) -> Drawn {
         let mut y = 80.0;
         for (k, Series { name, stroke, .. }) in self.curves.iter().enumerate() {
             let ink = PALETTE[k % PALETTE.len()];
@@ -224,7 +229,7 @@ impl Polar {
 }
 
 fn meet(angle: f64, other: f64) -> bool {
-    ((angle - other + PI).rem_euclid(TAU) - PI).abs() < 0.06
+    turn(other, angle).abs() < MEET
 }
 
 /// a, b, c … and numbers after z.
@@ -246,16 +251,11 @@ fn legend_text(paper: &Sheet, y: f64, words: &str) -> Result<f64, PictureError> 
 }
 
 fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
-    (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * (1.0 - 1e-6))
-}
-
-/// A place so many pixels from the middle.
-pub(super) fn at(angle: f64, radius: f64) -> Place {
-    (MIDDLE.0 + radius * angle.cos(), MIDDLE.1 - radius * angle.sin())
+    (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * INSIDE)
 }
 
 /// A text that grows away from the middle.
-fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Result<(), PictureError> {
+fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Drawn {
     let left = match angle.cos() {
         c if c > 0.2 => 0.0,
         c if c < -0.2 => 1.0,

@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use super::polar::{MIDDLE, RADIUS, at};
+use super::error::Drawn;
+use super::palette::PALETTE;
+use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
+use super::series::{Series, Stroke};
 use super::sheet::{Place, Sheet};
-use super::{PALETTE, PictureError, Series, Stroke};
 
 /// Draws the curve with this index, which says its colour.
-pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Result<(), PictureError> {
+pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Drawn {
     let Series { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
     let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);
@@ -59,11 +61,6 @@ pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) 
     }
     paper.line(arc, ink, 4.0)?;
     draw(&line)
-}
-
-/// Curves farther down are wider, so that they show beside those on top of them.
-pub(super) fn width_of(index: usize) -> f64 {
-    2.0 + 3.0 * index.min(2) as f64
 }
 
 /// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite radii have, too.

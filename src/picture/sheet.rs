@@ -5,10 +5,20 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{FONT, PictureError};
+use super::error::{Drawn, PictureError};
+use super::palette::FONT;
 
 /// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a picture has smooth curves.
 const FINE: u32 = 4;
+
+/// Fine pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred times the paper, and
+/// differences of squares of it stay far below the largest integer, which plotters would run over.
+const FARTHEST: f64 = 1e6;
+
+/// A colour, with or without its opacity.
+pub(super) trait Ink: Into<RGBAColor> {}
+
+impl<T: Into<RGBAColor>> Ink for T {}
 
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
@@ -20,7 +30,7 @@ pub(super) struct Sheet<'a> {
 /// Draws on a white sheet of so many pixels.
 pub(super) fn sheet(
     (wide, high): (u32, u32),
-    draw: impl FnOnce(&Sheet) -> Result<(), PictureError>,
+    draw: impl FnOnce(&Sheet) -> Drawn,
 ) -> Result<String, PictureError> {
     let mut svg = String::new();
     {
@@ -35,79 +45,56 @@ pub(super) fn sheet(
     Ok(svg.replacen(&drawn, &format!("width=\"{wide}\" height=\"{high}\""), 1))
 }
 
+/// So many pixels for each of so many things.
+pub(super) fn pixels(count: usize, each: u32) -> Result<u32, PictureError> {
+    let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
+    all.map(|all| all / FINE).ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
+}
+
 /// The nearest pixel of the fine grid; far outside it is kept away from the limits of integers.
 pub(super) fn pixel((x, y): Place) -> (i32, i32) {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-1e6, 1e6) as i32;
+    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-FARTHEST, FARTHEST) as i32;
     (whole(x), whole(y))
 }
 
 impl Sheet<'_> {
     /// A line through places.
-    pub(super) fn line(
-        &self,
-        places: impl IntoIterator<Item = Place>,
-        color: impl Into<RGBAColor>,
-        width: f64,
-    ) -> Result<(), PictureError> {
-        self.pixels(places.into_iter().map(pixel).collect(), color, width)
+    pub(super) fn line(&self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64) -> Drawn {
+        self.pixels(places.into_iter().map(pixel).collect(), ink, width)
     }
 
     /// A line through places that have been rounded to pixels.
-    pub(super) fn pixels(
-        &self,
-        places: Vec<(i32, i32)>,
-        color: impl Into<RGBAColor>,
-        width: f64,
-    ) -> Result<(), PictureError> {
+    pub(super) fn pixels(&self, places: Vec<(i32, i32)>, ink: impl Ink, width: f64) -> Drawn {
         if places.len() < 2 {
             return Ok(());
         }
         self.root
-            .draw(&PathElement::new(places, color.into().stroke_width(fine(width))))
+            .draw(&PathElement::new(places, ink.into().stroke_width(fine(width))))
             .map_err(PictureError::from_backend)
     }
 
     /// A dashed line.
-    pub(super) fn dashes(
-        &self,
-        places: &[Place],
-        color: impl Into<RGBAColor>,
-        width: f64,
-    ) -> Result<(), PictureError> {
+    pub(super) fn dashes(&self, places: &[Place], ink: impl Ink, width: f64) -> Drawn {
         let pixels: Vec<_> = places.iter().map(|place| pixel(*place)).collect();
-        let style = color.into().stroke_width(fine(width));
+        let style = ink.into().stroke_width(fine(width));
         let line = DashedPathElement::new(pixels, fine(7.0), fine(5.0), style);
         self.root.draw(&line).map_err(PictureError::from_backend)
     }
 
     /// A filled area.
-    pub(super) fn area(
-        &self,
-        corners: impl IntoIterator<Item = Place>,
-        color: impl Into<RGBAColor>,
-    ) -> Result<(), PictureError> {
-        self.fill(corners.into_iter().map(pixel).collect(), color)
+    pub(super) fn area(&self, corners: impl IntoIterator<Item = Place>, ink: impl Ink) -> Drawn {
+        self.fill(corners.into_iter().map(pixel).collect(), ink)
     }
 
     /// The same of corners that have been rounded to pixels.
-    pub(super) fn fill(
-        &self,
-        corners: Vec<(i32, i32)>,
-        color: impl Into<RGBAColor>,
-    ) -> Result<(), PictureError> {
-        self.root.draw(&Polygon::new(corners, color.into())).map_err(PictureError::from_backend)
+    pub(super) fn fill(&self, corners: Vec<(i32, i32)>, ink: impl Ink) -> Drawn {
+        self.root.draw(&Polygon::new(corners, ink.into())).map_err(PictureError::from_backend)
     }
 
     /// A circle, filled or drawn with a line of some width.
-    pub(super) fn circle(
-        &self,
-        middle: Place,
-        radius: f64,
-        color: impl Into<RGBAColor>,
-        line: Option<f64>,
-    ) -> Result<(), PictureError> {
-        let color = color.into();
+    pub(super) fn circle(&self, middle: Place, radius: f64, ink: impl Ink, line: Option<f64>) -> Drawn {
+        let color = ink.into();
         let style = line.map_or(color.filled(), |width| ShapeStyle {
             color,
             filled: false,
@@ -117,14 +104,7 @@ impl Sheet<'_> {
     }
 
     /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of its height above.
-    pub(super) fn text(
-        &self,
-        place: Place,
-        words: &str,
-        size: f64,
-        left: f64,
-        color: RGBColor,
-    ) -> Result<(), PictureError> {
+    pub(super) fn text(&self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) -> Drawn {
         let side = match left {
             l if l < 0.25 => HPos::Left,
             l if l > 0.75 => HPos::Right,
@@ -138,7 +118,7 @@ impl Sheet<'_> {
     }
 
     /// The same on a light ground, so that it can be read on anything.
-    pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Result<(), PictureError> {
+    pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Drawn {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
         let half = high / 2.0;
@@ -158,22 +138,4 @@ fn fine(length: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths of a few pixels")]
     let whole = (length * f64::from(FINE)).round() as u32;
     whole.max(1)
-}
-
-/// A round number, 1, 2 or 5 times a power of ten, not below a positive one.
-pub(super) fn round_up(x: f64) -> f64 {
-    let power = 10f64.powf(x.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0];
-    steps
-        .into_iter()
-        .map(|step| step * power)
-        .find(|rounded| *rounded >= x * (1.0 - 1e-9))
-        .unwrap_or(10.0 * power)
-}
-
-/// A number that is a few steps, with no more digits than the step needs.
-pub(super) fn in_steps(x: f64, step: f64) -> String {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-    let digits = (-step.log10() + 1e-9).ceil().clamp(0.0, 12.0) as usize;
-    if (1e-4..1e6).contains(&step) { format!("{x:.digits$}") } else { format!("{x:.1e}") }
 }

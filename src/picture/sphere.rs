@@ -5,10 +5,11 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use plotters::style::{Color, RGBColor, colors::BLACK, colors::WHITE};
 
 use super::bands::Bands;
+use super::error::{Drawn, PictureError};
+use super::palette::{GREY, VERMILION};
 use super::regions::{Corner, joined, outlines};
-use super::sheet::{Place, Sheet, sheet};
+use super::sheet::{Place, Sheet, pixels, sheet};
 use super::sphere_grid::SphereGrid;
-use super::{GREY, PictureError, VERMILION};
 
 /// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) on the left and downwards
 /// on the right, both seen from above, x to the right and y up. A disc's middle is ±z, its rim the directions across z.
@@ -44,6 +45,9 @@ const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
 const FOOT: f64 = 510.0;
 /// Right edge of the colour scale, and its height.
 const BAR: (f64, f64) = (848.0, 320.0);
+/// A direction that rises or falls by less than this part of its length lies across z, on the rims of both discs. It is
+/// a ten-millionth of a pixel away from them; without it rounding would choose one of the discs.
+const LEVEL: f64 = 1e-9;
 const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
 const MISSING: RGBColor = RGBColor(190, 190, 190);
 
@@ -81,15 +85,15 @@ impl SphereMap {
 
     /// Marks a direction, of any length but zero, with a dot and a label.
     #[must_use]
-    pub fn mark(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
-        self.marks.push((direction, label.into()));
+    pub fn mark(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
+        self.marks.push((direction.into(), label.into()));
         self
     }
 
     /// Marks a direction, of any length but zero, with a cross and a label, for what the map is about: a contact normal.
     #[must_use]
-    pub fn ray(mut self, direction: [f64; 3], label: impl Into<String>) -> Self {
-        self.rays.push((direction, label.into()));
+    pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
+        self.rays.push((direction.into(), label.into()));
         self
     }
 
@@ -116,7 +120,7 @@ impl SphereMap {
         let (low, high) =
             (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let bands = Bands::new(low, high);
-        let size = (WIDE, HIGH + 18 * u32::try_from(self.notes.len()).unwrap_or(0));
+        let size = (WIDE, HIGH + pixels(self.notes.len(), 18)?);
         sheet(size, |paper| {
             paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
             for (side, middle) in DISCS.into_iter().enumerate() {
@@ -135,13 +139,7 @@ impl SphereMap {
         })
     }
 
-    fn draw_disc(
-        &self,
-        paper: &Sheet,
-        side: usize,
-        middle: Place,
-        bands: &Bands,
-    ) -> Result<(), PictureError> {
+    fn draw_disc(&self, paper: &Sheet, side: usize, middle: Place, bands: &Bands) -> Drawn {
         // What has no finite value is painted over afterwards.
         let filled = self.filled();
         let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
@@ -239,7 +237,7 @@ impl SphereMap {
         triangles
     }
 
-    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Result<(), PictureError> {
+    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Drawn {
         let (right, high) = BAR;
         let (left, bottom) = (right - 16.0, DISCS[1].1 + high / 2.0);
         let each = high / bands.count() as f64;
@@ -269,13 +267,13 @@ impl SphereMap {
 }
 
 /// On the disc to which it points; across z on both.
-fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Result<(), PictureError> {
+fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Drawn {
     let [x, y, z] = direction;
     let size = x.hypot(y).hypot(z);
     if !(size > 0.0 && size.is_finite()) {
         return Err(PictureError(format!("the direction of \"{label}\" has no length")));
     }
-    let level = z.abs() <= 1e-9 * size;
+    let level = z.abs() <= LEVEL * size;
     for (side, middle) in DISCS.into_iter().enumerate() {
         if !level && (z > 0.0) != (side == 0) {
             continue;

@@ -4,12 +4,13 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, Serializer};
 
+use super::fields::given;
 use super::fingertip::Tip;
-use super::numbers::{Friction, Given, Number, Spring};
+use super::numbers::{Friction, Number, Spring};
 use super::object;
-use super::rows::{Few, Row};
+use super::rows::Few;
 use crate::error::Error;
-use crate::grasp::{Contact, Hold, Stiffness};
+use crate::grasp::{Axes, Contact, Hold, Stiffness};
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
 ///
@@ -73,22 +74,26 @@ struct Written<const C: usize> {
     name: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
-    point: Row<Given, C>,
-    normal: Row<Given, C>,
+    #[serde(with = "given")]
+    point: SVector<f64, C>,
+    #[serde(with = "given")]
+    normal: SVector<f64, C>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    tangent: Option<SVector<f64, C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    tangent: Option<Row<Given, C>>,
+    body_stiffness: Option<Springs<C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    body_stiffness: Option<Axes<C>>,
+    finger_stiffness: Option<Springs<C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    finger_stiffness: Option<Axes<C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    series_stiffness: Option<Axes<C>>,
+    series_stiffness: Option<Springs<C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     friction: Option<Number<Friction>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    command: Option<Row<Given, C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    clearance: Option<Number<Given>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    command: Option<SVector<f64, C>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    command_world: Option<SVector<f64, C>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
     #[serde(default, skip_serializing_if = "is_unilateral")]
     hold: Hold,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -101,15 +106,15 @@ fn is_unilateral(hold: &Hold) -> bool {
 }
 
 /// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
-struct Axes<const C: usize>(SVector<f64, C>);
+struct Springs<const C: usize>(SVector<f64, C>);
 
-impl<const C: usize> Serialize for Axes<C> {
+impl<const C: usize> Serialize for Springs<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Few::<Spring, 3>::of(self.0.as_slice()).serialize(serializer)
     }
 }
 
-impl<'de, const C: usize> Deserialize<'de> for Axes<C> {
+impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         match *Few::<Spring, 3>::deserialize(deserializer)?.as_slice() {
             [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
@@ -131,24 +136,29 @@ impl<const C: usize> Serialize for Finger<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let contact = &self.contact;
         let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
-        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Axes(*k));
+        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
         let (body, finger, series) = match &contact.stiffness {
             Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
-            Stiffness::Series(k) => (None, None, Some(Axes(*k))),
+            Stiffness::Series(k) => (None, None, Some(Springs(*k))),
         };
         let said = |x: f64| x.to_bits() != 0;
+        let command_along = |axes: Axes| {
+            let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
+            (given && axes == contact.command_axes).then_some(contact.command)
+        };
         Written {
             name: contact.name.clone(),
             comment: self.comment.clone(),
-            point: Row::new(contact.point),
-            normal: Row::new(contact.normal),
-            tangent: contact.tangent.map(Row::new),
+            point: contact.point,
+            normal: contact.normal,
+            tangent: contact.tangent,
             body_stiffness: body,
             finger_stiffness: finger,
             series_stiffness: series,
             friction: said(contact.friction).then(|| Number::new(contact.friction)),
-            command: contact.command.iter().any(|x| said(*x)).then(|| Row::new(contact.command)),
-            clearance: said(contact.clearance).then(|| Number::new(contact.clearance)),
+            command: command_along(Axes::Frame),
+            command_world: command_along(Axes::World),
+            clearance: said(contact.clearance).then_some(contact.clearance),
             hold: contact.hold,
             soft: self.soft.clone(),
         }
@@ -164,14 +174,21 @@ impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
 
 impl<const C: usize> Finger<C> {
     fn of_written(written: Written<C>) -> Result<Self, String> {
-        let mut contact = Contact::new(written.point.0, written.normal.0);
+        let mut contact = Contact::new(written.point, written.normal);
         contact.name = written.name;
-        contact.tangent = written.tangent.map(|t| t.0);
+        contact.tangent = written.tangent;
         contact.stiffness =
             stiffness(written.body_stiffness, written.finger_stiffness, written.series_stiffness)?;
         contact.friction = written.friction.map_or(0.0, |mu| mu.0);
-        contact.command = written.command.map_or(SVector::zeros(), |u| u.0);
-        contact.clearance = written.clearance.map_or(0.0, |gap| gap.0);
+        contact = match (written.command, written.command_world) {
+            (Some(u), None) => contact.command(u),
+            (None, Some(u)) => contact.command_world(u),
+            (None, None) => contact,
+            (Some(_), Some(_)) => {
+                return Err("command and command_world: a contact has one of them".to_owned());
+            }
+        };
+        contact.clearance = written.clearance.unwrap_or(0.0);
         contact.hold = written.hold;
         // Where it stands in the list is known to the list only.
         let fault = |error| match error {
@@ -191,11 +208,11 @@ impl<const C: usize> Finger<C> {
 }
 
 fn stiffness<const C: usize>(
-    body: Option<Axes<C>>,
-    finger: Option<Axes<C>>,
-    series: Option<Axes<C>>,
+    body: Option<Springs<C>>,
+    finger: Option<Springs<C>>,
+    series: Option<Springs<C>>,
 ) -> Result<Stiffness<C>, String> {
-    let axes = |side: Option<Axes<C>>| side.map_or(SVector::repeat(f64::INFINITY), |k| k.0);
+    let axes = |side: Option<Springs<C>>| side.map_or(SVector::repeat(f64::INFINITY), |k| k.0);
     match (body, finger, series) {
         (None, None, None) => {
             Err("no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness".to_owned())

@@ -39,7 +39,8 @@
 //! | `series_stiffness` | both in series, in place of the two | N/m | not used |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
-//! | `clearance` | gap before anything moves | m | 0 |
+//! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
+//! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
 //!
@@ -71,7 +72,7 @@
 //! | `polygon` | `{"facets": …, "fit": "inscribed"}`, or `"circumscribed"` or `"balanced"` | 8, inscribed |
 //! | `max_pivots` | limit of pivots | by size |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
-//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-13 |
+//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
 //!
 //! Two fingers in the plane:
 //!
@@ -162,6 +163,8 @@
 //! example `predict_sliding`.
 
 mod answer;
+mod equilibrium;
+mod fields;
 mod finger;
 mod fingertip;
 mod numbers;
@@ -176,7 +179,8 @@ mod setup;
 mod wrench;
 mod written;
 
-pub use answer::{Accuracy, Answer, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
+pub use answer::Answer;
+pub use equilibrium::{Accuracy, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
 pub use finger::Finger;
 pub use fingertip::Tip;
 pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};

@@ -14,9 +14,21 @@ use crate::error::{MODERATE, is_moderate};
 /// A kind of number: which words stand for numbers, and which numbers are refused.
 pub(super) trait Kind {
     const EXPECTED: &'static str;
-    fn of_word(word: &str) -> Option<f64>;
-    fn allows(x: f64) -> bool;
-    fn word(x: f64) -> &'static str;
+    fn of_word(_: &str) -> Option<f64> {
+        None
+    }
+    fn allows(_: f64) -> bool {
+        true
+    }
+    fn word(x: f64) -> &'static str {
+        if x.is_nan() {
+            "not a number"
+        } else if x > 0.0 {
+            "infinite"
+        } else {
+            "-infinite"
+        }
+    }
 }
 
 /// Part of a question: finite and not absurdly large.
@@ -30,14 +42,8 @@ pub(super) enum Found {}
 
 impl Kind for Given {
     const EXPECTED: &'static str = "a number";
-    fn of_word(_: &str) -> Option<f64> {
-        None
-    }
     fn allows(x: f64) -> bool {
         is_moderate(x)
-    }
-    fn word(x: f64) -> &'static str {
-        Found::word(x)
     }
 }
 
@@ -46,21 +52,12 @@ impl Kind for Friction {
     fn of_word(word: &str) -> Option<f64> {
         (word == "infinite").then_some(f64::INFINITY)
     }
-    fn allows(_: f64) -> bool {
-        true
-    }
-    fn word(x: f64) -> &'static str {
-        Found::word(x)
-    }
 }
 
 impl Kind for Spring {
     const EXPECTED: &'static str = "a number or \"rigid\"";
     fn of_word(word: &str) -> Option<f64> {
         (word == "rigid").then_some(f64::INFINITY)
-    }
-    fn allows(_: f64) -> bool {
-        true
     }
     fn word(x: f64) -> &'static str {
         if x == f64::INFINITY { "rigid" } else { Found::word(x) }
@@ -71,18 +68,6 @@ impl Kind for Found {
     const EXPECTED: &'static str = "a number, \"infinite\", \"-infinite\" or \"not a number\"";
     fn of_word(word: &str) -> Option<f64> {
         [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].into_iter().find(|x| Self::word(*x) == word)
-    }
-    fn allows(_: f64) -> bool {
-        true
-    }
-    fn word(x: f64) -> &'static str {
-        if x.is_nan() {
-            "not a number"
-        } else if x > 0.0 {
-            "infinite"
-        } else {
-            "-infinite"
-        }
     }
 }
 
@@ -140,34 +125,5 @@ impl<K: Kind> Visitor<'_> for NumberVisitor<K> {
 
     fn visit_str<E: Error>(self, word: &str) -> Result<f64, E> {
         K::of_word(word).ok_or_else(|| E::invalid_value(Unexpected::Str(word), &self))
-    }
-}
-
-/// For fields of answers that are plain numbers.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-pub(super) fn serialize<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    Number::<Found>::new(*x).serialize(serializer)
-}
-
-pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-    Number::<Found>::deserialize(deserializer).map(|number| number.0)
-}
-
-/// The same for fields that may be left out.
-pub(super) mod or_none {
-    use super::{Deserialize, Deserializer, Found, Number, Serialize, Serializer};
-
-    #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
-    pub(in super::super) fn serialize<S: Serializer>(
-        x: &Option<f64>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        x.map(Number::<Found>::new).serialize(serializer)
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<Option<f64>, D::Error> {
-        Ok(Option::<Number<Found>>::deserialize(deserializer)?.map(|number| number.0))
     }
 }

@@ -3,10 +3,9 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::answer::{Equilibrium, Proof};
-use super::numbers;
+use super::equilibrium::{Equilibrium, Proof};
+use super::fields::found;
 use super::place::{Doing, Place, Places};
-use super::rows::{list, row};
 use crate::equilibrium::{Doubt, Rung};
 use crate::grasp::{Twist, Wrench};
 use crate::load_path as path;
@@ -30,7 +29,7 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
     /// No contact leaves rolling, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
-        #[serde(with = "numbers")]
+        #[serde(with = "found")]
         factor: f64,
         /// Why it does not hold beyond.
         reason: Proof<D>,
@@ -47,7 +46,7 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
 #[non_exhaustive]
 pub struct Onset<const D: usize, const C: usize> {
     /// Load factor τ, no unit.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub factor: f64,
     /// The load there.
     pub load: Wrench<D>,
@@ -58,7 +57,7 @@ pub struct Onset<const D: usize, const C: usize> {
     /// The equilibrium there.
     pub state: Equilibrium<D, C>,
     /// On the round cone: the onset on the polygon, for comparison; "infinite" for never.
-    #[serde(default, with = "numbers::or_none", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub polygon_factor: Option<f64>,
 }
 
@@ -82,7 +81,7 @@ pub enum Departure<const C: usize> {
     /// It slides.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
     /// It opens.
@@ -99,7 +98,7 @@ pub enum Beyond<const D: usize, const C: usize> {
         /// What every contact does next, in the order of [`Equilibrium::contacts`].
         states: Vec<Doing<C>>,
         /// Rates of the contact forces in the contact frames, N, contact by contact.
-        #[serde(with = "list")]
+        #[serde(with = "found")]
         force_rates: Vec<SVector<f64, C>>,
         /// Rate of the object's twist, m and rad.
         twist_rate: Twist<D>,

@@ -3,10 +3,9 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::answer::{Equilibrium, SolveAnswer};
-use super::numbers;
+use super::equilibrium::{Equilibrium, SolveAnswer};
+use super::fields::found;
 use super::place::{Place, Places};
-use super::rows::row;
 use crate::grasp::{Twist, Wrench};
 use crate::load_path as path;
 
@@ -23,7 +22,7 @@ pub struct PathAnswer<const D: usize, const C: usize> {
     pub energies: Vec<Energy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
     /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub step_error: f64,
 }
 
@@ -49,7 +48,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone.
-        #[serde(with = "numbers")]
+        #[serde(with = "found")]
         fraction: f64,
         /// The free motion on which the load works.
         motion: Twist<D>,
@@ -64,7 +63,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone.
-        #[serde(with = "numbers")]
+        #[serde(with = "found")]
         fraction: f64,
     },
 }
@@ -76,7 +75,7 @@ pub struct Loss<const D: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
@@ -94,7 +93,7 @@ pub struct Event<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
@@ -130,7 +129,7 @@ pub enum Turn<const C: usize> {
     /// A rolling contact starts to slide.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact sticks.
@@ -138,13 +137,13 @@ pub enum Turn<const C: usize> {
     /// A sliding contact slides back.
     Reverses {
         /// Its new direction.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another edge of its cone (space).
     Turns {
         /// Its new direction.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
     /// A closed contact opens.
@@ -154,7 +153,7 @@ pub enum Turn<const C: usize> {
     /// An open contact closes and slides from the start.
     ClosesSliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
 }
@@ -178,19 +177,19 @@ impl<const C: usize> From<path::Change<C>> for Turn<C> {
 #[non_exhaustive]
 pub struct Energy {
     /// Work of the load on the object, `∫ W·dq`.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub load_work: f64,
     /// Work of the fingers' drives, `Σ ∫ F·du_f`.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub finger_work: f64,
     /// Change of the energy stored in the springs.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub stored: f64,
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub dissipated: f64,
     /// What does not balance, over the sum of the sizes of all contributions: zero in exact arithmetic.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub residual: f64,
 }
 

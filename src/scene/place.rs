@@ -3,8 +3,7 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::numbers;
-use super::rows::{row, row_or_none};
+use super::fields::found;
 use crate::equilibrium::{ContactAnswer, ContactState};
 
 /// A contact of the grasp, as the scene knows it.
@@ -36,7 +35,7 @@ pub enum Doing<const C: usize> {
     /// Closed and on the edge of its cone.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "row")]
+        #[serde(with = "found")]
         direction: SVector<f64, C>,
     },
     /// Closed without friction.
@@ -65,30 +64,30 @@ pub struct Touch<const C: usize> {
     #[serde(flatten)]
     pub doing: Doing<C>,
     /// Force on the object in the contact frame, N: normal (positive pushes), tangential.
-    #[serde(with = "row")]
+    #[serde(with = "found")]
     pub force: SVector<f64, C>,
     /// The same force along the coordinate axes, N.
-    #[serde(with = "row")]
+    #[serde(with = "found")]
     pub force_world: SVector<f64, C>,
     /// Gap between the surfaces, m, never negative.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, m; its normal component is zero.
-    #[serde(with = "row")]
+    #[serde(with = "found")]
     pub slip: SVector<f64, C>,
     /// Friction in reserve, N; "infinite" with infinite friction.
-    #[serde(with = "numbers")]
+    #[serde(with = "found")]
     pub margin: f64,
     /// Whether working precision tells the state from its neighbours.
     pub distinct: bool,
     /// Displacement of the body's core, coordinate axes, m.
-    #[serde(with = "row")]
+    #[serde(with = "found")]
     pub body_core: SVector<f64, C>,
     /// Displacement of the body's surface, coordinate axes, m; left out if only the series stiffness is known.
-    #[serde(default, with = "row_or_none", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub body_surface: Option<SVector<f64, C>>,
     /// Displacement of the finger's surface, coordinate axes, m; left out if only the series stiffness is known.
-    #[serde(default, with = "row_or_none", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub finger_surface: Option<SVector<f64, C>>,
 }
 

@@ -4,9 +4,8 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::numbers::Given;
+use super::fields::given;
 use super::object;
-use super::rows::Row;
 use crate::grasp::Wrench;
 
 /// One question, `{"solve": …}`, `{"onset": …}` or `{"follow": …}`.
@@ -54,19 +53,20 @@ fn no_load<const D: usize>() -> Wrench<D> {
 
 /// Finger commands or changes of them: one for each contact of the scene in its contact frame, normal part first, m. The points of a soft
 /// fingertip have that of their contact. Another number of them is an error where the question is read or answered.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Commands<const C: usize>(pub Vec<SVector<f64, C>>);
+///
+/// ```
+/// use grasp_lcp::scene::Commands;
+///
+/// let squeeze: Commands<2> = [[0.002, 0.0]; 3].into_iter().collect();
+/// assert_eq!(squeeze.0[2], [0.002, 0.0].into());
+/// ```
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(transparent)]
+pub struct Commands<const C: usize>(#[serde(with = "given")] pub Vec<SVector<f64, C>>);
 
-impl<const C: usize> Serialize for Commands<C> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(|u| Row::<Given, C>::new(*u)))
-    }
-}
-
-impl<'de, const C: usize> Deserialize<'de> for Commands<C> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let rows = Vec::<Row<Given, C>>::deserialize(deserializer)?;
-        Ok(Self(rows.into_iter().map(|row| row.0).collect()))
+impl<U: Into<[f64; C]>, const C: usize> FromIterator<U> for Commands<C> {
+    fn from_iter<I: IntoIterator<Item = U>>(commands: I) -> Self {
+        Self(commands.into_iter().map(|u| SVector::from(u.into())).collect())
     }
 }
 

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 
-use super::numbers::{Found, Kind, Number, NumberVisitor};
+use super::numbers::{Kind, Number, NumberVisitor};
 
 /// A list of up to `MOST` numbers of a kind; a number by itself is a list of one.
 pub(super) struct Few<K, const MOST: usize> {
@@ -123,60 +123,5 @@ impl<'de, K: Kind, const C: usize> Visitor<'de> for RowVisitor<K, C> {
             count += 1;
         }
         if count == C { Ok(row) } else { Err(A::Error::invalid_length(count, &self)) }
-    }
-}
-
-/// For fields of answers that are one row.
-pub(super) mod row {
-    use super::{Deserialize, Deserializer, Found, Row, SVector, Serialize, Serializer};
-
-    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
-        row: &SVector<f64, C>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        Row::<Found, C>::new(*row).serialize(serializer)
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
-        deserializer: D,
-    ) -> Result<SVector<f64, C>, D::Error> {
-        Row::<Found, C>::deserialize(deserializer).map(|row| row.0)
-    }
-}
-
-/// For fields of answers that may be a row.
-pub(super) mod row_or_none {
-    use super::{Deserialize, Deserializer, Found, Row, SVector, Serialize, Serializer};
-
-    #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
-    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
-        row: &Option<SVector<f64, C>>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        row.map(Row::<Found, C>::new).serialize(serializer)
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
-        deserializer: D,
-    ) -> Result<Option<SVector<f64, C>>, D::Error> {
-        Ok(Option::<Row<Found, C>>::deserialize(deserializer)?.map(|row| row.0))
-    }
-}
-
-/// For fields of answers that are rows.
-pub(super) mod list {
-    use super::{Deserialize, Deserializer, Found, Row, SVector, Serializer};
-
-    pub(in super::super) fn serialize<S: Serializer, const C: usize>(
-        rows: &[SVector<f64, C>],
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(rows.iter().map(|row| Row::<Found, C>::new(*row)))
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>, const C: usize>(
-        deserializer: D,
-    ) -> Result<Vec<SVector<f64, C>>, D::Error> {
-        Ok(Vec::<Row<Found, C>>::deserialize(deserializer)?.into_iter().map(|row| row.0).collect())
     }
 }

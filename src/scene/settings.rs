@@ -4,8 +4,8 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
 use super::object;
+use crate::contact::{Fit, PolygonCone};
 use crate::equilibrium::Settings;
-use crate::formulation::{Fit, PolygonCone};
 
 /// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
 impl Serialize for PolygonCone {

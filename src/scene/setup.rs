@@ -4,12 +4,11 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
 use super::answer::Answer;
+use super::fields::{found, given};
 use super::finger::Finger;
-use super::numbers::Given;
 use super::object;
 use super::place::{Place, Places};
 use super::question::{Commands, Goal, Leg, Question, RampAsked};
-use super::rows::{Row, list};
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::Grasp;
@@ -43,7 +42,7 @@ pub struct Setup<const D: usize, const C: usize> {
     /// At least one; without any [`Setup::grasp`] is an error.
     pub contacts: Vec<Finger<C>>,
     /// Corners of the object in order, m. They are only drawn, by the caller.
-    #[serde(with = "list", skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "found", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -61,8 +60,8 @@ fn is_default(settings: &Settings) -> bool {
 #[serde(deny_unknown_fields)]
 struct Written<const D: usize, const C: usize> {
     contacts: Vec<Finger<C>>,
-    #[serde(default)]
-    outline: Vec<Row<Given, C>>,
+    #[serde(default, with = "given")]
+    outline: Vec<SVector<f64, C>>,
     #[serde(default)]
     questions: Vec<Question<D, C>>,
     #[serde(default)]
@@ -75,17 +74,11 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
             if contacts.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
             }
-            for (index, question) in questions.iter().enumerate() {
-                for (what, commands) in commands_of(question) {
-                    let (given, expected) = (commands.0.len(), contacts.len());
-                    if given != expected {
-                        let error = Error::Size { what, given, expected };
-                        return Err(format!("question {index}: {error}"));
-                    }
-                }
+            let setup = Self { contacts, outline, questions, settings };
+            for (index, question) in setup.questions.iter().enumerate() {
+                setup.check(question).map_err(|error| format!("question {index}: {error}"))?;
             }
-            let outline = outline.into_iter().map(|corner| corner.0).collect();
-            Ok(Self { contacts, outline, questions, settings })
+            Ok(setup)
         })
     }
 }
@@ -150,7 +143,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     pub fn ramp(&self, asked: &RampAsked<D, C>) -> Result<Ramp<D, C>, Error> {
         let ramp = Ramp::load(asked.base, asked.direction);
         Ok(match &asked.command_change {
-            Some(change) => ramp.with_commands(self.spread(change, CHANGES)?),
+            Some(change) => ramp.with_commands(self.spread(change, "command changes")?),
             None => ramp,
         })
     }
@@ -172,9 +165,18 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         }
         Ok(match &leg.commands {
             None => out,
-            Some(Goal::By(change)) => out.and_commands_by(self.spread(change, COMMANDS)?),
-            Some(Goal::To(commands)) => out.and_commands_to(self.spread(commands, COMMANDS)?),
+            Some(Goal::By(change)) => out.and_commands_by(self.spread(change, "commands of a leg")?),
+            Some(Goal::To(commands)) => out.and_commands_to(self.spread(commands, "commands of a leg")?),
         })
+    }
+
+    /// Whether the lists of a question that have one entry a contact are as long as that.
+    fn check(&self, question: &Question<D, C>) -> Result<(), Error> {
+        match question {
+            Question::Solve { .. } => Ok(()),
+            Question::Onset(asked) => self.ramp(asked).map(drop),
+            Question::Follow { legs, .. } => self.legs(legs).map(drop),
+        }
     }
 
     /// Commands of every point from those of the contacts.
@@ -194,13 +196,10 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     fn places(&self) -> Result<Places, Error> {
         let mut places = Vec::new();
         for (contact, finger) in self.contacts.iter().enumerate() {
-            let name = finger.contact.name.as_ref();
-            if finger.soft.is_none() {
-                places.push(Place { contact, point: None, name: name.cloned() });
-                continue;
-            }
-            for point in 0..finger.count()? {
-                places.push(Place { contact, point: Some(point), name: name.cloned() });
+            let place = |point| Place { contact, point, name: finger.contact.name.clone() };
+            match finger.soft {
+                None => places.push(place(None)),
+                Some(_) => places.extend((0..finger.count()?).map(Some).map(place)),
             }
         }
         Ok(Places(places))
@@ -240,23 +239,5 @@ impl<const D: usize, const C: usize> Setup<D, C> {
                 Answer::Follow(places.path(&path, &events))
             }
         })
-    }
-}
-
-const CHANGES: &str = "command changes";
-const COMMANDS: &str = "commands of a leg";
-
-/// The lists of a question that have one entry a contact.
-fn commands_of<const D: usize, const C: usize>(
-    question: &Question<D, C>,
-) -> Vec<(&'static str, &Commands<C>)> {
-    match question {
-        Question::Solve { .. } => Vec::new(),
-        Question::Onset(asked) => asked.command_change.iter().map(|c| (CHANGES, c)).collect(),
-        Question::Follow { legs, .. } => legs
-            .iter()
-            .filter_map(|leg| leg.commands.as_ref())
-            .map(|(Goal::By(c) | Goal::To(c))| (COMMANDS, c))
-            .collect(),
     }
 }

@@ -26,7 +26,8 @@ pub struct Scene {
 }
 
 /// A scene in the plane or in space.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Space {
     /// 3 degrees of freedom, 2 axes a contact.
     Planar(Setup<3, 2>),
@@ -142,10 +143,8 @@ struct Out<'a> {
     id: Option<&'a Id>,
     #[serde(skip_serializing_if = "Option::is_none")]
     comment: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    planar: Option<&'a Setup<3, 2>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    spatial: Option<&'a Setup<6, 3>>,
+    #[serde(flatten)]
+    space: &'a Space,
 }
 
 #[derive(serde::Deserialize)]
@@ -161,12 +160,8 @@ struct In {
 
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (planar, spatial) = match &self.space {
-            Space::Planar(setup) => (Some(setup), None),
-            Space::Spatial(setup) => (None, Some(setup)),
-        };
-        let comment = self.comment.as_deref();
-        Out { format: Format, id: self.id.as_ref(), comment, planar, spatial }.serialize(serializer)
+        let Self { id, comment, space } = self;
+        Out { format: Format, id: id.as_ref(), comment: comment.as_deref(), space }.serialize(serializer)
     }
 }
 

@@ -27,36 +27,29 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
     #[inline(always)]
     pub(super) fn new(block: &Block<C, N, L>) -> Self {
         let share = Lanes::all(1.0 / N as f64);
-        let none = [Lanes::default(); C];
-        let mut fingers = [Finger { normal: none, springs: [Lanes::default(); 2] }; N];
-        for i in 0..N {
-            for axis in 0..C {
-                fingers[i].normal[axis] = block.normal[axis][i];
-            }
-            fingers[i].springs = [block.springs[0][i], block.springs[1][i]];
-        }
+        let none = [Lanes::ZERO; C];
         let mut centre = none;
-        let mut arms = [centre; N];
-        let mut reach = Lanes::default();
+        let mut arms = block.points;
+        let mut reach = Lanes::ZERO;
         for axis in 0..C {
-            for i in 0..N {
-                centre[axis] += block.point[axis][i] * share;
+            for point in &block.points {
+                centre[axis] += point[axis] * share;
             }
-            for i in 0..N {
-                arms[i][axis] = block.point[axis][i] - centre[axis];
-                reach = reach.max(arms[i][axis].abs());
+            for arm in &mut arms {
+                arm[axis] -= centre[axis];
+                reach = reach.max(arm[axis].abs());
             }
         }
         let mut body = Self {
-            fingers,
+            fingers: block.fingers,
             centre,
             arms,
             reach,
-            factors: [[Lanes::default(); D]; D],
-            free: Lanes::default(),
+            factors: [[Lanes::ZERO; D]; D],
+            free: Lanes::ZERO,
         };
         for i in 0..N {
-            body.add(&fingers[i], &arms[i]);
+            body.add(&block.fingers[i], &arms[i]);
         }
         body.factor();
         body
@@ -69,7 +62,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         let [normal, tangential] = finger.springs;
         let more = normal - tangential;
         let turning = moment(arm, &finger.normal);
-        let mut line = [Lanes::default(); D];
+        let mut line = [Lanes::ZERO; D];
         for k in 0..D {
             line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
         }
@@ -106,7 +99,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
 
     #[inline(always)]
     fn factor(&mut self) {
-        let (zero, one) = (Lanes::default(), Lanes::all(1.0));
+        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
         let t = &mut self.factors;
         for column in 0..D {
             let whole = t[column][column];
@@ -157,7 +150,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
     /// The load about the centroid.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[Lanes<L>; D]) -> [Lanes<L>; D] {
-        let mut force = [Lanes::default(); C];
+        let mut force = [Lanes::ZERO; C];
         force.copy_from_slice(&load[..C]);
         let turning = moment(&self.centre, &force);
         let mut carried = *load;
@@ -175,7 +168,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         load: &[Lanes<L>; D],
     ) -> ([Lanes<L>; D], Lanes<L>) {
         let mut left = *load;
-        let mut size = Lanes::default();
+        let mut size = Lanes::ZERO;
         for axis in 0..C {
             size += load[axis].abs();
         }
@@ -190,7 +183,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
             }
         }
         let mut moments = self.reach * size;
-        let (mut worst_force, mut worst_moment) = (Lanes::default(), Lanes::default());
+        let (mut worst_force, mut worst_moment) = (Lanes::ZERO, Lanes::ZERO);
         for k in 0..D {
             if k < C {
                 worst_force = worst_force.max(left[k].abs());
@@ -203,6 +196,6 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         let tiny = Lanes::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
         // Comparisons above pass over what is not a number.
-        (left, part + Lanes::all(0.0) * left[0])
+        (left, part + Lanes::ZERO * left[0])
     }
 }

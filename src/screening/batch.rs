@@ -1,7 +1,8 @@
 //! Many grasps of as many contacts each, laid out so that several are screened at once.
 
-use super::block::{Block, Pull};
+use super::block::Block;
 use super::fingers::Fingers;
+use super::pull::Pull;
 use super::ready::Ready;
 use super::screened::Screened;
 use crate::numerics::{Loop, wide};

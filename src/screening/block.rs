@@ -1,94 +1,59 @@
-//! Scenes side by side, and what pulls on them.
+//! The data of scenes side by side.
 
 use std::ops::Range;
 
+use super::finger::{Finger, Force};
 use super::lanes::Lanes;
-use super::pair::Sizes;
-use crate::error::{Error, is_moderate};
-use crate::grasp::Wrench;
 
-/// `L` scenes of `N` contacts each; arrays run over axes, then contacts.
+/// `L` scenes of `N` contacts each.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
-    pub(super) point: [[Lanes<L>; N]; C],
-    /// Unit normals into the object.
-    pub(super) normal: [[Lanes<L>; N]; C],
-    /// Normal and tangential stiffness; in a planar pair the compliances, see [`super::pair`].
-    pub(super) springs: [[Lanes<L>; N]; 2],
-    /// Commanded displacements less the clearance: along the normal, and across it as in [`super::finger::Force`]. Kept apart, for a stiff tangential
-    /// spring would make a force of what rounding turns of a long way along the normal.
-    pub(super) pressed: [Lanes<L>; N],
-    pub(super) sheared: [[Lanes<L>; N]; C],
+    pub(super) points: [[Lanes<L>; C]; N],
+    /// In a planar pair with compliances in place of the stiffnesses, see [`super::pair`].
+    pub(super) fingers: [Finger<C, L>; N],
+    /// Commanded displacements less the clearance, along the normal and across it. They are kept apart: a stiff
+    /// tangential spring would make a force of the rounding of a long way along the normal.
+    pub(super) commands: [Force<C, L>; N],
     /// Friction coefficients, or codes; see [`super::exit`].
     pub(super) friction: [Lanes<L>; N],
     /// Of planar pairs only.
     pub(super) sizes: Sizes<L>,
 }
 
-/// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pull<const D: usize> {
-    pub(super) base: [f64; D],
-    pub(super) direction: [f64; D],
-    /// Whether the base load is any.
-    pub(super) loaded: bool,
-}
-
-impl<const D: usize> Pull<D> {
-    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
-    /// grasp. The factor has no unit, and no length is asked of the direction.
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
-    pub fn new(base: &Wrench<D>, direction: &Wrench<D>) -> Result<Self, Error> {
-        for (what, wrench) in [("base load", base), ("load direction", direction)] {
-            let w = wrench.as_vector();
-            if let Some(component) = w.iter().position(|x| !is_moderate(*x)) {
-                return Err(Error::Wrench { what, component, value: w[component] });
-            }
-        }
-        let entries = |wrench: &Wrench<D>| std::array::from_fn(|k| wrench.as_vector()[k]);
-        Ok(Self { base: entries(base), direction: entries(direction), loaded: *base != Wrench::ZERO })
-    }
+/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sizes<const L: usize> {
+    pub(super) commands: Lanes<L>,
+    pub(super) moment: Lanes<L>,
+    pub(super) force: Lanes<L>,
 }
 
 impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
     /// Nothing yet.
-    pub(super) const EMPTY: Self = {
-        let none = Lanes([0.0; L]);
-        let zero = [none; N];
-        let sizes = Sizes { commands: none, moment: none, force: none };
-        Self {
-            point: [zero; C],
-            normal: [zero; C],
-            springs: [zero; 2],
-            pressed: zero,
-            sheared: [zero; C],
-            friction: zero,
-            sizes,
-        }
+    pub(super) const EMPTY: Self = Self {
+        points: [[Lanes::ZERO; C]; N],
+        fingers: [Finger::NONE; N],
+        commands: [Force::NONE; N],
+        friction: [Lanes::ZERO; N],
+        sizes: Sizes { commands: Lanes::ZERO, moment: Lanes::ZERO, force: Lanes::ZERO },
     };
 
     /// Puts a scene into these lanes.
     pub(super) fn set(&mut self, lanes: Range<usize>, scene: &Block<C, N, 1>) {
-        for lane in lanes.clone() {
-            self.sizes.commands.0[lane] = scene.sizes.commands.0[0];
-            self.sizes.moment.0[lane] = scene.sizes.moment.0[0];
-            self.sizes.force.0[lane] = scene.sizes.force.0[0];
+        let one = |to: &mut Lanes<L>, from: Lanes<1>| to.0[lanes.clone()].fill(from.0[0]);
+        let all = |to: &mut [Lanes<L>], from: &[Lanes<1>]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| one(to, *from));
+        };
+        for i in 0..N {
+            all(&mut self.points[i], &scene.points[i]);
+            all(&mut self.fingers[i].normal, &scene.fingers[i].normal);
+            all(&mut self.fingers[i].springs, &scene.fingers[i].springs);
+            one(&mut self.commands[i].normal, scene.commands[i].normal);
+            all(&mut self.commands[i].tangential, &scene.commands[i].tangential);
         }
-        for contact in 0..N {
-            for lane in lanes.clone() {
-                for axis in 0..C {
-                    self.point[axis][contact].0[lane] = scene.point[axis][contact].0[0];
-                    self.normal[axis][contact].0[lane] = scene.normal[axis][contact].0[0];
-                    self.sheared[axis][contact].0[lane] = scene.sheared[axis][contact].0[0];
-                }
-                for spring in 0..2 {
-                    self.springs[spring][contact].0[lane] = scene.springs[spring][contact].0[0];
-                }
-                self.pressed[contact].0[lane] = scene.pressed[contact].0[0];
-                self.friction[contact].0[lane] = scene.friction[contact].0[0];
-            }
-        }
+        all(&mut self.friction, &scene.friction);
+        one(&mut self.sizes.commands, scene.sizes.commands);
+        one(&mut self.sizes.moment, scene.sizes.moment);
+        one(&mut self.sizes.force, scene.sizes.force);
     }
 }

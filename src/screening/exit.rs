@@ -1,5 +1,6 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
+use super::finger::Force;
 use super::lanes::{Lanes, dot};
 use super::screened::{GIVES_WAY, NOT_ROLLING, Screened, UNCLEAR};
 
@@ -18,9 +19,7 @@ const MOST: f64 = 1e150;
 /// The forces of all contacts, or their rates; arrays run over the contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
-    pub(super) normal: [Lanes<L>; N],
-    /// In space a vector across the normal, axis by axis; in the plane the first entry is that along (n_y, -n_x).
-    pub(super) tangential: [[Lanes<L>; N]; C],
+    pub(super) contacts: [Force<C, L>; N],
     /// What of them may be rounding.
     pub(super) rounding: [Lanes<L>; N],
     /// What part of the load they leave unbalanced; not a number if there are no such forces.
@@ -31,27 +30,12 @@ pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
 
 impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
     /// No forces.
-    #[inline(always)]
-    pub(super) fn none() -> Self {
-        let zero = Lanes::default();
-        Self {
-            normal: [zero; N],
-            tangential: [[zero; N]; C],
-            rounding: [zero; N],
-            unbalanced: zero,
-            free: zero,
-        }
-    }
-
-    /// The tangential part at one contact.
-    #[inline(always)]
-    pub(super) fn friction(&self, contact: usize) -> [Lanes<L>; C] {
-        let mut friction = [Lanes::default(); C];
-        for axis in 0..C {
-            friction[axis] = self.tangential[axis][contact];
-        }
-        friction
-    }
+    pub(super) const NONE: Self = Self {
+        contacts: [Force::NONE; N],
+        rounding: [Lanes::ZERO; N],
+        unbalanced: Lanes::ZERO,
+        free: Lanes::ZERO,
+    };
 }
 
 /// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and one, 1 and 0 if it can only open, both zero if it
@@ -71,7 +55,7 @@ impl<const L: usize> Cone<L> {
     /// From a friction coefficient or one of the two codes.
     #[inline(always)]
     fn of(friction: Lanes<L>) -> Self {
-        let (zero, one) = (Lanes::default(), Lanes::all(1.0));
+        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
         Self { alpha: friction.abs(), beta: friction.above(zero, one, zero) }
     }
 }
@@ -103,22 +87,23 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     base: &Forces<C, N, L>,
     rates: &Forces<C, N, L>,
 ) -> Exit<L> {
-    let zero = Lanes::default();
+    let zero = Lanes::ZERO;
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
-    let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
+    let (force, rate) = (&base.contacts[contact], &rates.contacts[contact]);
+    let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
     let (factor, margin);
     // Minus infinity where nothing is sure.
     let mut lost = zero;
     if C == 2 {
-        let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
+        let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
         margin = one.min(two);
         factor =
             known(one / closing_one, closing_one, noise).min(known(two / closing_two, closing_two, noise));
     } else {
-        let (mut t, mut dt) = (base.friction(contact), rates.friction(contact));
+        let (mut t, mut dt) = (force.tangential, rate.tangential);
         for axis in 0..C {
             t[axis] = cone.beta * t[axis];
             dt[axis] = cone.beta * dt[axis];
@@ -161,7 +146,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     base: &Forces<C, N, L>,
     rates: &Forces<C, N, L>,
 ) -> [Screened; L] {
-    let zero = Lanes::default();
+    let zero = Lanes::ZERO;
     let infinite = Lanes::all(f64::INFINITY);
     let mut factors = [zero; N];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
@@ -178,7 +163,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
         leaving += factors[i].above(until, zero, Lanes::all(f64::from(1 << i)));
     }
     // Where there are no forces this is not a number; what never leaves has a margin of zero, as exactly as it should.
-    let code = first + Lanes::all(0.0) * sure;
+    let code = first + Lanes::ZERO * sure;
     let code = (-sure).above(zero, Lanes::all(UNCLEAR), code);
     let code = Lanes::all(BALANCED).above(base.unbalanced + rates.unbalanced, code, Lanes::all(UNCLEAR));
     let code = rates.free.above(zero, Lanes::all(GIVES_WAY), code);

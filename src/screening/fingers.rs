@@ -1,12 +1,16 @@
 //! The contacts of one grasp, checked once and made ready.
 
-use super::block::{Block, Pull};
+use nalgebra::SVector;
+
+use super::block::Block;
 use super::exit::{OPENS_ONLY, STAYS};
+use super::finger::{Finger, Force};
 use super::lanes::Lanes;
+use super::pull::Pull;
 use super::ready::Ready;
 use super::screened::Screened;
 use crate::error::{Error, Field};
-use crate::grasp::{Contact, Hold};
+use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
 /// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling:
 /// what does not depend on the load is done once.
@@ -40,13 +44,13 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
     /// differs from one tangent to the other.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
-        const { assert!(D == C + C * (C - 1) / 2 && (C == 2 || C == 3)) };
-        const { assert!(2 <= N && N <= 5) };
+        const { assert_plane_or_space::<D, C>() };
+        const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
         let mut block = Block::<C, N, 1>::EMPTY;
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
             let frame = contact.frame(index)?;
-            let frictionless = contact.friction == 0.0 && contact.hold != Hold::Bonded;
+            let frictionless = contact.springs() == 1;
             let k = contact.series_stiffness_of_axes();
             let tangential = if frictionless { 0.0 } else { k[1] };
             if C == 3 && !frictionless && k[1] != k[C - 1] {
@@ -57,8 +61,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                     allowed: "the same along both tangents",
                 });
             }
-            let mut a = contact.command;
-            block.pressed[index] = Lanes([a[0] - contact.clearance]);
+            let mut a = contact.commanded();
+            let pressed = a[0] - contact.clearance;
             a[0] = 0.0;
             if C == 3 {
                 a = frame * a;
@@ -68,13 +72,12 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 a.swap_rows(0, 1);
                 a[0] *= turned.signum();
             }
-            for axis in 0..C {
-                block.point[axis][index] = Lanes([contact.point[axis]]);
-                block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
-                block.sheared[axis][index] = Lanes([a[axis]]);
-            }
-            block.springs[0][index] = Lanes([k[0]]);
-            block.springs[1][index] = Lanes([tangential]);
+            block.points[index] = lanes(&contact.point);
+            block.fingers[index] = Finger {
+                normal: lanes(&frame.column(0).into_owned()),
+                springs: [Lanes([k[0]]), Lanes([tangential])],
+            };
+            block.commands[index] = Force { normal: Lanes([pressed]), tangential: lanes(&a) };
             let slides = contact.friction > 0.0 && contact.friction.is_finite();
             block.friction[index] = Lanes([match contact.hold {
                 Hold::Bonded => STAYS,
@@ -96,4 +99,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }
+}
+
+fn lanes<const C: usize>(v: &SVector<f64, C>) -> [Lanes<1>; C] {
+    std::array::from_fn(|axis| Lanes([v[axis]]))
 }

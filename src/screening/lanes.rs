@@ -7,14 +7,9 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lanes<const L: usize>(pub(super) [f64; L]);
 
-impl<const L: usize> Default for Lanes<L> {
-    #[inline(always)]
-    fn default() -> Self {
-        Self([0.0; L])
-    }
-}
-
 impl<const L: usize> Lanes<L> {
+    pub(super) const ZERO: Self = Self([0.0; L]);
+
     #[inline(always)]
     pub(super) fn all(value: f64) -> Self {
         Self([value; L])
@@ -71,37 +66,33 @@ impl<const L: usize> Lanes<L> {
     }
 }
 
-impl<const L: usize> Add for Lanes<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |x, y| x + y)
-    }
+macro_rules! lane_by_lane {
+    ($operator:ident, $operate:ident, $symbol:tt) => {
+        impl<const L: usize> $operator for Lanes<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $operate(self, other: Self) -> Self {
+                self.zip(other, |x, y| x $symbol y)
+            }
+        }
+    };
 }
 
-impl<const L: usize> Sub for Lanes<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |x, y| x - y)
-    }
+macro_rules! in_place {
+    ($operator:ident, $operate:ident, $symbol:tt) => {
+        impl<const L: usize> $operator for Lanes<L> {
+            #[inline(always)]
+            fn $operate(&mut self, other: Self) {
+                *self = *self $symbol other;
+            }
+        }
+    };
 }
 
-impl<const L: usize> Mul for Lanes<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.zip(other, |x, y| x * y)
-    }
-}
-
-impl<const L: usize> Div for Lanes<L> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self.zip(other, |x, y| x / y)
-    }
-}
+lane_by_lane!(Add, add, +);
+lane_by_lane!(Sub, sub, -);
+lane_by_lane!(Mul, mul, *);
+lane_by_lane!(Div, div, /);
 
 impl<const L: usize> Neg for Lanes<L> {
     type Output = Self;
@@ -111,19 +102,8 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
-impl<const L: usize> AddAssign for Lanes<L> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<const L: usize> SubAssign for Lanes<L> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
+in_place!(AddAssign, add_assign, +);
+in_place!(SubAssign, sub_assign, -);
 
 /// Scalar product.
 #[inline(always)]

@@ -20,12 +20,13 @@ mod finger;
 mod fingers;
 mod lanes;
 mod pair;
+mod pull;
 mod ready;
 mod rolling;
 mod screened;
 
 pub use batch::Batch;
 pub(crate) use batch::Part;
-pub use block::Pull;
 pub use fingers::Fingers;
+pub use pull::Pull;
 pub use screened::{Screened, Verdict};

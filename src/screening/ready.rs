@@ -1,13 +1,14 @@
 //! What is known of a scene before anything pulls.
 
 use super::balance::Body;
-use super::block::{Block, Pull};
+use super::block::Block;
 use super::exit::{Forces, ON_THE_EDGE, judge};
 use super::lanes::Lanes;
 use super::pair::Pair;
+use super::pull::Pull;
 use super::rolling;
 use super::screened::Screened;
-use crate::load_path::ROUNDING;
+use crate::contact::ZERO_SLACK as ROUNDING;
 
 /// How forces answer a load, and the forces without one.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +40,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
 
     #[inline(always)]
     fn under(&self, load: &[f64; D]) -> Forces<C, N, L> {
-        let mut lanes = [Lanes::default(); D];
+        let mut lanes = [Lanes::ZERO; D];
         for k in 0..D {
             lanes[k] = Lanes::all(load[k]);
         }
@@ -59,11 +60,8 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         let mut base = self.squeezed;
         let more = self.under(&pull.base);
         for i in 0..N {
-            base.normal[i] += more.normal[i];
+            base.contacts[i] += more.contacts[i];
             base.rounding[i] += Lanes::all(ON_THE_EDGE / ROUNDING) * more.rounding[i];
-            for axis in 0..C {
-                base.tangential[axis][i] += more.tangential[axis][i];
-            }
         }
         base.unbalanced += more.unbalanced;
         base.free += more.free;

@@ -9,7 +9,7 @@ use super::block::Block;
 use super::exit::{Forces, ON_THE_EDGE};
 use super::finger::{Force, displacement, stretched};
 use super::lanes::Lanes;
-use crate::load_path::ROUNDING;
+use crate::contact::ZERO_SLACK as ROUNDING;
 
 /// Forces that leave this part of the load unbalanced are improved.
 const IMPROVED: f64 = 1e-14;
@@ -31,16 +31,8 @@ pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: u
     body: &Body<D, C, N, L>,
     block: &Block<C, N, L>,
 ) -> Forces<C, N, L> {
-    let zero = Lanes::default();
-    let mut commands = [Force { normal: zero, tangential: [zero; C] }; N];
-    for i in 0..N {
-        commands[i].normal = block.pressed[i];
-        for axis in 0..C {
-            commands[i].tangential[axis] = block.sheared[axis][i];
-        }
-    }
-    let rounding = Lanes::all(ON_THE_EDGE);
-    rolling(body, &Pulled { commands: Some(commands), load: [Lanes::default(); D], rounding })
+    let (commands, load) = (Some(block.commands), [Lanes::ZERO; D]);
+    rolling(body, &Pulled { commands, load, rounding: Lanes::all(ON_THE_EDGE) })
 }
 
 /// Forces that a load alone brings about, the fingers at rest.
@@ -57,16 +49,12 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     body: &Body<D, C, N, L>,
     pulled: &Pulled<D, C, N, L>,
 ) -> Forces<C, N, L> {
-    let zero = Lanes::default();
-    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; N];
+    let zero = Lanes::ZERO;
+    let mut contacts = [Force::NONE; N];
     let (mut left, mut part) = (pulled.load, zero);
     if let Some(commands) = &pulled.commands {
         for i in 0..N {
-            let [normal, tangential] = body.fingers[i].springs;
-            contacts[i].normal = normal * commands[i].normal;
-            for axis in 0..C {
-                contacts[i].tangential[axis] = tangential * commands[i].tangential[axis];
-            }
+            contacts[i] = body.fingers[i].force(&commands[i]);
         }
         (left, part) = body.unbalanced(&contacts, &pulled.load);
     }
@@ -78,11 +66,7 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
         }
         for i in 0..N {
             let u = displacement(&body.arms[i], &q);
-            let less = stretched(&body.fingers[i], &u);
-            contacts[i].normal -= less.normal;
-            for axis in 0..C {
-                contacts[i].tangential[axis] -= less.tangential[axis];
-            }
+            contacts[i] -= stretched(&body.fingers[i], &u);
         }
         (left, part) = body.unbalanced(&contacts, &pulled.load);
         let improvable = part.above(Lanes::all(IMPROVED), Lanes::all(1.0), zero);
@@ -110,7 +94,7 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
     contacts: &[Force<C, L>; N],
     moved: &[Lanes<L>; D],
 ) -> Forces<C, N, L> {
-    let zero = Lanes::default();
+    let zero = Lanes::ZERO;
     let (mut shift, mut turn, mut largest) = (zero, zero, zero);
     for k in 0..D {
         if k < C {
@@ -123,7 +107,7 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
     let span = shift + turn * body.reach;
     let (mut sizes, mut stretched) = ([zero; N], [zero; N]);
     let (mut most, mut second) = (zero, zero);
-    let mut forces = Forces::none();
+    let mut forces = Forces { contacts: *contacts, ..Forces::NONE };
     for i in 0..N {
         let [normal, tangential] = body.fingers[i].springs;
         stretched[i] = normal.max(tangential) * span;
@@ -131,13 +115,11 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
             stretched[i] += normal * commands[i].normal.abs();
         }
         sizes[i] = contacts[i].normal.abs();
-        forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
             if let Some(commands) = &pulled.commands {
                 stretched[i] += tangential * commands[i].tangential[axis].abs();
             }
             sizes[i] += contacts[i].tangential[axis].abs();
-            forces.tangential[axis][i] = contacts[i].tangential[axis];
         }
         largest += sizes[i];
         second = second.max(stretched[i].min(most));

@@ -38,6 +38,12 @@ impl<const C: usize> Active<C> {
         self.pairs[..self.len()].iter().map(|&pair| usize::from(pair))
     }
 
+    /// The facets among the active pairs, of a contact whose first pair is its gap or not.
+    pub(crate) fn facets(&self, gap: bool) -> impl Iterator<Item = u16> + '_ {
+        let first = u16::from(gap);
+        self.pairs[..self.len()].iter().filter_map(move |pair| pair.checked_sub(first))
+    }
+
     pub(super) fn position(&self, pair: usize) -> Option<usize> {
         self.iter().position(|p| p == pair)
     }

@@ -7,14 +7,15 @@
 //! ```
 //!
 //! All that couples the contacts is y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are those
-//! of `formulation/kinematic`: columns of length one, rows of length one for the gaps, and for a facet, over its tangential length,
+//! of `forms/kinematic`: columns of length one, rows of length one for the gaps, and for a facet, over its tangential length,
 //! (κ, c) with the column (0, c).
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::formulation::{Law, Problem};
+use crate::contact::{LocalLaw, tangential_norm};
 use crate::numerics::Orthogonal;
 use crate::numerics::generic;
+use crate::object::Problem;
 
 /// A value of the motion of the object and of the covering variable z₀; also a direction in which they change.
 #[derive(Debug, Clone, Copy)]
@@ -137,10 +138,10 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         self.covering.listed.reserve(most + problem.len());
         let mut widest = 0.0_f64;
         let mut spring = 0;
-        for (contact, site) in problem.sites.iter().enumerate() {
+        for (contact, law) in problem.locals().enumerate() {
             let (mut seen, mut trial) = (SMatrix::<f64, C, D>::zeros(), SVector::<f64, C>::zeros());
-            if problem.laws[contact] != Law::Absent {
-                for axis in 0..site.axes {
+            if !law.is_absent() {
+                for axis in 0..law.springs.axes() {
                     let row = q.row(spring);
                     for k in 0..D {
                         seen[(axis, k)] = row[k] * scale;
@@ -150,9 +151,9 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
                 }
             }
             widest = widest.max(seen.norm_squared());
-            let (facets, facet_count) = self.lay_facets(problem, contact);
-            let gap = problem.may_open(contact);
-            let local = Local { seen, trial, facets, facet_count, gap, first: number(self.pairs) };
+            let (facets, facet_count) = self.lay_facets(problem, contact, &law);
+            let local =
+                Local { seen, trial, facets, facet_count, gap: law.may_open(), first: number(self.pairs) };
             self.pairs += local.pairs();
             self.locals.push(local);
         }
@@ -160,27 +161,19 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
     }
 
     /// The facets of a contact: those of its neighbour if both are alike.
-    fn lay_facets(&mut self, problem: &Problem<D, C>, contact: usize) -> (u32, u16) {
-        let normals = problem.normals(contact);
-        let count = u16::try_from(normals.len()).unwrap_or(u16::MAX);
+    fn lay_facets(&mut self, problem: &Problem<D, C>, contact: usize, law: &LocalLaw<'_, C>) -> (u32, u16) {
         if let (Some(before), Some(last)) = (contact.checked_sub(1), self.locals.last()) {
-            let (a, b) = (&problem.sites[before], &problem.sites[contact]);
             // Contacts without polygons of their own have the same one.
-            if a.k == b.k
-                && a.mu == b.mu
-                && problem.turned.is_empty()
-                && matches!(
-                    (&problem.laws[before], &problem.laws[contact]),
-                    (Law::Cone { .. }, Law::Cone { .. })
-                )
-            {
+            if problem.turned.is_empty() && law.has_the_facets_of(&problem.local(before)) {
                 return (last.facets, last.facet_count);
             }
         }
         let start = number(self.facets.len());
-        for h in normals {
-            let row = facet_row(&problem.sites[contact].k, problem.mu(contact), h);
+        let mut count = 0;
+        for h in law.facets() {
+            let row = facet_row(law, h);
             self.facets.push(Facet { row, unit: row.norm() });
+            count += 1;
         }
         (start, count)
     }
@@ -247,17 +240,9 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
 }
 
 /// (κ, c) of a facet, `μ F_n - h·F_t = 0` in energy coordinates: c of length one.
-pub(crate) fn facet_row<const C: usize>(
-    k: &SVector<f64, C>,
-    mu: f64,
-    h: &SVector<f64, C>,
-) -> SVector<f64, C> {
-    let root = k.map(f64::sqrt);
-    let mut row = -root.component_mul(h);
-    let length = row.norm();
-    row /= length;
-    row[0] = mu * root[0] / length;
-    row
+pub(crate) fn facet_row<const C: usize>(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> SVector<f64, C> {
+    let row = law.springs.root().component_mul(&law.cone().facet_row(h));
+    row / tangential_norm(&row)
 }
 
 fn normal<const C: usize>() -> SVector<f64, C> {

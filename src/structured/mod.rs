@@ -2,7 +2,7 @@
 //!
 //! All that couples the contacts is the motion of the object. With every contact in a known state its law is linear, so a
 //! complementary basis is a list of contact states and a pivot solves one system with d + 1 rows; the matrix of the complementarity problem is never
-//! formed. The pivots are those of the dense solver on [`Form`](crate::formulation::Form).
+//! formed. The pivots are those of the dense solver on [`Form`](crate::forms::Form).
 
 mod basis;
 mod form;
@@ -15,6 +15,5 @@ mod solution;
 mod workspace;
 
 pub(crate) use form::facet_row;
-pub(crate) use newton::Code;
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

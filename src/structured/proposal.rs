@@ -2,12 +2,13 @@
 
 use super::newton::Newton;
 use super::path::{End, Path};
-use crate::formulation::{Law, Piece, PieceState, Problem, State};
+use crate::contact::{Mode, State};
+use crate::object::{Piece, PieceState, Problem};
 
 /// What a search for contact states took, and its end.
 #[derive(Debug, Clone)]
-pub(crate) struct Proposal {
-    pub(crate) states: Option<Vec<State>>,
+pub(crate) struct Proposal<const C: usize> {
+    pub(crate) states: Option<Vec<State<C>>>,
     pub(crate) pivots: usize,
     /// Pairs of the kinematic form.
     pub(crate) pairs: usize,
@@ -18,9 +19,9 @@ pub(crate) struct Proposal {
 /// Contact states by Newton's method on the return maps, if it arrives.
 pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
-) -> Option<Vec<State>> {
+) -> Option<Vec<State<C>>> {
     let mut newton = Newton::default();
-    newton.run(problem).then(|| newton.states(problem))
+    newton.run(problem).then(|| newton.states.iter().map(|state| State::from(*state)).collect())
 }
 
 /// Follows Lemke's path on the kinematic form from the trial state, and those of as many other covering vectors after a ray.
@@ -30,12 +31,12 @@ pub(crate) fn propose<const D: usize, const C: usize>(
     state: &PieceState<D, C>,
     other_paths: usize,
     max_pivots: Option<usize>,
-) -> Proposal {
+) -> Proposal<C> {
     let mut path = Path::default();
-    let x: Vec<f64> = (problem.sites.iter().zip(&problem.laws).zip(&state.forces))
-        .filter(|((_, law), _)| **law != Law::Absent)
-        .flat_map(|((site, _), force)| (0..site.axes).map(move |axis| force[axis] / site.k[axis].sqrt()))
-        .collect();
+    let mut x = Vec::with_capacity(C * problem.len());
+    for (local, force) in problem.locals().zip(&state.forces).filter(|(local, _)| !local.is_absent()) {
+        x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
+    }
     path.form.assign(problem, trial.factor(), &x);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {
@@ -56,19 +57,19 @@ pub(crate) fn propose<const D: usize, const C: usize>(
 
 impl<const D: usize, const C: usize> Path<D, C> {
     /// The contact states of the present basis.
-    fn states(&self, problem: &Problem<D, C>) -> Vec<State> {
+    fn states(&self, problem: &Problem<D, C>) -> Vec<State<C>> {
         let state = |contact: usize| {
-            let gap = self.form.opens(contact);
+            let (gap, local) = (self.form.opens(contact), problem.local(contact));
             let active = &self.basis.active[contact];
             if gap && active.position(0).is_some() {
-                return State::Open;
+                return Mode::Open;
             }
             if active.len() == 0 {
-                return problem.unjumped(contact);
+                return local.unjumped();
             }
-            let mut facets: Vec<usize> = active.iter().map(|pair| pair - usize::from(gap)).collect();
+            let mut facets: Vec<u16> = active.facets(gap).collect();
             facets.sort_unstable();
-            problem.slipping_state(contact, &facets)
+            local.slipping_state(&facets).into()
         };
         (0..self.form.len()).map(state).collect()
     }

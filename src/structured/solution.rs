@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use super::path::Path;
-use crate::formulation::Problem;
 use crate::numerics::Bordered;
+use crate::object::Problem;
 
 /// Corrections of the motion by what its forces leave out of balance.
 const CORRECTIONS: usize = 2;
@@ -52,11 +52,10 @@ impl<const D: usize, const C: usize> Solution<D, C> {
         self.forces.clear();
         let mut largest = problem.wrench.norm();
         for (contact, (local, site)) in path.form.locals.iter().zip(problem.sites).enumerate() {
-            let mut force = path.basis.reaction(contact).hold * local.stretch(&y);
-            for axis in 0..C {
-                force[axis] *= site.k[axis].sqrt();
-            }
-            largest = largest.max(force.norm()).max(ROUNDING * site.k.amax().sqrt() * local.trial.norm());
+            let x = path.basis.reaction(contact).hold * local.stretch(&y);
+            let force = x.component_mul(&site.springs.root());
+            largest =
+                largest.max(force.norm()).max(ROUNDING * site.springs.stiffest().sqrt() * local.trial.norm());
             self.forces.push(force);
         }
         let mut worst = 0.0_f64;
@@ -67,8 +66,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             let x = reaction.hold * stretch;
             let level = SMALLEST + local.trial.norm() + stretch.norm();
             // A force is known from its stretch or from balance with the others, whichever is better.
-            let softest = site.k.iter().take(site.axes).fold(f64::INFINITY, |least, k| least.min(*k));
-            let force_level = SMALLEST + x.norm() + level.min(largest / softest.sqrt());
+            let force_level = SMALLEST + x.norm() + level.min(largest / site.springs.softest().sqrt());
             let force = &mut self.forces[contact];
             for (a, pair) in active.iter().enumerate() {
                 let z = &reaction.multipliers[a];
@@ -84,7 +82,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
                 worst = worst.max(-row.dot(&x) / (force_level * row.norm()));
             }
             sum += site.map * *force;
-            size += force.norm() + ROUNDING * site.k.amax().sqrt() * level.min(local.trial.norm());
+            size += force.norm() + ROUNDING * site.springs.stiffest().sqrt() * level.min(local.trial.norm());
         }
         self.residual = worst.max(sum.norm() / (size + SMALLEST));
         self.residual <= ACCURATE

@@ -4,13 +4,15 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::newton::{Code, Newton};
+use super::newton::Newton;
 use super::path::{End, Path};
 use super::solution::Solution;
+use crate::contact::{Law, Mode, Polygon, PolygonCone};
 use crate::error::Error;
-use crate::formulation::{Law, Polygon, PolygonCone, Problem, Row, whole_law};
+use crate::forms::Row;
 use crate::grasp::{Grasp, Site, Twist, Wrench};
 use crate::numerics::Orthogonal;
+use crate::object::Problem;
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
@@ -195,7 +197,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         let wrench = grasp.inside(load, "load")?;
         self.path.pivots = 0;
         self.laws.clear();
-        self.laws.extend(grasp.sites().iter().map(whole_law));
+        self.laws.extend(grasp.sites().iter().map(Site::whole_law));
         self.drives.clear();
         self.drives.extend(grasp.each_drive());
         let problem = Problem {
@@ -207,7 +209,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             slips: Vec::new(),
             wrench,
             wrench_rest: SVector::zeros(),
-            infinite_friction_has_facets: false,
+            infinite_friction_has_edges: false,
             round: false,
         };
         self.by_newton = other_paths > 0 && problem.len() >= MANY && self.newton.run(&problem);
@@ -231,13 +233,14 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         let slip = |facet: usize| Some(Row::Slip { contact, facet });
         if self.by_newton {
             match self.newton.states[contact] {
-                Code::Open => rows[0] = Some(Row::Gap { contact }),
-                Code::Rolling => {}
-                Code::Facet(j) => rows[0] = slip(usize::from(j)),
-                Code::Corner(j) => {
+                Mode::Open => rows[0] = Some(Row::Gap { contact }),
+                Mode::Rolling => {}
+                Mode::Facet(j) => rows[0] = slip(usize::from(j)),
+                Mode::Corner(j) => {
                     let j = usize::from(j);
                     rows = [slip(j), slip((j + 1) % self.polygon.normals.len()), None];
                 }
+                Mode::Round(never) => match never {},
             }
             return rows;
         }
@@ -255,9 +258,11 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
                 .sites
                 .iter()
                 .enumerate()
-                .flat_map(|(i, site)| (0..site.axes).map(move |axis| (i, site, axis)))
+                .flat_map(|(i, site)| (0..site.springs.axes()).map(move |axis| (i, site, axis)))
         };
-        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| site.map.column(axis) * site.k[axis].sqrt();
+        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| {
+            site.map.column(axis) * site.springs.root_along(axis)
+        };
         if !springs().map(row).eq(self.springs.iter().copied()) {
             self.springs.clear();
             self.springs.extend(springs().map(row));
@@ -273,7 +278,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             }
         }
         self.x.clear();
-        self.x.extend(springs().map(|(i, site, axis)| site.k[axis].sqrt() * problem.drives[i][axis]));
+        self.x
+            .extend(springs().map(|(i, site, axis)| site.springs.root_along(axis) * problem.drives[i][axis]));
         let load = self.factor.load_coordinates(&wrench);
         let mut travelled = SVector::zeros();
         // Once to solve, twice more to remove what rounding left of it.

@@ -1,6 +1,6 @@
 //! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same seed.
 
-use super::map_in_order;
+use super::in_order::map_in_order;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Grasp};

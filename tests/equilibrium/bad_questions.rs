@@ -13,13 +13,13 @@ use nalgebra::SVector;
 fn new_commands_are_not_finite_or_not_one_a_contact() {
     let grasp = planar::Grasp::new(planar_contacts()).unwrap();
     for given in [0, 2, 4] {
-        let error = grasp.clone().with_commands(&vec![SVector::from([0.1, 0.0]); given]).unwrap_err();
+        let error = grasp.clone().with_commands(vec![[0.1, 0.0]; given]).unwrap_err();
         assert_eq!(error, Error::Size { what: "commands", given, expected: 3 });
         assert_eq!(error.to_string(), format!("commands: {given} given, must be 3, one a contact"));
     }
     for value in NOT_MODERATE {
         let commands = [[0.1, 0.0], [0.1, value], [0.1, 0.0]].map(SVector::from);
-        let error = grasp.clone().with_commands(&commands).unwrap_err();
+        let error = grasp.clone().with_commands(commands).unwrap_err();
         assert_eq!(error.to_string(), format!("contact 1 (thumb): command is {value}, must be {MODERATE}"));
         assert!(matches!(error, Error::Contact { field: Field::Command, .. }));
     }

@@ -139,7 +139,7 @@ proptest! {
         let commands: Vec<_> = grasp.contacts().iter().zip(grasp.frames())
             .map(|(finger, frame)| finger.commanded() + frame.tr_mul(&Vector3::from(hand.displacement_at(finger.point()))))
             .collect();
-        let moved = grasp.clone().with_commands(&commands).expect("one a contact");
+        let moved = grasp.clone().with_commands(commands).expect("one a contact");
         let load = Wrench::force([0.1, 0.0, -0.2]);
         let (a, b) = (grasp.solve(&load).expect("a load"), moved.solve(&load).expect("a load"));
         let (a, b) = (a.equilibrium().expect("holds"), b.equilibrium().expect("holds"));

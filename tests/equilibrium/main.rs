@@ -16,6 +16,7 @@ mod foreign_vectors;
 mod frames;
 mod frictionless_sliding;
 mod invariance;
+mod overlap_and_world_commands;
 mod properties_law;
 mod round_cone;
 mod soft_fingertip;

@@ -21,7 +21,7 @@ fn pulled(grasp: &Grasp, pull: f64, settings: &Settings) -> Result<(Equilibrium,
 fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), Box<dyn Error>> {
     let scene: Scene = serde_json::from_str(include_str!("../../examples/scenes/bottle.json"))?;
     let Space::Spatial(setup) = scene.space else { return Err("the bottle is spatial".into()) };
-    let (grasp, settings) = (setup.grasp()?, Settings::default());
+    let (grasp, settings) = (setup.grasp()?, Settings::default().with_step_error(1e-13));
     let (last, end) = pulled(&grasp, 100.0, &settings)?;
     let PathEnd::Snap(loss) = end else { return Err(format!("{end:?}").into()) };
     let most = 100.0 * loss.fraction;

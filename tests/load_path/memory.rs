@@ -25,7 +25,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
             return Ok(());
         }
         let end = scene.goals.last().unwrap();
-        let there = scene.grasp().with_commands(&end.commands).unwrap();
+        let there = scene.grasp().with_commands(end.commands.iter().copied()).unwrap();
         let list = there.equilibria(&Wrench::from_vector(end.load), &Settings::default()).unwrap();
         prop_assert!(!list.is_empty(), "the path found one");
         if list.len() == 1 {

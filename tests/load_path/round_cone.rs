@@ -14,10 +14,15 @@ use proptest::prelude::*;
 
 type Spatial = Scene<6, 3>;
 
+/// Tolerances grow with the error of the steps.
+fn to_all_digits() -> Settings {
+    Settings::default().with_step_error(1e-13)
+}
+
 /// From what follows events and samples the law; slips go along the friction force, over ever shorter ways.
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let completed = matches!(path.end(), Some(PathEnd::Completed));
@@ -159,7 +164,7 @@ fn same_start(scene: &Spatial, other: &Spatial, contacts: &[usize]) -> bool {
 fn frames_and_order_do_not_matter() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !clear(&events) {
@@ -181,7 +186,7 @@ fn frames_and_order_do_not_matter() {
                 continue;
             }
             let there = other.grasp();
-            let mut path_there = there.follow(other.start(), &other.legs()).unwrap();
+            let mut path_there = there.follow_with(other.start(), &other.legs(), &to_all_digits()).unwrap();
             let events_there = path_there.run();
             if !clear(&events_there) {
                 continue;
@@ -224,7 +229,7 @@ fn turned(scene: &Spatial, angle: f64) -> Spatial {
 fn cutting_legs_changes_nothing() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let mut halves = scene.clone();
@@ -238,7 +243,7 @@ fn cutting_legs_changes_nothing() {
             }
             halves.goals.extend([middle, pair[1].clone()]);
         }
-        let mut pieces = grasp.follow(halves.start(), &halves.legs()).unwrap();
+        let mut pieces = grasp.follow_with(halves.start(), &halves.legs(), &to_all_digits()).unwrap();
         let again = pieces.run();
         if !clear(&events) || !clear(&again) {
             return Ok(());
@@ -276,7 +281,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
             drives[i] -= slips[i];
             drives[i][0] += spot.clearance;
         }
-        let grasp = scene.grasp().with_commands(&drives).unwrap();
+        let grasp = scene.grasp().with_commands(drives).unwrap();
         let outcome = grasp.solve(&Wrench::from_vector(load)).unwrap();
         let state = outcome.equilibrium()?;
         if !forces.is_empty() {
@@ -301,7 +306,8 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
 fn small_steps_lead_to_the_same_end() {
     let t = over(40, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path: LoadPath<'_, 6, 3> = grasp.follow(scene.start(), &scene.legs()).unwrap();
+        let mut path: LoadPath<'_, 6, 3> =
+            grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !matches!(path.end(), Some(PathEnd::Completed)) || path.step_error() == 0.0 {

@@ -153,7 +153,7 @@ fn along_commands_and_both_at_once() {
     let event = both.event().unwrap();
     assert!(event.state.residuals.worst() < 1e-15);
     let there = event.factor;
-    let moved = grasp.clone().with_commands(&[[a - there, 0.0].into(); 2]).unwrap();
+    let moved = grasp.clone().with_commands([[a - there, 0.0]; 2]).unwrap();
     let again = moved.solve(&event.load).unwrap();
     let again = again.equilibrium().expect("on the edge");
     for (x, y) in again.contacts.iter().zip(&event.state.contacts) {

@@ -111,7 +111,7 @@ fn more_squeeze_carries_more() {
             command + change * event.factor
         })
         .collect();
-    let at = two_fingers().unwrap().with_commands(&released).unwrap();
+    let at = two_fingers().unwrap().with_commands(released).unwrap();
     let again = at.onset_of_sliding(Wrench::ZERO, down()).unwrap().factor().unwrap();
     assert!((again - 0.9 * exact).abs() < 1e-14, "{again}");
 }

@@ -150,7 +150,7 @@ fn what_is_left_out_has_the_defaults_of_the_crate() {
 fn settings_are_those_of_the_crate() {
     let settings: Settings = serde_json::from_value(json!({
         "cone": "polygon", "polygon": { "facets": 12, "fit": "balanced" },
-        "max_pivots": 40, "most_states": 100, "step_error": 1e-9
+        "max_pivots": 40, "most_states": 100, "step_error": 1e-7
     }))
     .unwrap();
     let expected = Settings::default()
@@ -158,14 +158,14 @@ fn settings_are_those_of_the_crate() {
         .on_the_polygon()
         .with_max_pivots(40)
         .with_most_states(100)
-        .with_step_error(1e-9);
+        .with_step_error(1e-7);
     assert_eq!(settings, expected);
     let back: Settings = serde_json::from_str(&serde_json::to_string(&settings).unwrap()).unwrap();
     assert_eq!(back, expected);
 }
 
 #[test]
-fn stiffness_is_said_in_several_ways() {
+fn stiffness_and_commands_are_said_in_several_ways() {
     let inf = f64::INFINITY;
     let contact = || spatial::Contact::new([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
     let cases = [
@@ -178,6 +178,18 @@ fn stiffness_is_said_in_several_ways() {
         (
             json!({ "body_stiffness": [7, "rigid"], "finger_stiffness": ["rigid", 3] }),
             contact().body_stiffness(7.0, inf).finger_stiffness(inf, 3.0),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command": [3, 2, 1], "clearance": -0.5 }),
+            contact().series_stiffness(5.0, 4.0).command([3.0, 2.0, 1.0]).clearance(-0.5),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command_world": [3, 2, 1] }),
+            contact().series_stiffness(5.0, 4.0).command_world([3.0, 2.0, 1.0]),
+        ),
+        (
+            json!({ "series_stiffness": [5, 4], "command_world": [0, 0, 0] }),
+            contact().series_stiffness(5.0, 4.0).command_world([0.0; 3]),
         ),
     ];
     for (said, expected) in cases {

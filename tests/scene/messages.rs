@@ -108,8 +108,8 @@ fn numbers_out_of_range_are_refused_where_they_stand() {
         ),
         (
             "0.5",
-            "0.5, \"clearance\": -1",
-            "line 2, column 117: planar.contacts[0]: index: clearance is -1, must be from 0 to 1e50",
+            "0.5, \"clearance\": -1e51",
+            "line 2, column 119: planar.contacts[0].clearance: -1e51 must be finite and at most 1e50 in size",
         ),
         (
             "\"friction\": 0.5",
@@ -135,7 +135,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"friction\"",
             "\"fricton\"",
-            "unknown field `fricton`, expected one of `name`, `comment`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `friction`, `command`, `clearance`, `hold`, `soft`",
+            "unknown field `fricton`, expected one of `name`, `comment`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `friction`, `command`, `command_world`, `clearance`, `hold`, `soft`",
         ),
         (
             "\"settings\"",
@@ -170,6 +170,11 @@ fn what_is_missing_doubled_or_unknown_is_named() {
             "\"friction\": 0.5",
             "\"finger_stiffness\": [1, 1]",
             "series_stiffness is body and finger together: give it, or body_stiffness and finger_stiffness",
+        ),
+        (
+            "\"command\": [0.1, 0]",
+            "\"command\": [0.1, 0], \"command_world\": [0.1, 0]",
+            "planar.contacts[1]: command and command_world: a contact has one of them",
         ),
         ("\"friction\": 0.5", "\"name\": \"thumb\"", "duplicate field `name`"),
         ("\"format\": \"grasp-lcp/1\", ", "", "missing field `format`"),

@@ -7,7 +7,8 @@
 //! without structure, but not by the same one, since the dense solver balances its rows first.
 
 use crate::common::random::{Spread, for_all, scene};
-use grasp_lcp::formulation::{Form, PolygonCone, Row};
+use grasp_lcp::PolygonCone;
+use grasp_lcp::forms::{Form, Row};
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use grasp_lcp::lcp::{self, Outcome, Solution};
 use grasp_lcp::structured::{Search, Workspace};

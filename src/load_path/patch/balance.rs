@@ -12,8 +12,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::local::Local;
+use crate::contact::Mode;
 use crate::numerics::{Factors, SUMMED_IN_TURN, both};
-use crate::structured::Code;
 
 /// T, b and b'.
 #[derive(Debug, Clone, Copy)]
@@ -66,16 +66,17 @@ impl<const D: usize> Sums<D> {
 
     /// Adds the terms of a contact.
     pub(super) fn add<const C: usize>(&mut self, local: &Local<D, C>, all: &[SVector<f64, C>], weight: f64) {
-        match local.code {
-            Code::Open => {
+        let code = local.code;
+        match code {
+            Mode::Open => {
                 self.base -= local.seen.tr_mul(&(local.trial * weight));
                 self.rate -= local.seen.tr_mul(&(local.rate * weight));
             }
-            Code::Rolling => {
+            Mode::Rolling => {
                 self.stiffness += local.seen.tr_mul(&(local.seen * weight));
                 self.base -= local.seen.tr_mul(&(local.memory * weight));
             }
-            Code::Facet(_) | Code::Corner(_) => {
+            Mode::Facet(_) | Mode::Corner(_) => {
                 let hold = local.hold(all);
                 self.stiffness += local.seen.tr_mul(&(hold * local.seen * weight));
                 let pushed = hold * (local.trial - local.memory) - local.trial;

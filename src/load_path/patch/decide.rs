@@ -13,11 +13,10 @@ use super::event::PatchEvent;
 use super::local::Local;
 use super::queue::Course;
 use super::standing::Stand;
-use crate::formulation::State;
+use crate::contact::ZERO_SLACK;
+use crate::contact::{Mode, PolygonState, State};
 use crate::load_path::event::{Change, PathEnd};
-use crate::load_path::margin::ROUNDING;
 use crate::load_path::transition::change;
-use crate::structured::Code;
 use nalgebra::SVector;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
@@ -59,7 +58,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             self.slipping.clear();
             // Nothing changes; or everything that stands on an edge sticks to begin with.
             self.newton(stands) || {
-                self.put_each(stands, |_, _| Code::Rolling);
+                self.put_each(stands, |_, _| Mode::Rolling);
                 self.newton(stands)
             }
         } else {
@@ -84,8 +83,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             let force_rate = local.force(&local.stretch_rate(&self.y_rate), &self.facets).norm();
             stand.apex
                 && local.gap
-                && local.code != Code::Open
-                && force_rate <= ROUNDING * local.rate_level(travel_rate)
+                && local.code != Mode::Open
+                && force_rate <= ZERO_SLACK * local.rate_level(travel_rate)
         };
         let idle: Vec<u32> = stands.iter().filter(|stand| drags(stand)).map(|stand| stand.contact).collect();
         if idle.is_empty() {
@@ -93,7 +92,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         }
         let (codes, moved) = (self.codes(stands), self.twist_rate().norm());
         for contact in idle {
-            self.put(contact, Code::Open);
+            self.put(contact, Mode::Open);
         }
         if self.newton(stands) && self.twist_rate().norm() < moved * (1.0 - LESS) {
             return Ok(());
@@ -105,7 +104,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         if self.solve_rates() { Ok(()) } else { Err(self.undecided()) }
     }
 
-    fn codes(&self, stands: &[Stand]) -> Vec<Code> {
+    fn codes(&self, stands: &[Stand]) -> Vec<PolygonState> {
         stands.iter().map(|stand| self.locals[stand.contact as usize].code).collect()
     }
 
@@ -117,7 +116,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         local.remember(&u, &self.facets);
     }
 
-    fn put_each(&mut self, stands: &[Stand], code: impl Fn(&Local<D, C>, &Stand) -> Code) {
+    fn put_each(&mut self, stands: &[Stand], code: impl Fn(&Local<D, C>, &Stand) -> PolygonState) {
         for stand in stands {
             let code = code(&self.locals[stand.contact as usize], stand);
             self.put(stand.contact, code);
@@ -125,7 +124,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     }
 
     /// Puts a contact into a state.
-    pub(super) fn put(&mut self, contact: u32, code: Code) {
+    pub(super) fn put(&mut self, contact: u32, code: PolygonState) {
         let local = &mut self.locals[contact as usize];
         if local.code == code {
             return;
@@ -142,7 +141,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             if !self.solve_rates() {
                 return false;
             }
-            let mut tolerance = ROUNDING;
+            let mut tolerance = ZERO_SLACK;
             let mut changed = false;
             let travel_rate = self.y_rate.norm();
             for stand in stands.iter() {
@@ -155,7 +154,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
                     continue;
                 }
                 if margin >= -MOST_ROUNDING * level {
-                    tolerance = (ROUNDING * self.factors.growth()).min(MOST_ROUNDING);
+                    tolerance = (ZERO_SLACK * self.factors.growth()).min(MOST_ROUNDING);
                     if margin >= -tolerance * level {
                         continue;
                     }
@@ -201,7 +200,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             }
             self.looked_at += 1;
             let (least, slack) = self.slip_margin(contact);
-            if least >= -ROUNDING * self.locals[contact as usize].rate_level(self.y_rate.norm()) {
+            if least >= -ZERO_SLACK * self.locals[contact as usize].rate_level(self.y_rate.norm()) {
                 self.resting.push((contact, stamp, slack));
                 continue;
             }
@@ -236,8 +235,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     fn check_what_lets_go(&mut self, stands: &[Stand]) -> Result<(), PathEnd<D, C>> {
         for (k, stand) in stands.iter().enumerate() {
             let contact = stand.contact as usize;
-            let opens = self.locals[contact].code == Code::Open && self.before[k].0 != Code::Open;
-            if !opens || !self.grasp.sites()[contact].mu.is_infinite() {
+            let opens = self.locals[contact].code == Mode::Open && self.before[k].0 != Mode::Open;
+            if !opens || !self.grasp.sites()[contact].friction.is_infinite() {
                 continue;
             }
             // It sticks up to here.
@@ -246,7 +245,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             if self.holds_along(contact) {
                 return Err(PathEnd::Snap(self.loss(stands, motion)));
             }
-            self.put(stand.contact, Code::Open);
+            self.put(stand.contact, Mode::Open);
         }
         Ok(())
     }
@@ -259,13 +258,13 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             let (contact, (was, memory)) = (stand.contact, self.before[k]);
             let is = self.locals[contact as usize].code;
             if was != is {
-                let before = (self.state_in(contact as usize, was), self.outward(contact as usize, was));
-                let after = (self.state_in(contact as usize, is), self.slip_direction(contact as usize));
+                let before = (State::from(was), self.outward(contact as usize, was));
+                let after = (State::from(is), self.slip_direction(contact as usize));
                 if let Some(change) = change(before, after) {
                     self.told.push(self.event(contact, change, load));
                 }
             }
-            if is == Code::Open {
+            if is == Mode::Open {
                 // Slip is remembered from where it closes.
                 self.locals[contact as usize].memory = memory;
             }
@@ -282,19 +281,11 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         PatchEvent { leg: self.program.leg, fraction: self.tau, load, contact: contact as usize, change }
     }
 
-    pub(super) fn state_in(&self, contact: usize, code: Code) -> State {
-        code.state(usize::from(self.locals[contact].facet_count))
-    }
-
     /// The middle of the directions in which a sliding contact may slip, coordinate axes.
-    fn outward(&self, contact: usize, code: Code) -> Option<SVector<f64, C>> {
+    fn outward(&self, contact: usize, code: PolygonState) -> Option<SVector<f64, C>> {
         let normals = &self.polygon.normals;
-        let outward = match self.state_in(contact, code) {
-            State::Sliding { first, second } => {
-                second.map_or(normals[first], |second| normals[first] + normals[second])
-            }
-            State::Open | State::Rolling => return None,
-        };
+        let [first, second] = code.own_facets(normals.len());
+        let outward = normals[first?] + second.map_or_else(SVector::zeros, |second| normals[second]);
         Some(self.grasp.sites()[contact].frame * outward.normalize())
     }
 
@@ -307,7 +298,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         let mut slip = du - local.force(&du, &self.facets);
         slip[0] = 0.0;
         for axis in 1..C {
-            slip[axis] /= site.k[axis].sqrt();
+            slip[axis] /= site.springs.root_along(axis);
         }
         let along = site.frame * slip;
         Some(if slip.norm() > 0.0 && along.dot(&outward) > 0.0 { along.normalize() } else { outward })

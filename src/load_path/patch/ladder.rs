@@ -5,32 +5,35 @@ use nalgebra::SVector;
 
 use super::PatchPath;
 use super::standing::Stand;
-use crate::equilibrium::{Cone, Settled, separates_from_here_on, settle};
-use crate::formulation::{Law, Problem, State};
+use crate::contact::{Law, Mode, State};
+use crate::equilibrium::Cone;
 use crate::grasp::Twist;
 use crate::load_path::event::{Loss, PathEnd};
 use crate::load_path::loss::{end_of_path, leaving_motion};
 use crate::load_path::segment::Segment;
-use crate::load_path::transition::{everything_slides, in_the_whole_law};
-use crate::structured::Code;
+use crate::load_path::transition::everything_slides;
+use crate::object::{Load, Problem};
+use crate::proofs::separates_from_here_on;
+use crate::search::{Settled, settle};
 
 /// With more contacts the end of a path is only named, where a motion proves a limit load.
 const FEW: usize = 32;
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     pub(super) fn cone_answered(&self) -> Cone {
-        self.settings.cone_of::<C>()
+        Cone::of::<C>(&self.settings)
     }
 
     /// The present leg, as the path of few contacts has it, with the slip up to where each contact has come into its state.
     pub(super) fn segment(&self) -> Segment<'g, D, C> {
         let [base, change] = self.program.drives(self.grasp);
         let [from, to] = self.program.load.map(|w| self.grasp.inside_unchecked(&w));
-        let mut problem = Problem::at_rest(self.grasp.sites(), self.polygon.clone(), base, from);
+        let mut problem =
+            Problem::at_rest(self.grasp.sites(), self.polygon.clone(), false, base, &Load::from(&from));
         for (i, local) in self.locals.iter().enumerate() {
             let site = &self.grasp.sites()[i];
-            for axis in 1..site.axes {
-                let slip = local.memory[axis] / site.k[axis].sqrt();
+            for axis in 1..site.springs.axes() {
+                let slip = local.memory[axis] / site.springs.root_along(axis);
                 problem.slips[i][axis] = slip;
                 problem.drives[i][axis] -= slip;
             }
@@ -40,14 +43,18 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
 
     /// The laws of the rates of all contacts.
     fn laws(&self, problem: &Problem<'_, D, C>, stands: &[Stand]) -> Vec<Law<C>> {
-        let on = |contact: usize, facets: &[usize]| {
-            Law::Edge(facets.iter().map(|&j| problem.polygon(contact).normals[j]).collect())
+        let on = |contact: usize, facets: &[u16]| {
+            let normals = &problem.polygon(contact).normals;
+            Law::Edge(facets.iter().map(|&j| normals[usize::from(j)]).collect())
         };
-        let law = |(i, local): (usize, &super::local::Local<D, C>)| match self.state_in(i, local.code) {
-            State::Open => Law::Absent,
-            State::Rolling => Law::Bonded,
-            State::Sliding { first, second: None } => on(i, &[first]),
-            State::Sliding { first, second: Some(second) } => on(i, &[first, second]),
+        let law = |(i, local): (usize, &super::local::Local<D, C>)| match local.code {
+            Mode::Open => Law::Absent,
+            Mode::Rolling => Law::Bonded,
+            sliding => {
+                let normals = &problem.polygon(i).normals;
+                let own = sliding.own_facets(normals.len());
+                Law::Edge(own.into_iter().flatten().map(|j| normals[j]).collect())
+            }
         };
         let mut laws: Vec<Law<C>> = self.locals.iter().enumerate().map(law).collect();
         for (stand, before) in stands.iter().zip(&self.before) {
@@ -55,9 +62,8 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
             laws[i] = if stand.apex {
                 problem.laws[i].clone()
             } else if !stand.facets().is_empty() {
-                let facets: Vec<usize> = stand.facets().iter().map(|&j| usize::from(j)).collect();
-                on(i, &facets)
-            } else if before.0 == Code::Open {
+                on(i, stand.facets())
+            } else if before.0 == Mode::Open {
                 Law::Absent
             } else {
                 Law::Bonded
@@ -103,9 +109,9 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
                 }
             });
         };
-        for i in 0..self.locals.len() {
-            let state = in_the_whole_law(&segment.problem, i, &rates.laws[i], found.states[i]);
-            let code = Code::of(state);
+        for (i, state) in found.states.iter().enumerate() {
+            let whole = segment.problem.local(i).of_the_rates(&rates.laws[i], *state);
+            let code = whole.and_then(State::on_polygon).unwrap_or(Mode::Open);
             // What slid and has not been asked before.
             let contact = u32::try_from(i).unwrap_or(u32::MAX);
             if code != self.locals[i].code && !stands.iter().any(|stand| stand.contact == contact) {

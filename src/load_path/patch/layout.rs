@@ -5,12 +5,13 @@ use nalgebra::SVector;
 use super::PatchPath;
 use super::balance::Sums;
 use super::local::Local;
-use crate::formulation::Problem;
+use crate::contact::Mode;
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::numerics::Orthogonal;
 use crate::numerics::{SUMMED_IN_TURN, both};
-use crate::structured::{Code, facet_row};
+use crate::object::Problem;
+use crate::structured::facet_row;
 
 /// A load that does this little work on a unit free motion, relative to its size, does none.
 const NO_WORK: f64 = 1e-13;
@@ -29,10 +30,12 @@ pub(super) struct Springs<const D: usize> {
 
 impl<const D: usize> Springs<D> {
     pub(super) fn new<const C: usize>(sites: &[Site<D, C>]) -> Self {
-        let count = sites.iter().map(|site| site.axes).sum();
+        let count = sites.iter().map(|site| site.springs.axes()).sum();
         let mut rows = Vec::with_capacity(count);
         for site in sites {
-            rows.extend((0..site.axes).map(|axis| site.map.column(axis) * site.k[axis].sqrt()));
+            rows.extend(
+                (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis)),
+            );
         }
         let factor = Orthogonal::new(rows);
         Self { free: factor.null_space(), factor }
@@ -55,7 +58,7 @@ pub(super) fn lay_out<const D: usize, const C: usize>(
     let mut facets: Vec<SVector<f64, C>> = Vec::new();
     let scale = 1.0 / weight.sqrt();
     let mut spring = 0;
-    for (contact, site) in problem.sites.iter().enumerate() {
+    for (contact, law) in problem.locals().enumerate() {
         let mut local = Local::<D, C> {
             seen: nalgebra::SMatrix::zeros(),
             trial: SVector::zeros(),
@@ -64,30 +67,28 @@ pub(super) fn lay_out<const D: usize, const C: usize>(
             width: 0.0,
             facets: 0,
             facet_count: 0,
-            gap: problem.may_open(contact),
-            code: Code::Rolling,
+            gap: law.may_open(),
+            code: Mode::Rolling,
             stamp: 0,
             waits: false,
         };
-        for axis in 0..site.axes {
+        for axis in 0..law.springs.axes() {
             for k in 0..D {
                 local.seen[(axis, k)] = springs.factor.row(spring)[k] * scale;
             }
             spring += 1;
         }
         local.width = local.seen.norm();
-        let normals = problem.normals(contact);
-        local.facet_count = u16::try_from(normals.len()).unwrap_or(u16::MAX);
-        let alike = locals.last().filter(|last| {
-            let before = &problem.sites[contact - 1];
-            last.facet_count == local.facet_count && before.k == site.k && before.mu == site.mu
-        });
+        let alike = locals.last().filter(|_| law.has_the_facets_of(&problem.local(contact - 1)));
         if let Some(last) = alike {
-            local.facets = last.facets;
+            (local.facets, local.facet_count) = (last.facets, last.facet_count);
         } else {
             // There are fewer than 2^32 numbers in memory.
             local.facets = u32::try_from(facets.len()).unwrap_or(u32::MAX);
-            facets.extend(normals.iter().map(|h| facet_row(&site.k, site.mu, h)));
+            for h in law.facets() {
+                facets.push(facet_row(&law, h));
+                local.facet_count += 1;
+            }
         }
         locals.push(local);
     }
@@ -137,8 +138,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             let (site, mut a) = (&grasp.sites()[i], before[i]);
             a[0] -= grasp.contacts()[i].clearance;
             let change = after[i] - before[i];
-            for axis in 0..site.axes {
-                let root = site.k[axis].sqrt();
+            for axis in 0..site.springs.axes() {
+                let root = site.springs.root_along(axis);
                 (local.trial[axis], local.rate[axis]) = (root * a[axis], root * change[axis]);
             }
         };

@@ -13,7 +13,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::standing::Stand;
-use crate::structured::Code;
+use crate::contact::{Mode, PolygonState};
 
 /// A contact on its way.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ pub(super) struct Local<const D: usize, const C: usize> {
     pub(super) facet_count: u16,
     /// Whether it may open.
     pub(super) gap: bool,
-    pub(super) code: Code,
+    pub(super) code: PolygonState,
     /// Entries in the queues with another number are of the past.
     pub(super) stamp: u32,
     /// Whether it waits in line for its conditions.
@@ -113,15 +113,16 @@ impl<const D: usize, const C: usize> Local<D, C> {
     }
 
     pub(super) fn slides(&self) -> bool {
-        matches!(self.code, Code::Facet(_) | Code::Corner(_))
+        self.code.slides()
     }
 
     /// P.
     pub(super) fn hold(&self, all: &[SVector<f64, C>]) -> SMatrix<f64, C, C> {
-        match self.code {
-            Code::Open => SMatrix::zeros(),
-            Code::Rolling => SMatrix::identity(),
-            Code::Facet(j) => {
+        let code = self.code;
+        match code {
+            Mode::Open => SMatrix::zeros(),
+            Mode::Rolling => SMatrix::identity(),
+            Mode::Facet(j) => {
                 let row = &self.facets(all)[usize::from(j)];
                 let mut hold = SMatrix::<f64, C, C>::identity() - tangential(row) * row.transpose();
                 if C == 2 {
@@ -129,7 +130,7 @@ impl<const D: usize, const C: usize> Local<D, C> {
                 }
                 hold
             }
-            Code::Corner(j) => {
+            Mode::Corner(j) => {
                 let mut hold = SMatrix::<f64, C, C>::zeros();
                 hold.set_column(0, &corner(self.facets(all), j));
                 hold
@@ -156,9 +157,10 @@ impl<const D: usize, const C: usize> Local<D, C> {
         all: &[SVector<f64, C>],
         mut visit: impl FnMut(Bound, &SVector<f64, C>),
     ) {
-        match self.code {
-            Code::Open => visit(Bound::Apex, &-normal::<C>()),
-            Code::Rolling => {
+        let code = self.code;
+        match code {
+            Mode::Open => visit(Bound::Apex, &-normal::<C>()),
+            Mode::Rolling => {
                 for (j, row) in (0..).zip(self.facets(all)) {
                     visit(Bound::Facet(j), row);
                 }
@@ -167,7 +169,7 @@ impl<const D: usize, const C: usize> Local<D, C> {
                 }
             }
             // The facets beside the one on which it slides: all meet at the apex.
-            Code::Facet(j) if C == 3 => {
+            Mode::Facet(j) if C == 3 => {
                 let facets = self.facets(all);
                 let own = &facets[usize::from(j)];
                 let count = facets.len();
@@ -176,22 +178,22 @@ impl<const D: usize, const C: usize> Local<D, C> {
                     visit(Bound::Facet(u16::try_from(k).unwrap_or(u16::MAX)), &felt);
                 }
             }
-            Code::Facet(_) | Code::Corner(_) => visit(Bound::Apex, &normal()),
+            Mode::Facet(_) | Mode::Corner(_) => visit(Bound::Apex, &normal()),
         }
     }
 
     /// Visits the slips `f·u >= 0` of a state, at least one if it slides.
     pub(super) fn for_each_slip(
         &self,
-        code: Code,
+        code: PolygonState,
         all: &[SVector<f64, C>],
         mut visit: impl FnMut(&SVector<f64, C>),
     ) {
         let facets = self.facets(all);
         match code {
-            Code::Open | Code::Rolling => {}
-            Code::Facet(j) => visit(&-facets[usize::from(j)]),
-            Code::Corner(j) => {
+            Mode::Open | Mode::Rolling => {}
+            Mode::Facet(j) => visit(&-facets[usize::from(j)]),
+            Mode::Corner(j) => {
                 let (a, b) = (&facets[usize::from(j)], &facets[after(j, facets.len())]);
                 let (turn, p) = (cross(a, b), corner(facets, j));
                 let mut felt = SVector::zeros();
@@ -208,7 +210,7 @@ impl<const D: usize, const C: usize> Local<D, C> {
     pub(super) fn margin(
         &self,
         stand: &Stand,
-        code: Code,
+        code: PolygonState,
         stretch_rate: &SVector<f64, C>,
         all: &[SVector<f64, C>],
     ) -> f64 {
@@ -216,19 +218,19 @@ impl<const D: usize, const C: usize> Local<D, C> {
         let mut note = |felt: &SVector<f64, C>| least = least.min(felt.dot(stretch_rate) / felt.amax());
         self.for_each_slip(code, all, &mut note);
         if stand.apex && self.gap {
-            note(&if code == Code::Open { -normal::<C>() } else { normal() });
+            note(&if code == Mode::Open { -normal::<C>() } else { normal() });
         }
         let facets = self.facets(all);
         let through = |row: &SVector<f64, C>| match code {
-            Code::Rolling => *row,
-            Code::Facet(j) => {
+            Mode::Rolling => *row,
+            Mode::Facet(j) => {
                 let own = &facets[usize::from(j)];
                 row - own * tangential(own).dot(row)
             }
-            Code::Open | Code::Corner(_) => SVector::zeros(),
+            Mode::Open | Mode::Corner(_) => SVector::zeros(),
         };
         let mut note_facet = |j: u16| {
-            if Code::Facet(j) != code {
+            if Mode::Facet(j) != code {
                 let felt = through(&facets[usize::from(j)]);
                 if felt.amax() > 0.0 {
                     note(&felt);
@@ -254,9 +256,9 @@ impl<const D: usize, const C: usize> Local<D, C> {
         stand: &Stand,
         stretch_rate: &SVector<f64, C>,
         all: &[SVector<f64, C>],
-    ) -> Code {
-        let mut best = (Code::Rolling, f64::NEG_INFINITY);
-        let mut consider = |code: Code| {
+    ) -> PolygonState {
+        let mut best = (Mode::Rolling, f64::NEG_INFINITY);
+        let mut consider = |code: PolygonState| {
             if best.1 < 0.0 {
                 let margin = self.margin(stand, code, stretch_rate, all);
                 if margin > best.1 {
@@ -264,17 +266,17 @@ impl<const D: usize, const C: usize> Local<D, C> {
                 }
             }
         };
-        consider(Code::Rolling);
+        consider(Mode::Rolling);
         if stand.apex {
             if self.gap {
-                consider(Code::Open);
+                consider(Mode::Open);
             }
-            (0..self.facet_count).map(Code::Facet).for_each(&mut consider);
+            (0..self.facet_count).map(Mode::Facet).for_each(&mut consider);
             if C == 3 {
-                (0..self.facet_count).map(Code::Corner).for_each(&mut consider);
+                (0..self.facet_count).map(Mode::Corner).for_each(&mut consider);
             }
         } else {
-            stand.facets().iter().copied().map(Code::Facet).for_each(&mut consider);
+            stand.facets().iter().copied().map(Mode::Facet).for_each(&mut consider);
             if let Some(corner) = self.corner_of(stand) {
                 consider(corner);
             }
@@ -283,28 +285,28 @@ impl<const D: usize, const C: usize> Local<D, C> {
     }
 
     /// The corner between the two facets on which a contact stands.
-    fn corner_of(&self, stand: &Stand) -> Option<Code> {
+    fn corner_of(&self, stand: &Stand) -> Option<PolygonState> {
         let [a, b] = *stand.facets() else { return None };
         let count = usize::from(self.facet_count);
         if after(a, count) == usize::from(b) {
-            Some(Code::Corner(a))
+            Some(Mode::Corner(a))
         } else {
-            (after(b, count) == usize::from(a)).then_some(Code::Corner(b))
+            (after(b, count) == usize::from(a)).then_some(Mode::Corner(b))
         }
     }
 
     /// What mostly comes next: what has reached an edge slides along it, what has lost its force opens, what has lost its gap sticks.
-    pub(super) fn guess(&self, stand: &Stand) -> Code {
+    pub(super) fn guess(&self, stand: &Stand) -> PolygonState {
         if stand.apex {
             return match self.code {
-                Code::Open => Code::Rolling,
-                _ if self.gap => Code::Open,
+                Mode::Open => Mode::Rolling,
+                _ if self.gap => Mode::Open,
                 code => code,
             };
         }
         match *stand.facets() {
             [] => self.code,
-            [j] => Code::Facet(j),
+            [j] => Mode::Facet(j),
             _ => self.corner_of(stand).unwrap_or(self.code),
         }
     }

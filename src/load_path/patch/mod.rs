@@ -35,12 +35,11 @@ use self::ratio::{Exit, Piece};
 use self::standing::Stand;
 use super::event::PathEnd;
 use super::leg::{Leg, Program};
-use crate::equilibrium::Settings;
+use crate::contact::{Polygon, PolygonCone, PolygonState};
 use crate::error::Error;
-use crate::formulation::{Polygon, PolygonCone};
 use crate::grasp::{Grasp, Wrench};
 use crate::numerics::Factors;
-use crate::structured::Code;
+use crate::search::Settings;
 
 /// Zero steps in a row that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
@@ -117,7 +116,7 @@ pub struct PatchPath<'g, const D: usize, const C: usize> {
     exits: Vec<Exit>,
     stands: Vec<Stand>,
     /// States and slips before the event of what stands there.
-    before: Vec<(Code, SVector<f64, C>)>,
+    before: Vec<(PolygonState, SVector<f64, C>)>,
     /// Whether it has yet to be decided how the path goes on from here.
     at_node: bool,
     sets_out: bool,

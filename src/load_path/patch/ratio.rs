@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::PatchPath;
 use super::local::{Bound, Local, size};
 use super::queue::{ACROSS, Course};
-use crate::load_path::margin::ROUNDING;
+use crate::contact::ZERO_SLACK;
 
 /// Times are taken a little shorter: rounding of the values, as a part of their terms.
 const MARGIN: f64 = 1e-13;
@@ -126,7 +126,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             let exits = &mut self.exits;
             local.for_each_bound(&self.facets, |bound, felt| {
                 let (size, value, rate) = (size(felt), felt.dot(&u), felt.dot(&du));
-                let noise = ROUNDING * size;
+                let noise = ZERO_SLACK * size;
                 let fastest = (-felt.dot(&change)).max(ACROSS * local.steepest(felt, pace));
                 if fastest > 0.0 {
                     slack = slack.min((value - margin * size).max(0.0) / fastest);

@@ -2,8 +2,8 @@
 
 use super::PatchPath;
 use super::local::{Bound, size};
-use crate::load_path::margin::ROUNDING;
-use crate::structured::Code;
+use crate::contact::Mode;
+use crate::contact::ZERO_SLACK;
 
 /// A force below this part of the terms it is made of is none: the contact stands at the apex of its cone. Looser than rounding, since
 /// facets that meet near the apex cannot be told apart there.
@@ -58,20 +58,21 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         }
         let u = local.stretch(&self.y, self.tau);
         let level = local.level(&u, self.y.norm());
-        match local.code {
-            Code::Facet(j) => stand.reach::<C>(Bound::Facet(j)),
-            Code::Corner(j) => {
+        let code = local.code;
+        match code {
+            Mode::Facet(j) => stand.reach::<C>(Bound::Facet(j)),
+            Mode::Corner(j) => {
                 stand.reach::<C>(Bound::Facet(j));
                 stand.reach::<C>(Bound::Facet((j + 1) % local.facet_count));
             }
-            Code::Open | Code::Rolling => {}
+            Mode::Open | Mode::Rolling => {}
         }
         local.for_each_bound(&self.facets, |bound, felt| {
-            if felt.dot(&u) <= ROUNDING * size(felt) * level {
+            if felt.dot(&u) <= ZERO_SLACK * size(felt) * level {
                 stand.reach::<C>(bound);
             }
         });
-        if local.code != Code::Open && local.force(&u, &self.facets).norm() <= WEIGHTLESS * level {
+        if local.code != Mode::Open && local.force(&u, &self.facets).norm() <= WEIGHTLESS * level {
             stand.apex = true;
         }
         stand
@@ -115,10 +116,11 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
 
     /// How many facets a contact slides on.
     fn own_facets(&self, contact: usize) -> usize {
-        match self.locals[contact].code {
-            Code::Open | Code::Rolling => 0,
-            Code::Facet(_) => 1,
-            Code::Corner(_) => 2,
+        let code = self.locals[contact].code;
+        match code {
+            Mode::Open | Mode::Rolling => 0,
+            Mode::Facet(_) => 1,
+            Mode::Corner(_) => 2,
         }
     }
 }

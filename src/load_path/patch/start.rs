@@ -9,13 +9,13 @@ use super::balance::Sums;
 use super::layout::{Springs, lay_out};
 use super::local::size;
 use super::queue::{Course, Queue};
-use crate::equilibrium::{Settings, Settled, settle};
-use crate::formulation::{Polygon, Problem};
+use crate::contact::ZERO_SLACK;
+use crate::contact::{Mode, Polygon};
 use crate::grasp::Grasp;
 use crate::load_path::event::PathEnd;
 use crate::load_path::leg::Program;
-use crate::load_path::margin::ROUNDING;
-use crate::structured::Code;
+use crate::object::{Load, Problem};
+use crate::search::{Settings, Settled, settle};
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     pub(super) fn new(
@@ -70,7 +70,8 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     /// The equilibrium to start from.
     pub(super) fn start(&mut self, wrench: &SVector<f64, D>) {
         let drives = self.grasp.drives();
-        let problem = Problem::at_rest(self.grasp.sites(), self.polygon.clone(), drives, *wrench);
+        let load = Load::from(wrench);
+        let problem = Problem::at_rest(self.grasp.sites(), self.polygon.clone(), false, drives, &load);
         (self.locals, self.facets) = lay_out(&problem, &self.springs, self.weight);
         let moves = self.program.begin_leg();
         self.lay_trial();
@@ -87,12 +88,13 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
                 return;
             };
             for (i, state) in (0..).zip(&found.states) {
-                let code = Code::of(*state);
+                let code = state.on_polygon().unwrap_or(Mode::Open);
                 self.put(i, code);
             }
             let x: Vec<f64> = (self.grasp.sites().iter())
                 .flat_map(|site| {
-                    (0..site.axes).map(|axis| site.k[axis].sqrt() * site.map.column(axis).dot(&found.twist))
+                    (0..site.springs.axes())
+                        .map(|axis| site.springs.root_along(axis) * site.map.column(axis).dot(&found.twist))
                 })
                 .collect();
             self.y = (self.springs.factor.coordinates(&x) - self.travelled) * self.weight.sqrt();
@@ -115,7 +117,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
             let u = local.stretch(&self.y, 0.0);
             let level = local.level(&u, 0.0);
             local.for_each_bound(&self.facets, |_, felt| {
-                holds &= felt.dot(&u) >= -ROUNDING * size(felt) * level;
+                holds &= felt.dot(&u) >= -ZERO_SLACK * size(felt) * level;
             });
         }
         holds

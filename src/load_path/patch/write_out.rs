@@ -4,9 +4,11 @@ use nalgebra::SVector;
 
 use super::PatchPath;
 use super::local::Local;
-use crate::equilibrium::{Effort, Equilibrium, Found, Rung, span};
+use crate::contact::State;
+use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
 use crate::numerics::orthonormalise_against;
+use crate::search::{Effort, Found, Rung};
 
 /// Corrections of the motion from balance summed afresh.
 const CORRECTIONS: usize = 2;
@@ -30,23 +32,18 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         let mut travel = 0.0_f64;
         let mut forces = Vec::with_capacity(self.locals.len());
         for (i, (local, site)) in self.locals.iter().zip(self.grasp.sites()).enumerate() {
-            let root = site.k.map(f64::sqrt);
+            let root = site.springs.root();
             let force = local.force(&local.stretch(&y, self.tau), &self.facets).component_mul(&root);
             let rate = local.force(&local.stretch_rate(&self.y_rate), &self.facets).component_mul(&root);
             largest = largest.max(force.norm() + rate.norm() * self.tau);
-            travel = travel.max(span(site, &problem.drives[i], &twist));
+            travel = travel.max(site.span(&problem.drives[i], &twist));
             forces.push(force);
         }
+        let states = self.locals.iter().map(|local| State::from(local.code)).collect();
         let found = Found {
-            states: (0..self.locals.len()).map(|i| self.state_in(i, self.locals[i].code)).collect(),
-            forces,
-            twist,
             free_motions: self.free_motions(),
-            neutral_motions: Vec::new(),
             sizes: [largest, travel],
-            slides: Vec::new(),
-            from_polygon: None,
-            piece: None,
+            ..Found::new(states, forces, twist)
         };
         let load = self.program.load_at(self.tau);
         let cone = self.cone_answered();
@@ -59,7 +56,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     pub fn forces(&self) -> Vec<SVector<f64, C>> {
         let y = self.balanced();
         let force = |(local, site): (&Local<D, C>, &Site<D, C>)| {
-            local.force(&local.stretch(&y, self.tau), &self.facets).component_mul(&site.k.map(f64::sqrt))
+            local.force(&local.stretch(&y, self.tau), &self.facets).component_mul(&site.springs.root())
         };
         self.locals.iter().zip(self.grasp.sites()).map(force).collect()
     }

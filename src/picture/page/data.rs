@@ -1,10 +1,11 @@
 //! What a page draws, as JSON.
 
-use super::Frame;
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
 use super::eye::View;
+use super::frame::Frame;
 use super::text::{json_number, json_row, json_string};
-use crate::picture::{PictureError, word};
+use crate::picture::contact_look::{slope, word};
+use crate::picture::error::PictureError;
 use crate::spatial::ContactState;
 
 impl Drawing<'_> {
@@ -21,7 +22,7 @@ impl Drawing<'_> {
                     json_row(frame.column(0).as_slice())?,
                     json_row(frame.column(1).as_slice())?,
                     json_row(frame.column(2).as_slice())?,
-                    json_number(Self::slope(contact))?
+                    json_number(slope(contact))?
                 ))
             }
         })?;

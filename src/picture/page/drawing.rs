@@ -2,17 +2,22 @@
 
 use nalgebra::{Vector3, Vector6};
 
+use super::frame::Frame;
+use super::spatial_page::SpatialPage;
 use super::text::short;
-use super::{Frame, Shown, SpatialPage};
-use crate::picture::PictureError;
+use crate::picture::error::{Drawn, PictureError};
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
 /// Parts of the size of the picture that the largest force, moment and displacement take in the picture.
 const LARGEST_FORCE: f64 = 0.4;
 const LARGEST_MOMENT: f64 = 0.3;
 const LARGEST_DISPLACEMENT: f64 = 0.15;
-/// A steeper cone is drawn like this one.
-const STEEPEST: f64 = 1e3;
+/// What is left of the moment of a load about its line of action is rounding up to this part of the moments that cancel
+/// in it. Without it every load would be drawn with an arrow of a moment, in whichever direction rounding points.
+const ROUNDING: f64 = 1e-12;
+/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation: its axis
+/// lies a billion spans away, where rounding decides on its direction.
+const TURNS: f64 = 1e-9;
 /// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis of a free motion.
 pub(super) const FINGER: f64 = 0.12;
 pub(super) const SLIP: f64 = 0.09;
@@ -60,7 +65,7 @@ pub(super) struct Axis {
 impl<'p> Drawing<'p> {
     pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
         for Frame { label, shown } in &page.frames {
-            if let Shown::State(state) = shown {
+            if let Ok(state) = shown {
                 check(page, label, state)?;
             }
         }
@@ -134,11 +139,6 @@ impl<'p> Drawing<'p> {
         sentences
     }
 
-    /// The slope of a contact's cone in the picture.
-    pub(super) fn slope(contact: &Contact) -> f64 {
-        contact.friction_coefficient().min(STEEPEST)
-    }
-
     pub(super) fn load(&self, state: &Equilibrium) -> Load {
         let (force, moment) = halves(state.load.as_vector());
         let about_centre = moment - self.centre.cross(&force);
@@ -148,7 +148,7 @@ impl<'p> Drawing<'p> {
         }
         let along = force / size;
         let left = along * along.dot(&about_centre);
-        let rounding = 1e-12 * (size * (self.span + self.centre.norm()) + moment.norm());
+        let rounding = ROUNDING * (size * (self.span + self.centre.norm()) + moment.norm());
         let left = if left.norm() <= rounding { Vector3::zeros() } else { left };
         Load { at: self.centre + along.cross(&(about_centre / size)), force, moment: left }
     }
@@ -156,7 +156,7 @@ impl<'p> Drawing<'p> {
     pub(super) fn axis(&self, motion: &Twist) -> Axis {
         let (moves, turns) = halves(motion.as_vector());
         let at_centre = moves + turns.cross(&self.centre);
-        if turns.norm() * self.span > 1e-9 * at_centre.norm() {
+        if turns.norm() * self.span > TURNS * at_centre.norm() {
             let at = self.centre + turns.cross(&at_centre) / turns.norm_squared();
             Axis { at, along: turns.normalize(), turns: true }
         } else {
@@ -165,17 +165,8 @@ impl<'p> Drawing<'p> {
     }
 }
 
-impl Frame {
-    pub(super) fn state(&self) -> Option<&Equilibrium> {
-        match &self.shown {
-            Shown::State(state) => Some(state),
-            Shown::Nothing(_) => None,
-        }
-    }
-}
-
 /// Whether an answer is one of this grasp, and its numbers are such as can be drawn.
-fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
+fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Drawn {
     let (given, expected) = (state.contacts.len(), page.grasp.len());
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));

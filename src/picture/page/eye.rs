@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Vector2, Vector3};
 
-use crate::picture::PictureError;
+use crate::picture::error::PictureError;
 
 /// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and looks at the middle of the grasp; z points
 /// upwards on paper unless it points to the eye.

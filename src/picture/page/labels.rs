@@ -11,6 +11,9 @@ const AWAY: [f64; 4] = [8.0, 14.0, 22.0, 32.0];
 /// A pixel further away is as bad as so many pixels of a thin line covered.
 const CLOSE: f64 = 1.2;
 
+/// A name that meets another is as bad as so many pixels covered: worse than any other place.
+const MEETS: f64 = 1e4;
+
 /// Middle, width, height.
 type Plate = (Place, (f64, f64));
 
@@ -62,6 +65,6 @@ impl Labels {
         let names = self.taken.iter().filter(meets).count() as f64;
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));
-        ink + 1e4 * names + CLOSE * away
+        ink + MEETS * names + CLOSE * away
     }
 }

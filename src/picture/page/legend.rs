@@ -3,12 +3,14 @@
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::Drawing;
+use super::frame::Frame;
 use super::marks::{BROWN, PINK, SKY};
 use super::paint::{Painting, dot};
 use super::text::lines;
-use super::{Frame, Shown};
+use crate::picture::contact_look::{ink, word};
+use crate::picture::error::Drawn;
+use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::sheet::{Place, Sheet};
-use crate::picture::{GREY, PictureError, VERMILION, ink, word};
 use crate::spatial::{ContactAnswer, ContactState, Equilibrium};
 
 /// Left edge, length of the samples, letters of a line of 14 and of 13 pixels.
@@ -37,7 +39,7 @@ impl Legend {
     pub(super) fn new(drawing: &Drawing, frame: Option<&Frame>) -> Self {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
-        if let Some(Frame { shown: Shown::Nothing(why), .. }) = frame {
+        if let Some(Frame { shown: Err(why), .. }) = frame {
             entries.push(Entry { sample: Sample::None, words: why.clone(), size: 13.0, ink: VERMILION });
         }
         if let Some(state) = state {
@@ -52,7 +54,7 @@ impl Legend {
     }
 
     /// Draws it from a height downwards.
-    pub(super) fn draw(&self, paper: &Sheet, top: f64) -> Result<(), PictureError> {
+    pub(super) fn draw(&self, paper: &Sheet, top: f64) -> Drawn {
         let mut y = top;
         for entry in &self.0 {
             draw_sample(paper, &entry.sample, y)?;
@@ -124,7 +126,7 @@ fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     there.map(|(_, sample, words)| entry(sample, words)).collect()
 }
 
-fn draw_sample(paper: &Sheet, sample: &Sample, y: f64) -> Result<(), PictureError> {
+fn draw_sample(paper: &Sheet, sample: &Sample, y: f64) -> Drawn {
     let ends: [Place; 2] = [(LEFT, y), (LEFT + SAMPLE, y)];
     let from = (LEFT + 6.0, y);
     let mut drawn = Painting::default();

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use plotters::style::{RGBColor, colors::BLACK};
 
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
-use crate::picture::{GREY, PALETTE, ink};
+use crate::picture::contact_look::{ink, slope};
+use crate::picture::palette::{GREY, PALETTE};
 use crate::spatial::{Contact, ContactAnswer, ContactState, Equilibrium};
 
 /// Displacements.
@@ -95,7 +96,7 @@ fn draw_answer(
     answer: &ContactAnswer,
 ) {
     let (from, ink) = (contact.point(), ink(answer));
-    let (high, slope) = (CONE * answer.normal_force() * drawing.force, Drawing::slope(contact));
+    let (high, slope) = (CONE * answer.normal_force() * drawing.force, slope(contact));
     if high > 0.0 && slope > 0.0 {
         let wide = (slope * high).min(WIDEST * drawing.size);
         let middle = from + n * (wide / slope);

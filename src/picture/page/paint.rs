@@ -5,8 +5,14 @@ use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 
 use super::eye::Eye;
 use super::marks::Mark;
-use crate::picture::PictureError;
+use crate::picture::error::Drawn;
 use crate::picture::sheet::{Place, Sheet};
+
+/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an arrow before its line:
+/// less than anything is seen by, and far more than rounding of places on paper.
+const IN_FRONT: f64 = 1e-2;
+/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be rounding.
+const SHORTEST: f64 = 1e-6;
 
 /// Pixels to the right and downwards, and towards the eye.
 type Seen = Vector3<f64>;
@@ -50,7 +56,7 @@ impl Painting {
                     let seen = eye.see(at);
                     let shape = Shape::Dot { at: (seen.x, seen.y), ink: *ink, open: *open };
                     // In front of the lines that end there.
-                    painting.strokes.push((seen.z + 1e-2, shape));
+                    painting.strokes.push((seen.z + IN_FRONT, shape));
                 }
                 Mark::Name { .. } => {}
             }
@@ -72,7 +78,7 @@ impl Painting {
     fn arrow(&mut self, [from, tip]: [Seen; 2], ink: RGBColor, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
-        if size < 1e-6 {
+        if size < SHORTEST {
             // Towards the eye, or of no length.
             return;
         }
@@ -87,7 +93,7 @@ impl Painting {
             let base = end - along * long;
             let (x, y) = (across * along.y, across * along.x);
             let corners = vec![(end.x, end.y), (base.x - x, base.y + y), (base.x + x, base.y - y)];
-            self.strokes.push((tip.z + 1e-3, Shape::Area { corners, ink: ink.to_rgba() }));
+            self.strokes.push((tip.z + 0.1 * IN_FRONT, Shape::Area { corners, ink: ink.to_rgba() }));
         }
     }
 
@@ -122,7 +128,7 @@ impl Painting {
         }
     }
 
-    pub(super) fn draw(&self, paper: &Sheet) -> Result<(), PictureError> {
+    pub(super) fn draw(&self, paper: &Sheet) -> Drawn {
         for (_, shape) in &self.strokes {
             match shape {
                 Shape::Line { ends, ink, width } => paper.line(*ends, *ink, *width)?,
@@ -166,7 +172,7 @@ impl Painting {
 }
 
 /// A contact; an open circle carries nothing.
-pub(super) fn dot(paper: &Sheet, at: Place, ink: RGBColor, open: bool) -> Result<(), PictureError> {
+pub(super) fn dot(paper: &Sheet, at: Place, ink: RGBColor, open: bool) -> Drawn {
     paper.circle(at, 6.5, WHITE, None)?;
     if open { paper.circle(at, 5.0, ink, Some(2.0)) } else { paper.circle(at, 5.5, ink, None) }
 }

@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
+use super::frame::Frame;
 use super::text::{html, short, vector};
-use super::{Frame, Shown};
 use crate::grasp::Hold;
-use crate::picture::{PictureError, word};
+use crate::picture::contact_look::{no_friction_left, word};
+use crate::picture::error::{Drawn, PictureError};
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
 /// Headings, and what they mean.
@@ -21,22 +22,22 @@ const COLUMNS: [(&str, &str); 9] = [
     ("|u_c| (m)", "displacement of the object at the contact"),
 ];
 
-pub(super) fn write(page: &mut String, grasp: &Grasp, frames: &[Frame]) -> Result<(), PictureError> {
+pub(super) fn write(page: &mut String, grasp: &Grasp, frames: &[Frame]) -> Drawn {
     for (k, Frame { label, shown }) in frames.iter().enumerate() {
         let hidden = if k == 0 { "" } else { " hidden" };
         let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", html(label));
         match shown {
-            Shown::Nothing(why) => {
+            Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", html(why));
             }
-            Shown::State(state) => write_state(page, grasp, state)?,
+            Ok(state) => write_state(page, grasp, state)?,
         }
         page.push_str("</section>\n");
     }
     Ok(())
 }
 
-fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Result<(), PictureError> {
+fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Drawn {
     let (load, twist) = (state.load.as_vector().as_slice(), state.twist.as_vector().as_slice());
     let _ = writeln!(
         page,
@@ -68,14 +69,9 @@ fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Result<
     Ok(())
 }
 
-fn write_row(
-    page: &mut String,
-    index: usize,
-    contact: &Contact,
-    answer: &ContactAnswer,
-) -> Result<(), PictureError> {
+fn write_row(page: &mut String, index: usize, contact: &Contact, answer: &ContactAnswer) -> Drawn {
     // What is left of a contact on the edge of its cone is rounding.
-    let reserve = if answer.margin.abs() <= 1e-12 * answer.normal_force() { 0.0 } else { answer.margin };
+    let reserve = if no_friction_left(answer) { 0.0 } else { answer.margin };
     let moved = if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() };
     let numbers = [
         answer.normal_force(),

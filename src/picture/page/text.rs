@@ -2,8 +2,15 @@
 
 use std::fmt::Write;
 
-use crate::picture::PictureError;
+use crate::picture::error::PictureError;
 use crate::spatial::Proof;
+
+/// Numbers that are written without an exponent.
+const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
+/// The least number with five digits before the point.
+const FIVE_DIGITS: f64 = 1e4;
+/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 where a zero is meant.
+const ROUNDING: f64 = 1e-12;
 
 /// A text as HTML, for content and for attributes in quotes.
 pub(super) fn html(text: &str) -> String {
@@ -55,11 +62,11 @@ pub(super) fn short(x: f64) -> String {
         "0".to_owned()
     } else if size.is_infinite() {
         "∞".to_owned()
-    } else if !(1e-3..1e5).contains(&size) {
+    } else if !PLAIN.contains(&size) {
         format!("{size:.4e}").replace('-', "−")
     } else {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 7")]
-        let digits = (1e4 / size).log10().ceil().clamp(0.0, 7.0) as usize;
+        let digits = (FIVE_DIGITS / size).log10().ceil().clamp(0.0, 7.0) as usize;
         let all = format!("{size:.digits$}");
         if digits > 0 { all.trim_end_matches('0').trim_end_matches('.').to_owned() } else { all }
     };
@@ -69,7 +76,7 @@ pub(super) fn short(x: f64) -> String {
 /// Components in brackets; what is rounding beside the largest is zero.
 pub(super) fn vector(components: &[f64]) -> String {
     let size = components.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let clean = |x: &f64| if x.abs() <= 1e-12 * size { 0.0 } else { *x };
+    let clean = |x: &f64| if x.abs() <= ROUNDING * size { 0.0 } else { *x };
     format!("({})", components.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
 
@@ -89,7 +96,7 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
 }
 
 /// How it is known that no equilibrium exists.
-pub(super) fn proof(proof: &Proof) -> String {
+pub(super) fn proof_in_words(proof: &Proof) -> String {
     match proof {
         Proof::FreeMotion { motion, .. } => {
             format!(

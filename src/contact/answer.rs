@@ -1,0 +1,228 @@
+//! From the stretch of one contact to its force, exactly: the return map.
+//!
+//! With the stretch `v = a - G_iᵀq`, T = K_t v_t its trial traction and r = μ F_n, on the round cone
+//!
+//! ```text
+//! open      k_n v_n <= 0                F = 0
+//! rolling   |T| <= r                    F_t = T
+//! sliding   |T| > r                     F_t = S v_t,  S = (K_t⁻¹ + λ)⁻¹,  λ > 0 from |S v_t| = r
+//! ```
+//!
+//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`: along the force. For one tangential stiffness this is the radial return,
+//! for two of them the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
+
+use nalgebra::SVector;
+
+use super::compliance::Compliance;
+use super::law::{Law, LocalLaw};
+use super::polygon::corner;
+use super::slide::Slide;
+use super::state::{Mode, PolygonState, State};
+use super::tangential::{cross, tangential_norm};
+
+/// Newton's steps on the secular equation: from its lower bound it gains digits from the first step on.
+const STEPS: usize = 60;
+/// A step shorter than this part of λ is the last.
+const LAST: f64 = 1e-8;
+/// No start is a λ larger than this by the compliance of the springs.
+const FAR: f64 = 1e100;
+/// With r = 0 every λ is too small: r counts as this part of the traction, so that S is nothing beside K⁻¹.
+const NO_FRICTION: f64 = 1e-200;
+
+/// What a contact answers to a stretch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Answer<const C: usize> {
+    pub(crate) state: State<C>,
+    /// N, contact frame.
+    pub(crate) force: SVector<f64, C>,
+}
+
+impl<const C: usize> Answer<C> {
+    /// No force.
+    pub(crate) fn open() -> Self {
+        Self { state: Mode::Open, force: SVector::zeros() }
+    }
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// The force at a stretch on the round cone, or on the edge that the contact stands on. `near` is the λ of a stretch close by, or
+    /// zero.
+    pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> Answer<C> {
+        let mut force = self.springs.force(stretch);
+        let rolling = Answer { state: Mode::Rolling, force };
+        match self.law {
+            Law::Absent => return Answer::open(),
+            Law::Bonded => return rolling,
+            Law::Edge(facets) => {
+                let excess = -self.friction.facet_margin(&force, &facets[0]);
+                if excess <= 0.0 {
+                    return rolling;
+                }
+                let pull = Slide::new(&facets[0], 0.0).pull(self.springs);
+                return Answer { state: Mode::Facet(0), force: force - pull * excess };
+            }
+            Law::Cone { gap: true } if force[0] <= 0.0 => return Answer::open(),
+            Law::Cone { .. } if !self.friction.has_edges() => return rolling,
+            Law::Cone { .. } => {}
+        }
+        let r = self.friction.limit(force[0].max(0.0));
+        let traction = tangential_norm(&force);
+        if traction <= r {
+            return rolling;
+        }
+        let lambda = slip_per_force(self.springs, &force, traction, r, near);
+        let mut direction = SVector::zeros();
+        for a in 1..C {
+            direction[a] = force[a] * self.springs.softening(a, lambda);
+        }
+        let slide = Slide::new(&direction, lambda);
+        for a in 1..C {
+            force[a] = slide.direction[a] * r;
+        }
+        Answer { state: Mode::Round(slide), force }
+    }
+
+    /// The force of a contact that slides whichever way it has to: with |T| < r the slip is against the friction force, λ < 0. `None`
+    /// where nothing presses.
+    ///
+    /// This branch of the law goes on smoothly through the load at which sliding ends, which is found as the root of λ.
+    pub(crate) fn slide_on(&self, stretch: &SVector<f64, C>) -> Option<(SVector<f64, C>, Slide<C>)> {
+        let mut force = self.springs.force(stretch);
+        let (r, traction) = (self.friction.limit(force[0]), tangential_norm(&force));
+        if !(r > 0.0 && traction > 0.0 && traction.is_finite()) {
+            return None;
+        }
+        let lambda = slip_per_force(self.springs, &force, traction, r, 0.0);
+        let softened =
+            SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
+        let slide = Slide::new(&softened, lambda);
+        for a in 1..C {
+            force[a] = slide.direction[a] * r;
+        }
+        Some((force, slide))
+    }
+
+    /// State and force at a stretch on the polygon: the nearest force of the cone in the metric K⁻¹.
+    #[inline]
+    pub(crate) fn answer_on_polygon(&self, stretch: &SVector<f64, C>) -> (PolygonState, SVector<f64, C>) {
+        let trial = self.springs.force(stretch);
+        let facets = self.facets();
+        let state = if trial[0] <= 0.0 && self.may_open() {
+            Mode::Open
+        } else if facets.is_empty() {
+            Mode::Rolling
+        } else {
+            let r = self.cone().limit(trial[0]);
+            if C == 3 {
+                self.nearest_of_polygon(facets, &trial, r)
+            } else if trial[1].abs() <= r {
+                Mode::Rolling
+            } else {
+                Mode::Facet(u16::from(trial[1] < 0.0))
+            }
+        };
+        (state, self.force_on_polygon(&state, &trial))
+    }
+
+    /// The force of a state on the polygon whose springs, all holding, would carry this trial force.
+    fn force_on_polygon(&self, state: &PolygonState, trial: &SVector<f64, C>) -> SVector<f64, C> {
+        match state {
+            Mode::Open => SVector::zeros(),
+            Mode::Rolling => *trial,
+            Mode::Facet(j) => {
+                let excess = -self.cone().facet_margin(trial, &self.facets()[usize::from(*j)]);
+                trial - self.edge_direction(&State::from(*state)) * excess
+            }
+            Mode::Corner(_) => self.cone().generator(&self.edge_direction(&State::from(*state))) * trial[0],
+            Mode::Round(never) => match *never {},
+        }
+    }
+
+    /// Where on the polygon `h·F_t <= r` the force nearest to a trial force lies.
+    fn nearest_of_polygon(
+        &self,
+        facets: &[SVector<f64, C>],
+        trial: &SVector<f64, C>,
+        r: f64,
+    ) -> PolygonState {
+        let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
+        let (mut facet, mut last, mut most) = (0_u16, 0, f64::NEG_INFINITY);
+        for (j, h) in (0_u16..).zip(facets) {
+            let reached = h.dot(trial);
+            if reached > most {
+                (facet, most) = (j, reached);
+            }
+            last = j;
+        }
+        if most <= r {
+            return Mode::Rolling;
+        }
+        // From facet to facet towards the side on which the force lies outside: with springs alike the first is the last.
+        for _ in facets {
+            let h = &facets[usize::from(facet)];
+            let softened = self.springs.force(h);
+            let on_it = trial - softened * ((h.dot(trial) - r) / h.dot(&softened));
+            let (next, before) = (after(facet), if facet == 0 { last } else { facet - 1 });
+            let outside = |j: u16| facets[usize::from(j)].dot(&on_it) > r;
+            let (after_next, before_it) = (outside(next), outside(before));
+            let at = if after_next {
+                facet
+            } else if before_it {
+                before
+            } else {
+                return Mode::Facet(facet);
+            };
+            // At the corner both slips must go outwards.
+            let (h1, h2) = (&facets[usize::from(at)], &facets[usize::from(after(at))]);
+            let slip = self.springs.give(&(trial - corner(h1, h2) * r));
+            let turn = cross(h1, h2);
+            if cross(&slip, h2) / turn >= 0.0 && cross(h1, &slip) / turn >= 0.0 {
+                return Mode::Corner(at);
+            }
+            facet = if after_next { next } else { before };
+        }
+        Mode::Facet(facet)
+    }
+}
+
+/// λ with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t; positive if |T| > r.
+///
+/// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From wherever they start Newton's steps
+/// lead left of the root, and from there they grow towards it and never pass it.
+fn slip_per_force<const C: usize>(
+    springs: &Compliance<C>,
+    trial: &SVector<f64, C>,
+    traction: f64,
+    r: f64,
+    near: f64,
+) -> f64 {
+    let excess = traction / r.max(traction * NO_FRICTION);
+    if springs.is_isotropic() {
+        return springs.give_along(1, excess - 1.0);
+    }
+    let unit = trial / traction;
+    // From where squares underflow no step leads back.
+    let mut lambda = if near * springs.stiffest() < FAR { near } else { 0.0 };
+    // What slips backwards, λ < 0, is bounded by the softer axis and by where the stiffer one has no stiffness left to lose.
+    let [soft, stiff] = springs.tangential_range();
+    let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - LAST) / stiff) };
+    for _ in 0..STEPS {
+        let softened = springs.softened(lambda);
+        let (mut square, mut slope) = (0.0, 0.0);
+        for a in 1..C {
+            let f = unit[a] * springs.softening(a, lambda);
+            square += f * f;
+            slope += f * f * softened[a];
+        }
+        let step = square / slope * (square.sqrt() * excess - 1.0);
+        if step.is_nan() {
+            break;
+        }
+        lambda = (lambda + step).max(least);
+        // What is left is the square of this.
+        if step.abs() <= LAST * lambda.abs() {
+            break;
+        }
+    }
+    lambda
+}

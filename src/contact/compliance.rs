@@ -1,0 +1,137 @@
+//! How one contact gives way: a spring along each axis of its frame, and the only type that sees a stiffness.
+//!
+//! ```text
+//! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
+//! ```
+//!
+//! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the energy stored. Stiffness ratios do not show in it.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::numerics::DoubleDouble;
+
+/// The series springs of body and finger along the axes of the contact frame, normal first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Compliance<const C: usize> {
+    /// Stiffness, N/m; zero along an axis without a spring.
+    k: SVector<f64, C>,
+    /// Axes with a spring: 1 without friction, else `C`.
+    axes: usize,
+}
+
+impl<const C: usize> Compliance<C> {
+    /// Springs along the first `axes` axes, of stiffnesses that are positive there.
+    pub(crate) fn new(series: &SVector<f64, C>, axes: usize) -> Self {
+        Self { k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }), axes }
+    }
+
+    /// Number of axes with a spring.
+    #[inline(always)]
+    pub(crate) fn axes(&self) -> usize {
+        self.axes
+    }
+
+    /// Whether the contact has tangential springs, and so can carry a tangential force.
+    pub(crate) fn resists_tangentially(&self) -> bool {
+        self.axes == C
+    }
+
+    /// `K v`.
+    #[inline(always)]
+    pub(crate) fn force(&self, stretch: &SVector<f64, C>) -> SVector<f64, C> {
+        self.k.component_mul(stretch)
+    }
+
+    /// Part of `K v` along an axis.
+    #[inline(always)]
+    pub(crate) fn force_along(&self, axis: usize, stretch: f64) -> f64 {
+        self.k[axis] * stretch
+    }
+
+    /// K.
+    pub(crate) fn stiffness(&self) -> SMatrix<f64, C, C> {
+        SMatrix::from_diagonal(&self.k)
+    }
+
+    /// `K⁻¹F`, zero along axes without a spring.
+    pub(crate) fn give(&self, force: &SVector<f64, C>) -> SVector<f64, C> {
+        SVector::from_fn(|a, _| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
+    }
+
+    /// Part of `K⁻¹F` along an axis with a spring.
+    #[inline(always)]
+    pub(crate) fn give_along(&self, axis: usize, force: f64) -> f64 {
+        force / self.k[axis]
+    }
+
+    /// The same in twice the working precision.
+    pub(crate) fn precise_give_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
+        force.over(self.k[axis])
+    }
+
+    /// The tangential part of `v - K⁻¹F`, with that of the stretch where no spring is: how far the surfaces have slipped.
+    pub(crate) fn slip(&self, stretch: &SVector<f64, C>, force: &SVector<f64, C>) -> SVector<f64, C> {
+        let mut slip = stretch - self.give(force);
+        slip[0] = 0.0;
+        slip
+    }
+
+    /// `½ F·K⁻¹F`, J.
+    pub(crate) fn stored(&self, force: &SVector<f64, C>) -> f64 {
+        (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).sum()
+    }
+
+    /// `K^{1/2}`, a diagonal: from energy units to forces, and from stretches to energy units.
+    pub(crate) fn root(&self) -> SVector<f64, C> {
+        self.k.map(f64::sqrt)
+    }
+
+    /// The entry of [`Self::root`] along an axis.
+    #[inline(always)]
+    pub(crate) fn root_along(&self, axis: usize) -> f64 {
+        self.k[axis].sqrt()
+    }
+
+    /// `k_n / k` along an axis with a spring.
+    pub(crate) fn normal_over(&self, axis: usize) -> f64 {
+        self.k[0] / self.k[axis]
+    }
+
+    /// `k_t1 / k_t2` of two tangential axes.
+    pub(crate) fn ratio(&self, one: usize, other: usize) -> f64 {
+        self.k[one] / self.k[other]
+    }
+
+    /// Whether both tangential springs are alike, as the one of the plane is.
+    pub(crate) fn is_isotropic(&self) -> bool {
+        C == 2 || self.k[1] == self.k[C - 1]
+    }
+
+    /// The largest stiffness, N/m.
+    #[inline(always)]
+    pub(crate) fn stiffest(&self) -> f64 {
+        self.k.amax()
+    }
+
+    /// The least stiffness of a spring, N/m.
+    pub(crate) fn softest(&self) -> f64 {
+        self.k.iter().take(self.axes).fold(f64::INFINITY, |least, k| least.min(*k))
+    }
+
+    /// The softer and the stiffer of two tangential springs, N/m.
+    pub(crate) fn tangential_range(&self) -> [f64; 2] {
+        [self.k[1].min(self.k[C - 1]), self.k[1].max(self.k[C - 1])]
+    }
+
+    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with a slip of λ per force.
+    #[inline(always)]
+    pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, C> {
+        SVector::from_fn(|a, _| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
+    }
+
+    /// `1 / (1 + λ k)` along a tangential axis.
+    #[inline(always)]
+    pub(crate) fn softening(&self, axis: usize, lambda: f64) -> f64 {
+        1.0 / (1.0 + lambda * self.k[axis])
+    }
+}

@@ -1,0 +1,113 @@
+//! The conditions that a state of a contact must satisfy, each beside the size that its rounding is measured against.
+//!
+//! ```text
+//! open      gap = n·u_c - a_n                 >= 0
+//! rolling   F_n, μ F_n - h·F_t (every facet)  >= 0
+//! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
+//! ```
+//!
+//! All of them are linear in stretch and force: the same function gives their rates along a load or a motion.
+
+use nalgebra::SVector;
+
+use super::law::LocalLaw;
+use super::state::{Mode, State};
+use super::tangential::{cross, tangential_norm};
+
+/// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
+const SMALLEST: f64 = 1e-250;
+
+/// Where a contact is: its stretch and its force, or the rates of both.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct At<'s, const C: usize> {
+    /// `a - G_iᵀq`, m.
+    pub(crate) stretch: SVector<f64, C>,
+    /// N.
+    pub(crate) force: &'s SVector<f64, C>,
+    /// Size of the displacements that the stretch is a difference of, m.
+    pub(crate) span: f64,
+    /// Size of the largest force of the scene, N.
+    pub(crate) largest: f64,
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// What the rounding of the contact's force is measured against. A stiff contact's force is not known from its cancelling
+    /// displacements but from equilibrium with the others, a soft one's the other way round.
+    #[inline(always)]
+    pub(crate) fn force_size(&self, force: &SVector<f64, C>, span: f64, largest: f64) -> f64 {
+        SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
+    }
+
+    /// Calls `visit(value, size)` for every condition `value >= 0` of a state; rounding errors of the value are of the order of
+    /// `size` times the machine precision.
+    pub(crate) fn for_each_condition(
+        &self,
+        state: &State<C>,
+        at: &At<'_, C>,
+        mut visit: impl FnMut(f64, f64),
+    ) {
+        let f = at.force;
+        let force_size = self.force_size(f, at.span, at.largest);
+        if !matches!(state, Mode::Open) {
+            self.for_each_margin(state, f, force_size, &mut visit);
+            if self.may_open() {
+                visit(f[0], force_size);
+            }
+        }
+        let give = self.springs.give(f);
+        let motion_size = SMALLEST + at.span + give.lp_norm(1);
+        let slip = || self.springs.slip(&at.stretch, f);
+        match state {
+            Mode::Open if self.may_open() => visit(-at.stretch[0], motion_size),
+            Mode::Open | Mode::Rolling => {}
+            Mode::Round(slide) => visit(slip().dot(&slide.direction), motion_size),
+            Mode::Facet(j) => {
+                let h = &self.facets()[usize::from(*j)];
+                visit(slip().dot(h) / h.norm(), motion_size);
+            }
+            Mode::Corner(j) => {
+                // slip = σ₁ h₁ + σ₂ h₂, each σ with the sign of the other normal's right angle to it.
+                let facets = self.facets();
+                let (h1, h2) = (facets[usize::from(*j)], facets[(usize::from(*j) + 1) % facets.len()]);
+                let (slip, turn) = (slip(), cross(&h1, &h2));
+                visit(cross(&slip, &h2) / turn, motion_size * h2.norm() / turn.abs());
+                visit(cross(&h1, &slip) / turn, motion_size * h1.norm() / turn.abs());
+            }
+        }
+    }
+
+    /// Friction in reserve at every edge of the cone on which the contact does not slide.
+    fn for_each_margin(
+        &self,
+        state: &State<C>,
+        f: &SVector<f64, C>,
+        force_size: f64,
+        visit: &mut impl FnMut(f64, f64),
+    ) {
+        let cone = self.cone();
+        match state {
+            Mode::Round(_) => {}
+            Mode::Rolling
+                if self.on_round_cone
+                    && self.is_whole()
+                    && !cone.is_infinite()
+                    && !self.is_frictionless() =>
+            {
+                visit(cone.limit(f[0]) - tangential_norm(f), force_size * cone.round_weight());
+            }
+            _ => {
+                let facets = self.facets();
+                let own = state.own_facets(facets.len());
+                for (j, h) in facets.iter().enumerate() {
+                    if !own.contains(&Some(j)) {
+                        visit(cone.facet_margin(f, h), force_size * cone.facet_weight(h));
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        matches!(self.law, super::law::Law::Cone { .. })
+    }
+}

@@ -1,0 +1,99 @@
+//! Coulomb's cone `|F_t| <= μ F_n` of one contact, and the only type that sees a coefficient of friction.
+//!
+//! A facet of a polygon in its place is `h·F_t <= μ F_n` with an outward normal h. On the round cone the facet that touches it at
+//! a tangential force has the unit normal along that force.
+
+use nalgebra::SVector;
+
+use super::compliance::Compliance;
+use super::tangential::tangential_norm;
+
+/// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
+const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;
+
+/// A coefficient of friction, 0 to infinity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Coulomb {
+    mu: f64,
+}
+
+impl Coulomb {
+    pub(crate) fn new(mu: f64) -> Self {
+        Self { mu }
+    }
+
+    pub(crate) fn is_frictionless(self) -> bool {
+        self.mu == 0.0
+    }
+
+    pub(crate) fn is_infinite(self) -> bool {
+        self.mu.is_infinite()
+    }
+
+    /// Whether the cone is neither a ray nor without limit.
+    #[inline(always)]
+    pub(crate) fn has_edges(self) -> bool {
+        self.mu > 0.0 && self.mu.is_finite()
+    }
+
+    /// The cone that stands for infinite friction where only facets let a contact go; a finite one stands for itself.
+    pub(crate) fn with_edges<const C: usize>(self, springs: &Compliance<C>) -> Self {
+        if self.mu.is_finite() {
+            return self;
+        }
+        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.normal_over(C - 1).sqrt().max(1.0) }
+    }
+
+    /// `μ F_n`, the most that a tangential force can be.
+    #[inline(always)]
+    pub(crate) fn limit(self, normal_force: f64) -> f64 {
+        self.mu * normal_force
+    }
+
+    /// `e_n + μ t`: a force on the cone with a tangential part along t, for a normal force of one.
+    pub(crate) fn generator<const C: usize>(self, t: &SVector<f64, C>) -> SVector<f64, C> {
+        let mut force = t * self.mu;
+        force[0] = 1.0;
+        force
+    }
+
+    /// `(μ, -h)`: what a facet takes from a force, `μ F_n - h·F_t`.
+    pub(crate) fn facet_row<const C: usize>(self, h: &SVector<f64, C>) -> SVector<f64, C> {
+        let mut row = -h;
+        row[0] = self.mu;
+        row
+    }
+
+    /// Friction in reserve at a facet, `μ F_n - h·F_t`, N.
+    #[inline(always)]
+    pub(crate) fn facet_margin<const C: usize>(self, force: &SVector<f64, C>, h: &SVector<f64, C>) -> f64 {
+        self.mu * force[0] - h.dot(force)
+    }
+
+    /// Friction in reserve on the round cone, `μ F_n - |F_t|`, N.
+    #[inline(always)]
+    pub(crate) fn round_margin<const C: usize>(self, force: &SVector<f64, C>) -> f64 {
+        self.mu * force[0] - tangential_norm(force)
+    }
+
+    /// What rounding of a facet's margin is measured in, over that of the force.
+    #[inline(always)]
+    pub(crate) fn facet_weight<const C: usize>(self, h: &SVector<f64, C>) -> f64 {
+        self.mu + h.norm()
+    }
+
+    /// What rounding of the round cone's margin is measured in, over that of the force; one without a limit.
+    #[inline(always)]
+    pub(crate) fn round_weight(self) -> f64 {
+        if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }
+    }
+
+    /// The least that a force of the round cone with length one can do on a stretch rate u: that along `e_n - μ u_t/|u_t|`.
+    pub(crate) fn least_power<const C: usize>(self, u: &SVector<f64, C>) -> f64 {
+        self.limit_less(u[0], tangential_norm(u)) / 1.0_f64.hypot(self.mu)
+    }
+
+    fn limit_less(self, normal: f64, tangential: f64) -> f64 {
+        normal - self.mu * tangential
+    }
+}

@@ -1,0 +1,173 @@
+//! How far a contact can go along a straight line of forces before it leaves its state.
+
+use nalgebra::SVector;
+
+use super::law::LocalLaw;
+use super::state::{Mode, State};
+use super::tangential::tangential;
+use super::tolerances::ZERO_SLACK;
+
+/// Newton's steps on the margin of a round cone: each doubles the digits that the quadratic equation has left.
+const POLISHING_STEPS: usize = 3;
+
+/// One way out of the cone: the step at which it is reached, and the step's own uncertainty from rounding.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exit<const C: usize> {
+    pub(crate) step: f64,
+    pub(crate) uncertainty: f64,
+    /// Outward normal of the facet, in the scale `h·F_t <= μ F_n`; zero where the normal force itself vanishes.
+    pub(crate) facet: SVector<f64, C>,
+}
+
+/// Force, its rate, and the sizes that their rounding is measured against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Line<const C: usize> {
+    pub(crate) force: SVector<f64, C>,
+    pub(crate) rate: SVector<f64, C>,
+    pub(crate) force_size: f64,
+    pub(crate) rate_size: f64,
+}
+
+impl<const C: usize> Line<C> {
+    fn linear(&self, value: f64, rate: f64, weight: f64, facet: SVector<f64, C>) -> Option<Exit<C>> {
+        if rate >= -ZERO_SLACK * self.rate_size * weight {
+            return None;
+        }
+        let step = (value / -rate).max(0.0);
+        let uncertainty = ZERO_SLACK * weight * (self.force_size + step * self.rate_size) / -rate;
+        Some(Exit { step, uncertainty, facet })
+    }
+}
+
+/// A gap on a straight line, with the sizes of the displacements it is a difference of, all in m.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GapLine {
+    pub(crate) gap: f64,
+    pub(crate) rate: f64,
+    pub(crate) size: f64,
+    pub(crate) rate_size: f64,
+}
+
+impl GapLine {
+    /// Where the gap closes.
+    pub(crate) fn closing<const C: usize>(&self) -> Option<Exit<C>> {
+        (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
+            let step = (self.gap / -self.rate).max(0.0);
+            let uncertainty = ZERO_SLACK * (self.size + step * self.rate_size) / -self.rate;
+            Exit { step, uncertainty, facet: SVector::zeros() }
+        })
+    }
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// Every way out of a state: the facets that a closed contact runs into and does not slide on, the gap that closes.
+    pub(crate) fn ways_out(&self, state: &State<C>, line: &Line<C>, gap: &GapLine) -> Vec<Exit<C>> {
+        match state {
+            Mode::Open => gap.closing().into_iter().collect(),
+            Mode::Rolling => self.exits(line),
+            // The facets on which it slides stay reached.
+            Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
+                let facets = self.facets();
+                let own = state.own_facets(facets.len());
+                let mut exits = self.exits(line);
+                exits.retain(|exit| own.iter().flatten().all(|&j| exit.facet != facets[j]));
+                exits
+            }
+        }
+    }
+
+    /// Where the line leaves the cone.
+    fn exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
+        if self.is_bonded() {
+            Vec::new()
+        } else if self.on_round_cone && self.cone().has_edges() && !self.facets().is_empty() {
+            self.round_exit(line).into_iter().collect()
+        } else {
+            self.polygon_exits(line)
+        }
+    }
+
+    /// Every facet of the polygon that the line runs into; the vanishing normal force where there are no facets.
+    fn polygon_exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
+        let (cone, facets) = (self.cone(), self.facets());
+        if facets.is_empty() {
+            let vanishing = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros());
+            return vanishing.filter(|_| self.may_open()).into_iter().collect();
+        }
+        let exit = |h: &SVector<f64, C>| {
+            let [margin, rate] = [&line.force, &line.rate].map(|f| cone.facet_margin(f, h));
+            line.linear(margin, rate, cone.facet_weight(h), *h)
+        };
+        facets.iter().filter_map(exit).collect()
+    }
+
+    /// How far it is from a force to where a straight line of this rate takes it out through an exit.
+    pub(crate) fn way_to(&self, exit: &Exit<C>, force: &SVector<f64, C>, rate: &SVector<f64, C>) -> f64 {
+        let slack = |f: &SVector<f64, C>| {
+            if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
+        };
+        slack(force) / -slack(rate)
+    }
+
+    /// Where the line leaves the round cone, `μ² F_n² = |F_t|²`: the first root of a quadratic,
+    ///
+    /// ```text
+    /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
+    /// ```
+    ///
+    /// taken as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which does not cancel. From the edge itself (c₀ = 0) a line that goes
+    /// inwards can only come back at `s = -2c₁/c₂`.
+    fn round_exit(&self, line: &Line<C>) -> Option<Exit<C>> {
+        let cone = self.cone();
+        let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
+        let (n0, n1) = (cone.limit(line.force[0]), cone.limit(line.rate[0]));
+        let friction = t0.norm();
+        let weight = cone.round_weight();
+        let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
+        let leaves = |at: &SVector<f64, C>| at / at.norm().max(f64::MIN_POSITIVE);
+        if on_edge {
+            // At the apex the rates themselves must lie in the cone.
+            let outward =
+                if friction > ZERO_SLACK * line.force_size * weight { leaves(&t0) } else { leaves(&t1) };
+            if let Some(exit) = line.linear(n0 - friction, n1 - outward.dot(&t1), weight, outward) {
+                return Some(exit);
+            }
+        }
+        let c0 = if on_edge { 0.0 } else { (n0 - friction) * (n0 + friction) };
+        let c1 = n0 * n1 - t0.dot(&t1);
+        let c2 = n1 * n1 - t1.norm_squared();
+        let discriminant = c1 * c1 - c0 * c2;
+        // Without a root the step is not a number.
+        let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
+        // Close to a double root the discriminant cancels. The margin itself, μF_n - |F_t|, is concave and does not: Newton's
+        // method on it gives back the digits.
+        for _ in 0..POLISHING_STEPS {
+            let at = t0 + t1 * step;
+            let slope = n1 - leaves(&at).dot(&t1);
+            let better = step - (n0 + n1 * step - at.norm()) / slope;
+            if slope < 0.0 && better > 0.0 && better.is_finite() {
+                step = better;
+            }
+        }
+        // A line through the apex has a double root there, which costs half the digits, and beyond it runs on in the other half
+        // of the cone, F_n < 0: the linear root of F_n is the exit then.
+        if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
+            let missed = (t0 + t1 * apex.step).norm();
+            let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
+            if through || step.is_nan() || step <= 0.0 || step > apex.step {
+                return Some(apex);
+            }
+        }
+        if !(step > 0.0 && step.is_finite()) {
+            return None;
+        }
+        let facet = leaves(&(t0 + t1 * step));
+        let closing = facet.dot(&t1) - n1;
+        if closing <= ZERO_SLACK * line.rate_size * weight {
+            // The line touches the cone and stays inside, or its rates are rounding of zero.
+            return None;
+        }
+        let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
+        Some(Exit { step, uncertainty, facet })
+    }
+}

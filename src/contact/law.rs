@@ -1,0 +1,177 @@
+//! The law of one contact, as every engine asks it: springs, friction cone, and which of its conditions count.
+//!
+//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. In rates, which say what
+//! happens next, a contact inside its cone is bonded, one on an edge has only that edge, one at the apex has the whole cone
+//! again, and an open one is absent.
+
+use nalgebra::SVector;
+
+use super::compliance::Compliance;
+use super::coulomb::Coulomb;
+use super::polygon::Polygon;
+use super::state::{Mode, PolygonState, State};
+
+/// Which conditions a contact has.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Law<const C: usize> {
+    /// Open and staying so: no conditions, no force.
+    Absent,
+    /// Its springs act both ways, without limit: no conditions.
+    Bonded,
+    /// The friction cone.
+    Cone {
+        /// Whether the contact may also open.
+        gap: bool,
+    },
+    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most C - 1 of them.
+    Edge(Vec<SVector<f64, C>>),
+}
+
+/// One contact with its law; it knows nothing of the scene.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LocalLaw<'c, const C: usize> {
+    pub(crate) springs: &'c Compliance<C>,
+    pub(crate) law: &'c Law<C>,
+    /// The polygon that stands for the cone.
+    pub(crate) polygon: &'c Polygon<C>,
+    pub(super) friction: Coulomb,
+    /// In space: a rolling contact is held by the round cone, the polygon only proposes.
+    pub(super) on_round_cone: bool,
+    /// A contact with infinite friction has facets, as with a very large finite one.
+    pub(super) infinite_friction_has_edges: bool,
+}
+
+impl<'c, const C: usize> LocalLaw<'c, C> {
+    pub(crate) fn new(
+        springs: &'c Compliance<C>,
+        friction: Coulomb,
+        law: &'c Law<C>,
+        polygon: &'c Polygon<C>,
+        [on_round_cone, infinite_friction_has_edges]: [bool; 2],
+    ) -> Self {
+        Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
+    }
+
+    /// The cone that the facets belong to.
+    pub(crate) fn cone(&self) -> Coulomb {
+        if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
+    }
+
+    /// Whether the contact has the condition `0 <= gap ⟂ F_n >= 0`.
+    #[inline(always)]
+    pub(crate) fn may_open(&self) -> bool {
+        matches!(self.law, Law::Cone { gap: true })
+    }
+
+    /// Whether the contact has a whole friction cone, neither empty nor without limit.
+    #[inline(always)]
+    pub(crate) fn may_slide(&self) -> bool {
+        matches!(self.law, Law::Cone { .. }) && self.friction.has_edges()
+    }
+
+    /// Whether the contact has a round friction cone.
+    pub(crate) fn is_round(&self) -> bool {
+        self.on_round_cone && self.may_slide()
+    }
+
+    pub(crate) fn is_absent(&self) -> bool {
+        matches!(self.law, Law::Absent)
+    }
+
+    pub(crate) fn is_bonded(&self) -> bool {
+        matches!(self.law, Law::Bonded)
+    }
+
+    pub(crate) fn is_on_an_edge(&self) -> bool {
+        matches!(self.law, Law::Edge(_))
+    }
+
+    /// Whether the contact keeps its tangential force until the normal force is gone.
+    pub(crate) fn never_slides(&self) -> bool {
+        self.friction.is_infinite()
+    }
+
+    /// Whether the contact has no tangential spring.
+    pub(crate) fn is_frictionless(&self) -> bool {
+        !self.springs.resists_tangentially()
+    }
+
+    /// Outward normals of the facets that the contact has conditions for.
+    #[inline]
+    pub(crate) fn facets(&self) -> &'c [SVector<f64, C>] {
+        match self.law {
+            Law::Absent | Law::Bonded => &[],
+            Law::Edge(normals) => normals,
+            Law::Cone { .. } if self.cone().has_edges() => &self.polygon.normals,
+            Law::Cone { .. } => &[],
+        }
+    }
+
+    /// Whether two contacts with one polygon have the same facets in energy coordinates.
+    pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
+        let whole = |local: &Self| matches!(local.law, Law::Cone { .. });
+        self.springs == other.springs && self.friction == other.friction && whole(self) && whole(other)
+    }
+
+    /// Complementary pairs of the contact: one for the gap, one for each facet.
+    pub(crate) fn pairs(&self) -> usize {
+        usize::from(self.may_open()) + self.facets().len()
+    }
+
+    /// The state that needs no jump: rolling, or open where the contact is absent.
+    pub(crate) fn unjumped(&self) -> State<C> {
+        if self.is_absent() { Mode::Open } else { Mode::Rolling }
+    }
+
+    /// The states on the polygon that the contact can be in, the one without a jump first.
+    pub(crate) fn states(&self) -> Vec<State<C>> {
+        if self.is_absent() {
+            return vec![Mode::Open];
+        }
+        let facets = self.facets();
+        let numbers = || (0_u16..).zip(facets).map(|(j, _)| j);
+        let mut states = vec![Mode::Rolling];
+        states.extend(numbers().map(Mode::Facet));
+        if C == 3 && facets.len() > 1 {
+            let corners = if self.is_on_an_edge() { 1 } else { facets.len() };
+            states.extend(numbers().take(corners).map(Mode::Corner));
+        }
+        if self.may_open() {
+            states.push(Mode::Open);
+        }
+        states
+    }
+
+    /// The state in which these facets slip, in ascending order. More than an edge or a corner of the cone can only slip where the
+    /// cone is a point, F = 0.
+    pub(crate) fn slipping_state(&self, facets: &[u16]) -> PolygonState {
+        let count = self.facets().len();
+        match *facets {
+            [] => Mode::Rolling,
+            [facet] => Mode::Facet(facet),
+            [a, b] if C == 3 && b == a + 1 => Mode::Corner(a),
+            [a, b] if C == 3 && a == 0 && usize::from(b) + 1 == count => Mode::Corner(b),
+            _ => Mode::Open,
+        }
+    }
+
+    /// The middle of the directions in which a sliding contact may slip, of any length.
+    pub(crate) fn outward(&self, state: &State<C>) -> Option<SVector<f64, C>> {
+        if let Mode::Round(slide) = state {
+            return Some(slide.direction);
+        }
+        let facets = self.facets();
+        let [first, second] = state.own_facets(facets.len());
+        let first = facets[first?];
+        Some(second.map_or(first, |second| first + facets[second]))
+    }
+
+    /// Whether the law has no place for this state: an opening that is forbidden, or a slide under infinite friction.
+    pub(crate) fn excludes(&self, state: &State<C>) -> bool {
+        match state {
+            Mode::Open => !self.is_absent() && !self.may_open(),
+            Mode::Rolling => false,
+            Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => self.never_slides(),
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! One contact: how it gives way, how it rubs, what it does. It knows nothing of the scene.
+//!
+//! [`LocalLaw`] is the value that every engine asks. Only [`Compliance`] sees stiffnesses, only [`Coulomb`] sees μ.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `compliance` | springs along the axes of the contact frame |
+//! | `coulomb` | the cone `\|F_t\| <= μ F_n` and its facets |
+//! | `polygon` | the polygonal cone in place of the round one |
+//! | `state`, `slide` | what the contact does, with all that belongs to it |
+//! | `law` | which of its conditions count: at rest, in rates, on an edge |
+//! | `answer` | stretch → state and force |
+//! | `springs` | in a known state: left and right factors, tangent |
+//! | `conditions` | what a state must satisfy, with sizes |
+//! | `exits` | how far a straight line stays in a state |
+//! | `stand` | what it stands on at an event, and the law of its rates |
+//! | `tolerances` | what counts as zero |
+
+mod answer;
+mod compliance;
+mod conditions;
+mod coulomb;
+mod exits;
+mod law;
+mod polygon;
+mod slide;
+mod springs;
+mod stand;
+mod state;
+mod tangential;
+mod tolerances;
+
+pub use polygon::{Fit, PolygonCone};
+
+pub(crate) use answer::Answer;
+pub(crate) use compliance::Compliance;
+pub(crate) use conditions::At;
+pub(crate) use coulomb::Coulomb;
+pub(crate) use exits::{Exit, GapLine, Line};
+pub(crate) use law::{Law, LocalLaw};
+pub(crate) use polygon::Polygon;
+pub(crate) use slide::Slide;
+pub(crate) use springs::Spring;
+pub(crate) use stand::Stand;
+pub(crate) use state::{Mode, PolygonState, State};
+pub(crate) use tangential::{tangential, tangential_norm};
+pub(crate) use tolerances::ZERO_SLACK;

@@ -1,0 +1,206 @@
+//! The friction cone as a polygon: `F_t` lies in μF_n times a polygon around the origin.
+//!
+//! In the plane the polygon is the interval [-1, 1] and nothing is approximated.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use super::tangential::cross;
+use crate::error::Error;
+
+/// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum Fit {
+    /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).
+    #[default]
+    Inscribed,
+    /// Facets touch the circle: never less friction than Coulomb's, more by up to 1/cos(π/m) - 1.
+    Circumscribed,
+    /// Corners as far outside as facets inside: facets at `cos(π/m)^(1/2)`, corners at its reciprocal.
+    Balanced,
+}
+
+/// The polygonal cone that stands in for the round one in space. Planar grasps do not look at it.
+///
+/// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
+///
+/// ```text
+/// h_j·F_t <= μ F_n for all j      or      F_t = Σ β_j d_j,  β >= 0,  Σ β_j <= μ F_n
+/// ```
+///
+/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the
+/// length that puts the facet at `h_j·x = 1`. A contact slides with F_t on a facet and slips along its normal, or with F_t at a
+/// corner and slips between the normals of its two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See
+/// [choosing facets](crate::guide::choosing_facets).
+///
+/// ```
+/// use grasp_lcp::{Error, Fit, PolygonCone};
+///
+/// let octagon = PolygonCone::new(8, Fit::Inscribed)?;
+/// assert_eq!(octagon, PolygonCone::default());
+/// assert!(matches!(PolygonCone::new(2, Fit::Inscribed), Err(Error::Facets { given: 2, .. })));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PolygonCone {
+    facets: usize,
+    fit: Fit,
+}
+
+impl PolygonCone {
+    /// More facets than this say nothing that rounding would not blur.
+    pub const MOST_FACETS: usize = 4096;
+
+    /// A polygon of `facets` facets.
+    ///
+    /// # Errors
+    /// [`Error::Facets`] unless 3 <= facets <= [`Self::MOST_FACETS`].
+    pub fn new(facets: usize, fit: Fit) -> Result<Self, Error> {
+        if (3..=Self::MOST_FACETS).contains(&facets) {
+            Ok(Self { facets, fit })
+        } else {
+            Err(Error::Facets { given: facets, most: Self::MOST_FACETS })
+        }
+    }
+
+    /// Number of facets m.
+    #[must_use]
+    pub fn facets(&self) -> usize {
+        self.facets
+    }
+
+    /// How the polygon lies to the circle.
+    #[must_use]
+    pub fn fit(&self) -> Fit {
+        self.fit
+    }
+}
+
+impl Default for PolygonCone {
+    fn default() -> Self {
+        Self { facets: 8, fit: Fit::Inscribed }
+    }
+}
+
+/// The polygon in the frame of a contact: vectors with a zero normal component.
+#[derive(Debug, Clone)]
+pub(crate) struct Polygon<const C: usize> {
+    /// Facet normals h_j, scaled so that the facet is h_j·x = 1.
+    pub(crate) normals: Vec<SVector<f64, C>>,
+    /// Corners d_j; in space corner j lies between facets j and j + 1, in the plane it is facet j itself.
+    pub(crate) corners: Vec<SVector<f64, C>>,
+}
+
+impl<const C: usize> Polygon<C> {
+    pub(crate) fn new(cone: &PolygonCone) -> Self {
+        if C == 2 {
+            let sides = vec![in_the_tangent_plane(&[1.0]), in_the_tangent_plane(&[-1.0])];
+            return Self { normals: sides.clone(), corners: sides };
+        }
+        let m = cone.facets;
+        let half = TAU / (2.0 * m as f64);
+        let facet_distance = match cone.fit {
+            Fit::Inscribed => half.cos(),
+            Fit::Circumscribed => 1.0,
+            Fit::Balanced => half.cos().sqrt(),
+        };
+        let corner_distance = facet_distance / half.cos();
+        let ray = |half_turns: usize, length: f64| {
+            let [cos, sin] = direction(half * half_turns as f64);
+            in_the_tangent_plane(&[length * cos, length * sin])
+        };
+        Self {
+            normals: (0..m).map(|j| ray((2 * j + 2 * m - 1) % (2 * m), 1.0 / facet_distance)).collect(),
+            corners: (0..m).map(|j| ray(2 * j, corner_distance)).collect(),
+        }
+    }
+
+    /// The same polygon with its first corner along a tangent direction (of any length but zero).
+    pub(crate) fn turned_to(&self, to: &SVector<f64, C>) -> Self {
+        let (cos, sin) = (to[1] / to[1].hypot(to[2]), to[2] / to[1].hypot(to[2]));
+        let turn =
+            |v: &SVector<f64, C>| in_the_tangent_plane(&[cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
+        Self {
+            normals: self.normals.iter().map(turn).collect(),
+            corners: self.corners.iter().map(turn).collect(),
+        }
+    }
+
+    /// The inscribed polygon with corners where this one has them and two more beside a tangent direction, at this angle on both
+    /// sides.
+    pub(crate) fn refined_about(&self, along: &SVector<f64, C>, angle: f64) -> Self {
+        let towards = along[2].atan2(along[1]);
+        let mut angles: Vec<f64> = self.corners.iter().map(|d| d[2].atan2(d[1])).collect();
+        angles
+            .extend([-angle, 0.0, angle].map(|beside| (towards + beside).sin_cos()).map(|(y, x)| y.atan2(x)));
+        angles.sort_by(f64::total_cmp);
+        // Corners closer than rounding can tell apart are one.
+        angles.dedup_by(|b, a| *b - *a < 1e-6);
+        let before = |j: usize| if j == 0 { angles[angles.len() - 1] - TAU } else { angles[j - 1] };
+        let normal = |j: usize| {
+            let (from, to) = (before(j), angles[j]);
+            let [cos, sin] = direction(0.5 * (from + to));
+            let distance = (0.5 * (to - from)).cos();
+            in_the_tangent_plane(&[cos / distance, sin / distance])
+        };
+        Self {
+            normals: (0..angles.len()).map(normal).collect(),
+            corners: angles.iter().map(|&angle| in_the_tangent_plane(&direction(angle))).collect(),
+        }
+    }
+}
+
+/// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
+pub(crate) fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
+    let turn = cross(h1, h2);
+    let mut p = SVector::zeros();
+    p[1] = (h2[2] - h1[2]) / turn;
+    p[2] = (h1[1] - h2[1]) / turn;
+    p
+}
+
+/// Cosine and sine.
+fn direction(angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
+    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
+}
+
+fn in_the_tangent_plane<const C: usize>(components: &[f64]) -> SVector<f64, C> {
+    let mut v = SVector::zeros();
+    for (a, &x) in components.iter().enumerate() {
+        v[a + 1] = x;
+    }
+    v
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_lie_on_their_two_facets() {
+        for fit in [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced] {
+            for m in [3, 4, 7, 8, 64] {
+                let polygon = Polygon::<3>::new(&PolygonCone { facets: m, fit });
+                for j in 0..m {
+                    for facet in [j, (j + 1) % m] {
+                        assert!((polygon.normals[facet].dot(&polygon.corners[j]) - 1.0).abs() < 1e-14);
+                    }
+                    for normal in &polygon.normals {
+                        assert!(normal.dot(&polygon.corners[j]) < 1.0 + 1e-14);
+                    }
+                }
+                let (inner, outer) = (1.0 / polygon.normals[0].norm(), polygon.corners[0].norm());
+                match fit {
+                    Fit::Inscribed => assert!((outer - 1.0).abs() < 1e-15),
+                    Fit::Circumscribed => assert!((inner - 1.0).abs() < 1e-15),
+                    Fit::Balanced => assert!((inner * outer - 1.0).abs() < 1e-14),
+                }
+            }
+        }
+    }
+}

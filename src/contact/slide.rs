@@ -1,0 +1,67 @@
+//! Sliding on the round cone, to first order: the direction of slip turns with the stretch.
+//!
+//! With `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹ the force changes with the stretch as two springs do,
+//!
+//! ```text
+//! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
+//! ```
+//!
+//! d the unit tangent across p: a facet of the cone with normal p, and a spring across the slip, softened by the slip.
+
+use nalgebra::SVector;
+
+use super::compliance::Compliance;
+use super::tangential::{tangential, tangential_norm};
+
+/// How a contact slides on the round cone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Slide<const C: usize> {
+    /// Unit direction p of the friction force and of the slip; no normal component.
+    pub(crate) direction: SVector<f64, C>,
+    /// Slip per force λ, m/N.
+    pub(crate) lambda: f64,
+}
+
+impl<const C: usize> Slide<C> {
+    /// The slide of a contact with a friction force along this vector and this slip per force λ.
+    pub(crate) fn new(friction: &SVector<f64, C>, lambda: f64) -> Self {
+        Self { direction: tangential(friction) / tangential_norm(friction), lambda }
+    }
+
+    /// P, the friction force for μ F_n = 1 from which the spring across counts, and the stiffness κ of that spring.
+    pub(super) fn pull_and_stiffness(&self, springs: &Compliance<C>) -> (SVector<f64, C>, f64) {
+        let softened = springs.softened(self.lambda);
+        let pulled = softened.component_mul(&self.direction);
+        let along = 1.0 / self.direction.dot(&pulled);
+        (pulled * along, softened[1] * (softened[C - 1] * along))
+    }
+
+    /// P: the friction force for μ F_n = 1 from which the spring across counts.
+    pub(super) fn pull(&self, springs: &Compliance<C>) -> SVector<f64, C> {
+        self.pull_and_stiffness(springs).0
+    }
+
+    /// The unit tangent across the slip.
+    pub(crate) fn across(&self) -> SVector<f64, C> {
+        let mut across = SVector::<f64, C>::zeros();
+        (across[1], across[C - 1]) = (-self.direction[C - 1], self.direction[1]);
+        across
+    }
+
+    /// The stretch across the slip at which the softened spring carries nothing, for a stretch and the force there, with r = μ F_n.
+    pub(crate) fn rest(
+        &self,
+        springs: &Compliance<C>,
+        stretch: &SVector<f64, C>,
+        force: &SVector<f64, C>,
+        r: f64,
+    ) -> SVector<f64, C> {
+        let (pull, stiffness) = self.pull_and_stiffness(springs);
+        if stiffness == 0.0 {
+            return SVector::zeros();
+        }
+        let across = self.across();
+        let rest = r * pull.dot(&across) - across.dot(force);
+        across * (across.dot(stretch) + rest / stiffness)
+    }
+}

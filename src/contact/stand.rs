@@ -1,0 +1,173 @@
+//! What a contact stands on at an event, and the law of its rates that follows from it.
+//!
+//! Inside its cone a contact sticks whatever comes next. On facets of the cone it may slide along these. At the apex and at a closed
+//! gap it may do anything: there the rates have the whole law again. The onset and the path decide what comes next from the same laws.
+
+use nalgebra::SVector;
+
+use super::exits::{Exit, GapLine, Line};
+use super::law::{Law, LocalLaw};
+use super::state::{Mode, State};
+use super::tangential::tangential;
+use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
+
+/// What one contact stands on.
+#[derive(Debug, Clone)]
+pub(crate) struct Stand<const C: usize> {
+    /// Normals of the facets without margin: those on which it slides, and others it has reached.
+    pub(crate) facets: Vec<SVector<f64, C>>,
+    /// Closed without force, or open without a gap.
+    pub(crate) apex: bool,
+}
+
+impl<const C: usize> Stand<C> {
+    /// Inside the cone, or open with a gap.
+    pub(crate) const NOWHERE: Self = Self { facets: Vec::new(), apex: false };
+
+    pub(crate) fn is_nowhere(&self) -> bool {
+        !self.apex && self.facets.is_empty()
+    }
+
+    /// Whether this force is one that a contact at the apex of its cone carries.
+    pub(crate) fn is_weightless(force: &SVector<f64, C>, force_size: f64) -> bool {
+        force.norm() <= WEIGHTLESS * force_size
+    }
+
+    /// Takes up where these ways out lead to.
+    pub(crate) fn reach(&mut self, state: &State<C>, exits: &[Exit<C>]) {
+        for exit in exits {
+            // Without a facet the normal force itself vanishes, or the gap.
+            if state.is_open() || exit.facet.norm() == 0.0 {
+                self.apex = true;
+            } else if !self.facets.contains(&exit.facet) {
+                self.facets.push(exit.facet);
+            }
+        }
+        // More facets than an edge has meet only at the apex.
+        self.apex |= self.facets.len() >= C;
+    }
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// The law of the rates of a contact that stands here.
+    pub(crate) fn law_of_rates(&self, stand: &Stand<C>, state: &State<C>) -> Law<C> {
+        let has_edges = self.may_open() || !self.facets().is_empty();
+        if self.is_bonded() || !has_edges {
+            Law::Bonded
+        } else if stand.apex {
+            self.law.clone()
+        } else if state.is_open() {
+            Law::Absent
+        } else if stand.facets.is_empty() {
+            Law::Bonded
+        } else {
+            Law::Edge(stand.facets.clone())
+        }
+    }
+
+    /// What a closed contact with this force stands on.
+    pub(crate) fn stand(&self, line: &Line<C>) -> Stand<C> {
+        if self.is_bonded() {
+            return Stand::NOWHERE;
+        }
+        let apex = line.force.norm() <= ZERO_SLACK * line.force_size;
+        let cone = self.cone();
+        if !self.on_round_cone {
+            let no_margin = |h: &&SVector<f64, C>| {
+                cone.facet_margin(&line.force, h) <= ZERO_SLACK * (line.force_size * cone.facet_weight(h))
+            };
+            return Stand { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
+        }
+        let friction = tangential(&line.force);
+        let size = line.force_size * cone.round_weight();
+        let on_the_edge = self.may_slide()
+            && friction.norm() > ZERO_SLACK * size
+            && cone.round_margin(&line.force) <= ZERO_SLACK * size;
+        Stand { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
+    }
+
+    /// Forgets what the contact moves away from.
+    pub(crate) fn leave(&self, stand: &mut Stand<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
+        let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
+        let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
+        let cone = self.cone();
+        if state.is_open() {
+            stand.apex &= gap.rate <= ZERO_SLACK * gap.rate_size;
+            stand.facets.clear();
+        } else if self.on_round_cone {
+            if !matches!(state, Mode::Rolling) {
+                stand.apex = false;
+                return;
+            }
+            if stand.apex {
+                stand.apex = stays_at_the_apex();
+                let along = tangential(&line.rate);
+                let edge = cone.has_edges() && along.norm() > 0.0;
+                stand.facets = if edge { vec![along.normalize()] } else { Vec::new() };
+            }
+            stand.facets.retain(|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
+        } else {
+            let facets = self.facets();
+            if stand.apex {
+                stand.apex = stays_at_the_apex();
+                stand.facets = facets.to_vec();
+            }
+            let own = state.own_facets(facets.len());
+            stand.facets.retain(|h| {
+                own.iter().flatten().any(|&j| facets[j] == *h)
+                    || falls_short(cone.facet_margin(&line.rate, h), cone.facet_weight(h))
+            });
+        }
+    }
+
+    /// Whether a rolling contact on the edge of the round cone goes along a tangent of it with these rates, which leads outside: it
+    /// slides, if only with a rate of zero at first.
+    pub(crate) fn grazes(&self, state: &State<C>, rate: &SVector<f64, C>, size: f64) -> bool {
+        let (Law::Edge(facets), Mode::Rolling) = (self.law, state) else { return false };
+        let (p, cone) = (&facets[0], self.cone());
+        let across = (tangential(rate) - p * p.dot(rate)).norm();
+        cone.facet_margin(rate, p).abs() <= ZERO_SLACK * size * cone.round_weight()
+            && across > ZERO_SLACK * size
+    }
+
+    /// A state of the rates, whose facets count among those of its edge, among the facets of the whole law; on the round cone the
+    /// slide along that edge. `None` for facets that the law does not have.
+    pub(crate) fn of_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
+        let Law::Edge(edge) = rates else { return Some(state) };
+        let [first, second] = state.own_facets(edge.len());
+        let Some(first) = first else { return Some(state) };
+        if self.on_round_cone {
+            return Some(State::sliding_along(&edge[first]));
+        }
+        let number = |k: usize| (0_u16..).zip(self.facets()).find(|(_, h)| **h == edge[k]).map(|(j, _)| j);
+        let mut facets = vec![number(first)?];
+        if let Some(second) = second {
+            facets.push(number(second)?);
+        }
+        facets.sort_unstable();
+        Some(self.slipping_state(&facets).into())
+    }
+
+    /// The reverse: a state among the facets that an edge in the law of the rates has; `None` where there is no telling.
+    pub(crate) fn in_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
+        if let Mode::Round(_) = state {
+            return match rates {
+                Law::Edge(_) => Some(Mode::Facet(0)),
+                // It has just stuck.
+                Law::Bonded => Some(Mode::Rolling),
+                // At the apex there is no telling which way it slid.
+                Law::Absent | Law::Cone { .. } => None,
+            };
+        }
+        let Law::Edge(edge) = rates else { return Some(state) };
+        let facets = self.facets();
+        let [first, second] = state.own_facets(facets.len());
+        let at = |k: usize| edge.iter().position(|h| *h == facets[k]);
+        match (first, second) {
+            (None, _) => Some(state),
+            (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
+            // The only corner of an edge is that between its two facets.
+            (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
+        }
+    }
+}

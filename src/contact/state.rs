@@ -1,0 +1,102 @@
+//! What a contact does, with all that belongs to it: the one type of contact states.
+
+use std::convert::Infallible;
+
+use nalgebra::SVector;
+
+use super::slide::Slide;
+
+/// A state of a contact, with R for the way in which it slides on a round cone.
+///
+/// | state | force | condition |
+/// |---|---|---|
+/// | open | `F = 0` | gap >= 0 |
+/// | rolling | `F = K v` | force in the cone, no slip |
+/// | facet j | `h_j·F_t = μ F_n` | slip along h_j, or across it where a spring still holds |
+/// | corner j | F_t at the corner of facets j and j + 1 | slip between their normals |
+/// | round | `F_t = μ F_n p` | slip along p |
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Mode<R> {
+    Open,
+    Rolling,
+    /// On one facet, by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
+    Facet(u16),
+    /// In space, where a facet and the next meet.
+    Corner(u16),
+    Round(R),
+}
+
+/// A state on any cone.
+pub(crate) type State<const C: usize> = Mode<Slide<C>>;
+
+/// A state on a polygon, in few bytes: passes over many contacts are as fast as their memory.
+pub(crate) type PolygonState = Mode<Infallible>;
+
+impl<R> Mode<R> {
+    pub(crate) fn slides(&self) -> bool {
+        matches!(self, Self::Facet(_) | Self::Corner(_) | Self::Round(_))
+    }
+
+    pub(crate) fn is_open(&self) -> bool {
+        matches!(self, Self::Open)
+    }
+
+    pub(crate) fn is_rolling(&self) -> bool {
+        matches!(self, Self::Rolling)
+    }
+
+    /// Whether both are the same state but for the direction of a slide on the round cone.
+    pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
+        match (self, other) {
+            (Self::Open, Mode::Open) | (Self::Rolling, Mode::Rolling) | (Self::Round(_), Mode::Round(_)) => {
+                true
+            }
+            (Self::Facet(a), Mode::Facet(b)) | (Self::Corner(a), Mode::Corner(b)) => a == b,
+            _ => false,
+        }
+    }
+
+    /// The facets among `count` on which the contact slides.
+    pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
+        match self {
+            Self::Facet(j) => [Some(usize::from(*j)), None],
+            Self::Corner(j) => [Some(usize::from(*j)), Some((usize::from(*j) + 1) % count)],
+            Self::Open | Self::Rolling | Self::Round(_) => [None, None],
+        }
+    }
+}
+
+impl<const C: usize> State<C> {
+    /// How the contact slides on the round cone, if it does.
+    pub(crate) fn slide(&self) -> Option<&Slide<C>> {
+        if let Self::Round(slide) = self { Some(slide) } else { None }
+    }
+
+    /// The state on a polygon; `None` for one on the round cone.
+    pub(crate) fn on_polygon(self) -> Option<PolygonState> {
+        match self {
+            Self::Open => Some(Mode::Open),
+            Self::Rolling => Some(Mode::Rolling),
+            Self::Facet(j) => Some(Mode::Facet(j)),
+            Self::Corner(j) => Some(Mode::Corner(j)),
+            Self::Round(_) => None,
+        }
+    }
+
+    /// A slide on the round cone whose friction force points along a tangent, and whose slip so far is in the drive.
+    pub(crate) fn sliding_along(friction: &SVector<f64, C>) -> Self {
+        Self::Round(Slide::new(friction, 0.0))
+    }
+}
+
+impl<const C: usize> From<PolygonState> for State<C> {
+    fn from(state: PolygonState) -> Self {
+        match state {
+            Mode::Open => Self::Open,
+            Mode::Rolling => Self::Rolling,
+            Mode::Facet(j) => Self::Facet(j),
+            Mode::Corner(j) => Self::Corner(j),
+            Mode::Round(never) => match never {},
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! The tangential part of a vector in a contact frame.
+
+use nalgebra::SVector;
+
+/// Squares between this and its reciprocal have lost no digits by underflow or overflow.
+const SAFE_SQUARE: f64 = 1e-280;
+
+/// The vector without its normal component.
+#[inline(always)]
+pub(crate) fn tangential<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
+    let mut t = *v;
+    t[0] = 0.0;
+    t
+}
+
+/// The length of the tangential part; that of a contact that hardly presses has a square that underflows.
+#[inline(always)]
+pub(crate) fn tangential_norm<const C: usize>(v: &SVector<f64, C>) -> f64 {
+    let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
+    if (SAFE_SQUARE..1.0 / SAFE_SQUARE).contains(&square) {
+        square.sqrt()
+    } else {
+        v.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x))
+    }
+}
+
+/// `a × b` of two tangents in space, along the normal.
+#[inline(always)]
+pub(crate) fn cross<const C: usize>(a: &SVector<f64, C>, b: &SVector<f64, C>) -> f64 {
+    a[1] * b[2] - a[2] * b[1]
+}

@@ -1,0 +1,221 @@
+//! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist free.
+//!
+//! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
+//! friction) needs no row: its force is linear in q.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::rows::{Form, Row};
+use crate::contact::{LocalLaw, Mode, State};
+use crate::lcp::{Basis, Lcp};
+use crate::object::Problem;
+
+/// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and when a
+/// number overflows.
+pub(crate) fn force_form<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<Form> {
+    if problem.locals().any(|local| local.is_on_an_edge()) {
+        return None;
+    }
+    let mut b = Builder::new(problem);
+    for contact in 0..problem.len() {
+        b.add_rows(contact);
+    }
+    let forces = b.rows.len();
+    let n = forces + 2 * D;
+    let unit = twist_units(problem);
+    let mut m = DMatrix::zeros(n, n);
+    let mut q = DVector::zeros(n);
+    for contact in 0..problem.len() {
+        b.fill(contact, &mut m, &mut q, &unit);
+    }
+    for axis in 0..D {
+        for (half, sign) in [(0, 1.0), (1, -1.0)] {
+            let row = forces + 2 * axis + half;
+            q[row] = -sign * b.load[axis] * unit[axis];
+            for other in 0..D {
+                let h = sign * b.stiffness[axis][other] * unit[axis] * unit[other];
+                m[(row, forces + 2 * other)] = h;
+                m[(row, forces + 2 * other + 1)] = -h;
+            }
+            b.rows.push(Row::Balance { axis, positive: half == 0 });
+            b.z_unit.push(unit[axis]);
+            b.w_unit.push(1.0 / unit[axis]);
+        }
+    }
+    Some(Form { lcp: Lcp::new(m, q).ok()?, rows: b.rows, z_unit: b.z_unit, w_unit: b.w_unit })
+}
+
+/// The contact states of a complementary basis.
+pub(crate) fn force_states<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    form: &Form,
+    basis: &Basis,
+) -> Vec<State<C>> {
+    let n = problem.len();
+    let (mut pressed, mut slips) = (vec![true; n], vec![false; n]);
+    let mut corners: Vec<Vec<u16>> = vec![Vec::new(); n];
+    for (i, row) in form.rows.iter().enumerate() {
+        match *row {
+            Row::NormalForce { contact } => pressed[contact] = basis.contains(i),
+            Row::SlipSize { contact } => slips[contact] = basis.contains(i),
+            Row::TangentialForce { contact, corner } if basis.contains(i) => {
+                corners[contact].extend(u16::try_from(corner));
+            }
+            _ => {}
+        }
+    }
+    let state = |(contact, local): (usize, LocalLaw<'_, C>)| {
+        let facets = local.facets().len();
+        match *corners[contact] {
+            _ if !pressed[contact] => Mode::Open,
+            _ if !slips[contact] => local.unjumped(),
+            // A corner is where two facets meet; on a facet the force stands between two corners.
+            [corner] if C == 3 => Mode::Corner(corner),
+            [corner] => Mode::Facet(corner),
+            [a, b] if C == 3 && b == a + 1 => Mode::Facet(b),
+            [a, b] if C == 3 && a == 0 && usize::from(b) + 1 == facets => Mode::Facet(a),
+            _ => Mode::Open,
+        }
+    };
+    problem.locals().enumerate().map(state).collect()
+}
+
+/// Twist components in the unit that makes the stretched springs of a unit twist of order one.
+fn twist_units<const D: usize, const C: usize>(problem: &Problem<D, C>) -> [f64; D] {
+    let mut sums = [0.0; D];
+    for site in problem.sites {
+        for axis in 0..site.springs.axes() {
+            for d in 0..D {
+                sums[d] += site.springs.force_along(axis, site.map[(d, axis)].powi(2));
+            }
+        }
+    }
+    sums.map(|sum| if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 })
+}
+
+struct Builder<'p, 'g, const D: usize, const C: usize> {
+    problem: &'p Problem<'g, D, C>,
+    rows: Vec<Row>,
+    z_unit: Vec<f64>,
+    w_unit: Vec<f64>,
+    /// First row of each contact.
+    first: Vec<usize>,
+    /// Σ G k Gᵀ of the springs that act both ways, and the load with their drives.
+    stiffness: [[f64; D]; D],
+    load: SVector<f64, D>,
+}
+
+impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
+    fn new(problem: &'p Problem<'g, D, C>) -> Self {
+        Self {
+            problem,
+            rows: Vec::new(),
+            z_unit: Vec::new(),
+            w_unit: Vec::new(),
+            first: Vec::new(),
+            stiffness: [[0.0; D]; D],
+            load: problem.wrench,
+        }
+    }
+
+    fn add_rows(&mut self, contact: usize) {
+        self.first.push(self.rows.len());
+        let mut push = |row, z, w| {
+            self.rows.push(row);
+            self.z_unit.push(z);
+            self.w_unit.push(w);
+        };
+        let local = self.problem.local(contact);
+        if local.may_open() {
+            let root = local.springs.root_along(0);
+            push(Row::NormalForce { contact }, root, 1.0 / root);
+        }
+        let facets = local.facets().len();
+        if facets > 0 {
+            let root = local.springs.root_along(1);
+            for corner in 0..facets {
+                push(Row::TangentialForce { contact, corner }, root, 1.0 / root);
+            }
+            push(Row::SlipSize { contact }, 1.0 / root, root);
+        }
+    }
+
+    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &[f64; D]) {
+        let problem = self.problem;
+        let local = problem.local(contact);
+        if local.is_absent() {
+            return;
+        }
+        let (site, a) = (&problem.sites[contact], &problem.drives[contact]);
+        let twist_columns = self.rows.len();
+        let mut next = self.first[contact];
+        let presses = local.may_open().then(|| {
+            let row = next;
+            next += 1;
+            row
+        });
+        let facets = local.facets().len();
+        // A wrench v multiplying the (split, scaled) twist in one row, and its negative in the balance rows.
+        let couple = |m: &mut DMatrix<f64>, row: usize, v: SVector<f64, D>, skew: bool| {
+            for axis in 0..D {
+                let entry = v[axis] * unit[axis];
+                let column = twist_columns + 2 * axis;
+                m[(row, column)] += entry;
+                m[(row, column + 1)] -= entry;
+                if skew {
+                    m[(column, row)] -= entry;
+                    m[(column + 1, row)] += entry;
+                }
+            }
+        };
+        let root_n = local.springs.root_along(0);
+        if let Some(row) = presses {
+            m[(row, row)] = 1.0;
+            q[row] = -root_n * a[0];
+            couple(m, row, site.map.column(0) * root_n, true);
+        } else {
+            self.both_ways(contact, 0);
+        }
+        if facets == 0 {
+            for axis in 1..local.springs.axes() {
+                self.both_ways(contact, axis);
+            }
+            return;
+        }
+        let root_t = local.springs.root_along(1);
+        let size_row = next + facets;
+        let corners = &local.polygon.corners;
+        for (j, d) in corners.iter().enumerate() {
+            let row = next + j;
+            q[row] = -root_t * d.dot(a);
+            m[(row, size_row)] = 1.0;
+            m[(size_row, row)] = -1.0;
+            for (l, other) in corners.iter().enumerate() {
+                let bent = (1..C).map(|axis| d[axis] * other[axis] * local.springs.ratio(1, axis));
+                m[(row, next + l)] = bent.sum();
+            }
+            couple(m, row, site.map * d * root_t, true);
+        }
+        let cone = local.cone();
+        if let Some(row) = presses {
+            m[(size_row, row)] = cone.limit(root_n) / root_t;
+        } else {
+            let limit = cone.limit(local.springs.force_along(0, 1.0)) / root_t;
+            q[size_row] = limit * a[0];
+            couple(m, size_row, site.map.column(0) * -limit, false);
+        }
+    }
+
+    /// A spring that acts both ways: F = k (a - G_iᵀq) along this axis.
+    fn both_ways(&mut self, contact: usize, axis: usize) {
+        let site = &self.problem.sites[contact];
+        let g = site.map.column(axis);
+        self.load += g * site.springs.force_along(axis, self.problem.drives[contact][axis]);
+        for i in 0..D {
+            let pulled = site.springs.force_along(axis, g[i]);
+            for j in 0..D {
+                self.stiffness[i][j] += pulled * g[j];
+            }
+        }
+    }
+}

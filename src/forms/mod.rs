@@ -1,0 +1,38 @@
+//! From the question to complementarity: the two forms, what their rows mean, what is left out.
+//!
+//! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the friction
+//! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`]).
+//!
+//! **Kinematic form** ([`Grasp::kinematic_form`]). Everything sticks at first, F⁰ = K (a - Gᵀq⁰) with Σ G_i F⁰_i + W = 0: one d x d solve. On top of it
+//! come jumps z, gaps and slips `s = Σ σ_j h_j`, that change the forces by what the object does not follow:
+//!
+//! ```text
+//! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0
+//! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
+//! ```
+//!
+//! Small, and solved by z = 0 exactly when everything rolls. Its matrix is not copositive: with strong friction Lemke's method can end on a ray
+//! although an equilibrium exists, so that a ray proves nothing.
+//!
+//! **Force form** ([`Grasp::force_form`]). Forces are the unknowns, compliances stand on the diagonal, the twist is free:
+//!
+//! ```text
+//! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0
+//! 0 <= β_j ⟂ λ - d_j·s,   s = a_t - t·u_c - K_t⁻¹ F_t,  F_t = Σ β_j d_j  >= 0
+//! 0 <= λ   ⟂ μ F_n - Σ β_j                                            >= 0
+//! q free:   Σ G_i F_i + W = 0
+//! ```
+//!
+//! About twice the size, and copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q > 0.
+//!
+//! A row that a contact does not need is never made ([`Why`]). [`Form`] says which row is what ([`Row`]) and in which units.
+
+mod force_form;
+mod kinematic;
+mod questions;
+mod rows;
+
+pub use rows::{Form, LeftOut, Row, Why};
+
+pub(crate) use force_form::{force_form, force_states};
+pub(crate) use kinematic::{kinematic_form, kinematic_states};

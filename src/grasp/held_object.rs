@@ -1,0 +1,163 @@
+//! A grasp: the contacts that were given, checked, with what the arithmetic needs of them.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::contact::{Axes, Contact};
+use super::rotation::assert_plane_or_space;
+use super::site::Site;
+use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
+
+/// An object held by elastic fingers: a checked list of contacts.
+///
+/// The reference point of wrenches and twists is the origin of the coordinates in which the contact points are given.
+#[derive(Debug, Clone)]
+pub struct Grasp<const D: usize, const C: usize> {
+    contacts: Vec<Contact<C>>,
+    sites: Vec<Site<D, C>>,
+    /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a far away
+    /// reference point costs no digits.
+    pub(super) origin: SVector<f64, C>,
+    /// Root mean square distance of the contact points from their centroid: inside, the unit of length of arms, so
+    /// that rotations and translations have comparable size whatever the user's unit.
+    pub(super) length: f64,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Checks the contacts and lays out their frames.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    /// use grasp_lcp::{Error, Field};
+    ///
+    /// let contact = |mu| Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(1.0, 1.0).friction(mu);
+    /// assert_eq!(Grasp::new([contact(0.3), contact(0.5)])?.len(), 2);
+    ///
+    /// let refused = Grasp::new([contact(0.3), contact(-0.5).name("thumb")]).unwrap_err();
+    /// assert!(matches!(refused, Error::Contact { field: Field::Friction, value: -0.5, .. }));
+    /// assert_eq!(refused.to_string(), "contact 1 (thumb): friction coefficient is -0.5, must be from 0 to 1e50, or infinite");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that is out of range.
+    pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
+        const { assert_plane_or_space::<D, C>() };
+        let mut contacts: Vec<_> = contacts.into_iter().collect();
+        if contacts.is_empty() {
+            return Err(Error::EmptyGrasp);
+        }
+        for (index, contact) in contacts.iter_mut().enumerate() {
+            contact.check(index)?;
+            (contact.command, contact.command_axes) = (contact.commanded(), Axes::Frame);
+        }
+        let count = contacts.len() as f64;
+        let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
+        let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
+        // A single point has no size of its own; then any unit of length does.
+        let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
+        let site = |(index, contact)| Site::new(contact, index, &origin, length);
+        let sites = contacts.iter().enumerate().map(site).collect::<Result<_, Error>>()?;
+        Ok(Self { contacts, sites, origin, length })
+    }
+
+    /// Number of contacts, at least 1.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a grasp is never empty")]
+    pub fn len(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// The contacts as they were given, their commands in the contact frames.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact<C>] {
+        &self.contacts
+    }
+
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a
+    /// rotation, [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it; in the plane it is a
+    /// reflection, since `t = (n_y, -n_x)` lies clockwise of n.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::{Rotation3, Vector3};
+    /// use grasp_lcp::spatial::{Contact, Grasp};
+    ///
+    /// let grasp = Grasp::new([Contact::new([0.0; 3], [0.0, 0.0, -2.0]).series_stiffness(1.0, 1.0)])?;
+    /// for frame in grasp.frames() {
+    ///     assert_eq!(frame.column(0), -Vector3::z());
+    ///     assert_eq!(Rotation3::from_matrix_unchecked(*frame).matrix().determinant(), 1.0);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
+        self.sites.iter().map(|site| &site.frame)
+    }
+
+    /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m): arrays, or vectors.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let squeezed = grasp.with_commands([[0.03, 0.0]; 2])?;
+    /// let outcome = squeezed.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 30.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not finite.
+    pub fn with_commands(
+        mut self,
+        commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
+    ) -> Result<Self, Error> {
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into())).collect();
+        self.check_commands(&commands, "commands", Field::Command)?;
+        for (contact, command) in self.contacts.iter_mut().zip(commands) {
+            contact.command = command;
+        }
+        Ok(self)
+    }
+
+    pub(crate) fn check_commands(
+        &self,
+        commands: &[SVector<f64, C>],
+        what: &'static str,
+        field: Field,
+    ) -> Result<(), Error> {
+        if commands.len() != self.len() {
+            return Err(Error::Size { what, given: commands.len(), expected: self.len() });
+        }
+        for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
+            if let Some(&value) = command.iter().find(|x| !is_moderate(**x)) {
+                return Err(Error::Contact {
+                    contact: contact.label(index),
+                    field,
+                    value,
+                    allowed: MODERATE,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn sites(&self) -> &[Site<D, C>] {
+        &self.sites
+    }
+
+    /// a_i: commanded displacements in the contact frames, the normal part less the clearance.
+    pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
+        self.each_drive().collect()
+    }
+
+    pub(crate) fn each_drive(&self) -> impl Iterator<Item = SVector<f64, C>> {
+        self.contacts.iter().map(|contact| {
+            let mut a = contact.command;
+            a[0] -= contact.clearance;
+            a
+        })
+    }
+}

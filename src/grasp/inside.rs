@@ -1,0 +1,71 @@
+//! Inside coordinates: moments and rotations about the centroid of the contact points, in their own unit of length.
+//!
+//! Wrenches and twists of a question are moved there and those of an answer are moved back, so that neither a far away
+//! reference point nor the unit of the user costs digits.
+
+use nalgebra::SVector;
+
+use super::held_object::Grasp;
+use super::rotation::{moved_twist, moved_wrench, planes};
+use super::wrench::{Twist, Wrench};
+use crate::error::Error;
+use crate::numerics::DoubleDouble;
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// A checked wrench, moved to the centroid and to the inside unit of length.
+    pub(crate) fn inside(&self, wrench: &Wrench<D>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+        wrench.check(what)?;
+        Ok(self.inside_unchecked(wrench))
+    }
+
+    /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+        self.per_length(moved_wrench::<D, C>(&-self.origin, wrench.as_vector()))
+    }
+
+    /// What rounding takes from a wrench moved inside.
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+        let (w, inside) = (wrench.as_vector(), self.inside_unchecked(wrench));
+        let mut rest = SVector::zeros();
+        for (k, &(i, j)) in planes::<C>().iter().enumerate() {
+            let mut moment = DoubleDouble::new(w[C + k]);
+            moment.add_product(-self.origin[i], w[j]);
+            moment.add_product(self.origin[j], w[i]);
+            moment.add_product(-inside[C + k], self.length);
+            rest[C + k] = moment.value() / self.length;
+        }
+        rest
+    }
+
+    /// Root mean square distance of the contact points from their centroid.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// A wrench as the user sees it, from inside coordinates.
+    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D> {
+        Wrench::from_vector(moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
+    }
+
+    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of length.
+    pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
+        self.times_length(moved_twist::<D, C>(&-self.origin, twist.as_vector()))
+    }
+
+    /// A twist as the user sees it, from inside coordinates.
+    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D> {
+        Twist::from_vector(moved_twist::<D, C>(&self.origin, &self.per_length(*q)))
+    }
+
+    /// Angular components divided by the inside unit of length.
+    fn per_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+        v.iter_mut().skip(C).for_each(|x| *x /= self.length);
+        v
+    }
+
+    /// Angular components times the inside unit of length.
+    fn times_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+        v.iter_mut().skip(C).for_each(|x| *x *= self.length);
+        v
+    }
+}

@@ -1,0 +1,69 @@
+//! One contact as the arithmetic sees it.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::contact::{Contact, Hold};
+use super::rotation::grasp_map_in_twice;
+use crate::contact::{Compliance, Coulomb, Law};
+use crate::error::Error;
+
+/// What the arithmetic needs of one contact, in inside coordinates.
+#[derive(Debug, Clone)]
+pub(crate) struct Site<const D: usize, const C: usize> {
+    /// Grasp map G_i.
+    pub(crate) map: SMatrix<f64, D, C>,
+    /// What rounding took from G_i, given the points and the frame.
+    pub(crate) map_rest: SMatrix<f64, D, C>,
+    /// Contact frame, columns n, t….
+    pub(crate) frame: SMatrix<f64, C, C>,
+    pub(crate) springs: Compliance<C>,
+    pub(crate) friction: Coulomb,
+    pub(crate) hold: Hold,
+}
+
+impl<const D: usize, const C: usize> Site<D, C> {
+    /// The contact with this index, about the centroid `origin` and in the inside unit of `length`.
+    ///
+    /// # Errors
+    /// [`Error::Contact`] if the contact has no frame.
+    pub(super) fn new(
+        contact: &Contact<C>,
+        index: usize,
+        origin: &SVector<f64, C>,
+        length: f64,
+    ) -> Result<Self, Error> {
+        let frame = contact.frame(index)?;
+        let axes = contact.springs();
+        let series = contact.stiffness.series();
+        let (map, map_rest) = grasp_map_in_twice(&contact.point, origin, length, &frame);
+        Ok(Self {
+            map,
+            map_rest,
+            frame,
+            springs: Compliance::new(&series, axes),
+            friction: Coulomb::new(contact.friction),
+            hold: contact.hold,
+        })
+    }
+
+    /// The law of the contact at rest.
+    pub(crate) fn whole_law(&self) -> Law<C> {
+        match self.hold {
+            Hold::Unilateral => Law::Cone { gap: true },
+            Hold::KeptClosed => Law::Cone { gap: false },
+            Hold::Bonded => Law::Bonded,
+        }
+    }
+
+    /// `a - G_iᵀq`.
+    #[inline(always)]
+    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
+        drive - self.map.tr_mul(twist)
+    }
+
+    /// Size of the displacements at the contact: translation and rotation may cancel there, their rounding does not.
+    #[inline(always)]
+    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &SVector<f64, D>) -> f64 {
+        drive.norm() + self.map.norm() * twist.norm()
+    }
+}

@@ -1,0 +1,94 @@
+//! One attempt: a path from the slacks to its end, and what that end is worth.
+//!
+//! An attempt answers `None` where the workspace then holds a solution, and otherwise says how it failed.
+
+use super::certificate;
+use super::dictionary::Unknown;
+use super::lemke::End;
+use super::outcome::{BreakdownCause, Outcome};
+use super::problem::Lcp;
+use super::settings::Settings;
+use super::workspace::Workspace;
+
+/// So many times a path is taken up again where rounding has led it to a basis that is not feasible.
+/// Each time costs one elimination; a path that misses thrice has met a basis too close to singular.
+const RESUMPTIONS: usize = 3;
+
+impl Workspace {
+    /// Balances a problem in the place of the one before.
+    pub(super) fn prepare(&mut self, lcp: &Lcp) {
+        self.residuals = None;
+        self.path.prepare(lcp.m.as_slice(), lcp.q.as_slice());
+        self.reserve(lcp.len());
+    }
+
+    /// The path of a prepared problem with the covering vector of the settings.
+    pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        if let Err(cause) = self.cover(lcp, settings) {
+            return Some(Outcome::Breakdown { pivots: self.path.pivots, cause });
+        }
+        self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
+    }
+
+    /// That path alone, without the ladder, of a problem that is not prepared yet.
+    pub(super) fn follow_once(&mut self, lcp: &Lcp, settings: &Settings) -> Outcome {
+        self.prepare(lcp);
+        let failure = self.first_path(lcp, settings);
+        self.answer(failure).into_outcome()
+    }
+
+    /// Puts the covering vector, in balanced rows, into the path.
+    fn cover(&mut self, lcp: &Lcp, settings: &Settings) -> Result<(), BreakdownCause> {
+        let Some(d) = &settings.covering else {
+            self.path.d.clone_from(&self.path.scaling.row_unit);
+            return Ok(());
+        };
+        if d.len() != lcp.len() {
+            return Err(BreakdownCause::CoveringLength { given: d.len(), needed: lcp.len() });
+        }
+        for (row, (d, q)) in d.iter().zip(&lcp.q).enumerate() {
+            if !(d.is_finite() && *d >= 0.0) || (*q < 0.0 && *d == 0.0) {
+                return Err(BreakdownCause::CoveringEntry { row, value: *d });
+            }
+        }
+        self.path.d.clear();
+        self.path.d.extend(d.iter().zip(&self.path.scaling.row).map(|(d, row)| d * row));
+        Ok(())
+    }
+
+    /// Follows Lemke's path from the slack basis and checks where it ends.
+    pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Outcome> {
+        let m = lcp.m.as_slice();
+        self.path.start_from_slacks();
+        self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
+        let end = self.path.cover_and_run(m, settings, limit);
+        let pivots = self.path.pivots;
+        Some(match end {
+            End::Complementary => return self.finish_or_resume(lcp, settings, limit),
+            End::Ray(entering) => match certificate::ray(lcp, &self.path, entering) {
+                Some(ray) => Outcome::Ray(ray),
+                None => Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow },
+            },
+            End::PivotLimit => Outcome::PivotLimit { pivots },
+            End::Breakdown(cause) => Outcome::Breakdown { pivots, cause },
+        })
+    }
+
+    /// Checks the end of a path. Where rounding has led the path to a basis that is not feasible, the path is
+    /// taken up again from there.
+    pub(super) fn finish_or_resume(
+        &mut self,
+        lcp: &Lcp,
+        settings: &Settings,
+        limit: usize,
+    ) -> Option<Outcome> {
+        for _ in 0..RESUMPTIONS {
+            let failure = self.finish(lcp, settings)?;
+            let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();
+            if !self.path.run_from(lcp.m.as_slice(), |i| active[i], settings, limit) {
+                return Some(failure);
+            }
+        }
+        self.finish(lcp, settings)
+    }
+}

@@ -1,0 +1,12 @@
+//! Vectors that keep their memory from one problem to the next.
+
+/// Makes a vector n copies of a value.
+pub(super) fn refill<T: Clone>(v: &mut Vec<T>, n: usize, value: T) {
+    v.clear();
+    v.resize(n, value);
+}
+
+/// Gives a vector room for n entries, whatever it holds.
+pub(super) fn make_room<T>(v: &mut Vec<T>, n: usize) {
+    v.reserve(n.saturating_sub(v.len()));
+}

@@ -1,0 +1,77 @@
+//! A point z with its slacks, and how well it solves a problem.
+
+use super::basis::Basis;
+use super::problem::Lcp;
+use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::tolerances::ZERO;
+use nalgebra::DVector;
+
+/// z, w = M z + q, and the sizes of the terms of w.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Point {
+    pub(super) z: Vec<f64>,
+    pub(super) w: Vec<f64>,
+    /// a_i = |q_i| + Σ_j |M_ij| |z_j|.
+    pub(super) terms: Vec<f64>,
+}
+
+impl Point {
+    /// The point z of a problem.
+    pub(super) fn new(z: Vec<f64>, lcp: &Lcp) -> Self {
+        let mut point = Self { z, ..Self::default() };
+        point.sum(lcp);
+        point
+    }
+
+    /// Sums w and its terms.
+    fn sum(&mut self, lcp: &Lcp) {
+        self.w.resize(lcp.len(), 0.0);
+        self.terms.resize(lcp.len(), 0.0);
+        slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
+    }
+
+    /// Measures the violations, once w and its terms are summed.
+    pub(super) fn residuals(&self, lcp: &Lcp) -> Residuals {
+        residuals_from(&lcp.m, &self.z, &self.w, &self.terms)
+    }
+
+    /// Sums w and its terms and measures the violations.
+    pub(super) fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
+        self.sum(lcp);
+        self.residuals(lcp)
+    }
+
+    /// Whether w_i is more than its tolerance although z_i is basic.
+    pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
+        self.w[i] > tolerance * self.terms[i]
+    }
+
+    /// Sets w_i = 0 where z_i is basic, and cuts noise below zero off elsewhere. Returns whether a basic variable
+    /// is zero.
+    pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
+        let mut degenerate = false;
+        for (i, w) in self.w.iter_mut().enumerate() {
+            if basis.contains(i) {
+                *w = 0.0;
+                degenerate |= self.z[i] == 0.0;
+            } else {
+                degenerate |= *w <= ZERO * self.terms[i];
+                *w = w.max(0.0);
+            }
+        }
+        degenerate
+    }
+}
+
+impl Lcp {
+    /// Measures how well z (n entries) solves the problem, see [`Residuals`].
+    ///
+    /// A z of another length, or with entries that are not finite, solves nothing: its residuals are infinite.
+    #[must_use]
+    pub fn residuals(&self, z: &DVector<f64>) -> Residuals {
+        if z.len() != self.len() {
+            return Residuals::UNUSABLE;
+        }
+        Point::new(z.as_slice().to_vec(), self).residuals(self)
+    }
+}

@@ -1,0 +1,49 @@
+//! The problem itself.
+
+use super::error::LcpError;
+use nalgebra::{DMatrix, DVector};
+
+/// A linear complementarity problem (M, q) with finite entries.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lcp {
+    pub(super) m: DMatrix<f64>,
+    pub(super) q: DVector<f64>,
+}
+
+impl Lcp {
+    /// The problem with the n × n matrix M and the vector q of n entries; n may be 0.
+    ///
+    /// # Errors
+    ///
+    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows, [`LcpError::MatrixEntry`] and
+    /// [`LcpError::VectorEntry`] for an entry that is not finite.
+    pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
+        LcpError::check_square("M", &m)?;
+        LcpError::check_vector("q", &q, m.nrows())?;
+        Ok(Self { m, q })
+    }
+
+    /// M.
+    #[must_use]
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.m
+    }
+
+    /// q.
+    #[must_use]
+    pub fn vector(&self) -> &DVector<f64> {
+        &self.q
+    }
+
+    /// The number n of pairs (w_i, z_i).
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.q.len()
+    }
+
+    /// Whether n = 0.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.q.is_empty()
+    }
+}

@@ -1,0 +1,118 @@
+//! Where a solve starts: from the slacks, from a basis, or from the dictionary of the problem before.
+
+use super::answer::Answer;
+use super::basis::Basis;
+use super::lemke::End;
+use super::outcome::Outcome;
+use super::problem::Lcp;
+use super::settings::Settings;
+use super::workspace::Workspace;
+
+impl Lcp {
+    /// Solves the problem by Lemke's method with the default [`Settings`].
+    #[must_use]
+    pub fn solve(&self) -> Outcome {
+        self.solve_with(&Settings::default())
+    }
+
+    /// Solves the problem by Lemke's method; an ordinary path has one to three times n pivots.
+    ///
+    /// Where the first path ends without a solution, but not at a limit on pivots or a wrong covering vector that the caller has set, these
+    /// follow, each only if those before have settled nothing:
+    ///
+    /// 1. the ray itself as a Farkas vector;
+    /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 };
+    /// 3. paths with other covering vectors and from other bases ([`Settings::retries`]);
+    /// 4. all 2ⁿ complementary bases of a small problem ([`Settings::enumerate_up_to`]).
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Lcp, Outcome, Proof, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = −z − 1 is negative for every z ≥ 0: y = 1 has Mᵀy = −1 ≤ 0 and qᵀy = −1 < 0.
+    /// let problem = Lcp::new(DMatrix::from_element(1, 1, -1.0), DVector::from_element(1, -1.0))?;
+    /// let Outcome::Ray(ray) = problem.solve_with(&Settings::default().with_retries(0)) else { panic!("w < 0") };
+    /// let Proof::Infeasible(y) = ray.proof else { panic!("no z ≥ 0 has w ≥ 0") };
+    /// assert!(problem.proves_infeasible(&y));
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    #[must_use]
+    pub fn solve_with(&self, settings: &Settings) -> Outcome {
+        Workspace::new().solve(self, settings).into_outcome()
+    }
+
+    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such as that of a
+    /// neighbouring problem: only what is infeasible there is covered by z₀, so the path is as short as the bases are close.
+    ///
+    /// A singular basis, a basis of another length, or a path that does not end in a solution lead back to
+    /// [`Lcp::solve_with`]. For many q with the same M use a [`Series`].
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::{Basis, Lcp, Settings};
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = z - 1 is solved where z is basic: started there, no pivot is left to be made.
+    /// let problem = Lcp::new(DMatrix::from_element(1, 1, 1.0), DVector::from_element(1, -1.0))?;
+    /// let outcome = problem.solve_from(&Basis::from_indices(1, [0]), &Settings::default());
+    /// let solution = outcome.solution().expect("M > 0");
+    /// assert_eq!((solution.z[0], solution.w[0], solution.pivots), (1.0, 0.0, 0));
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    #[must_use]
+    pub fn solve_from(&self, basis: &Basis, settings: &Settings) -> Outcome {
+        Workspace::new().solve_from(self, basis, settings).into_outcome()
+    }
+}
+
+impl Workspace {
+    /// Solves a problem like [`Lcp::solve_with`].
+    pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> Answer<'_> {
+        let failure = if lcp.q.iter().all(|q| *q >= 0.0) {
+            self.residuals = None;
+            self.path.pivots = 0;
+            self.accept_slack_basis(lcp, settings)
+        } else {
+            self.solve_first(lcp, settings)
+        };
+        self.answer(failure)
+    }
+
+    /// Solves a problem like [`Lcp::solve_from`].
+    pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
+        self.prepare(lcp);
+        self.path.d.clear();
+        self.path.d.resize(lcp.len(), 0.0);
+        let fits = basis.len() == lcp.len()
+            && self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok();
+        let failure = if fits { self.resume(lcp, settings) } else { self.climb(lcp, settings) };
+        self.answer(failure)
+    }
+
+    /// Solves a problem and leaves the dictionary of its basis, even if that is the slack basis.
+    pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        self.prepare(lcp);
+        self.climb(lcp, settings)
+    }
+
+    /// Solves for a right-hand side that belongs to the matrix whose dictionary the path holds.
+    pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        self.residuals = None;
+        self.path.pivots = 0;
+        self.path.set_right_hand_side(lcp.q.as_slice());
+        self.path.recompute_values();
+        self.resume(lcp, settings)
+    }
+
+    /// Follows the path from the present complementary basis; a failure starts again from the slacks.
+    fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        let limit = settings.pivot_limit(lcp.len());
+        let m = lcp.m.as_slice();
+        let feasible = !self.path.cover_violations(m);
+        if (feasible || self.path.cover_and_run(m, settings, limit) == End::Complementary)
+            && self.finish(lcp, settings).is_none()
+        {
+            return None;
+        }
+        self.climb(lcp, settings)
+    }
+}

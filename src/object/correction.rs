@@ -1,0 +1,190 @@
+//! How far forces and a twist are from the solution of their piece.
+//!
+//! What they leave of the contact law and of equilibrium is evaluated in twice the working precision and solved for:
+//!
+//! ```text
+//! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
+//! ```
+//!
+//! A spring that still holds has no w along it: gaps and slips are what the others leave. Solving again gives the distance to the solution,
+//! not only a bound of it; on the round cone to first order, which is all of it where Newton's method has arrived.
+
+use nalgebra::SVector;
+
+use super::piece::{MOST_CORRECTIONS, NEARLY, Piece};
+use super::precise::{PreciseBalance, PreciseTwist};
+use super::problem::Problem;
+use crate::contact::{LocalLaw, Mode, Spring, State};
+use crate::numerics::DoubleDouble;
+
+/// What is missing of a solution.
+#[derive(Debug, Clone)]
+pub(crate) struct Correction<const D: usize, const C: usize> {
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    /// Without free motions.
+    pub(crate) twist: SVector<f64, D>,
+    /// How well the forces are known, N: what the last solution changed, unless the next would change nothing, and rounding of the stiffest
+    /// springs in twice the working precision. Where the piece is singular at working precision this is large.
+    pub(crate) doubt: f64,
+}
+
+impl<const D: usize, const C: usize> Piece<D, C> {
+    /// What these forces and this twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
+    /// force of the scene.
+    pub(crate) fn correction(
+        &self,
+        problem: &Problem<D, C>,
+        states: &[State<C>],
+        (at, from): (&[SVector<f64, C>], &PreciseTwist<D>),
+        size: f64,
+    ) -> Correction<D, C> {
+        let mut forces: Vec<[DoubleDouble; C]> =
+            at.iter().map(|f| std::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
+        let mut twist = *from;
+        let mut change = vec![0.0; self.springs.len()];
+        let mut doubt = 0.0;
+        for _ in 0..MOST_CORRECTIONS {
+            let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
+            let push = |(spring, x): (&Spring<C>, &f64)| spring.left.amax() * x.abs();
+            let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
+            // A stiff spring feels the rounding of the twist: what that leaves of e must not show in the change.
+            let noise = f64::EPSILON * largest(&change);
+            twist.add(&self.respond(&mut change, &left));
+            for (contact, springs, range) in self.of_each_contact() {
+                for (spring, change) in springs.iter().zip(&change[range]) {
+                    for (force, push) in forces[contact].iter_mut().zip(&spring.left) {
+                        force.add(push * change);
+                    }
+                }
+            }
+            let changed = largest(&change);
+            let settled = changed <= NEARLY * size;
+            doubt = noise + if settled { 0.0 } else { changed };
+            if settled && noise <= 0.1 * changed.max(f64::EPSILON * size) {
+                break;
+            }
+        }
+        let missing = |(forces, f): (&[DoubleDouble; C], &SVector<f64, C>)| {
+            SVector::from_fn(|a, _| {
+                let mut exact = forces[a];
+                exact.add(-f[a]);
+                exact.value()
+            })
+        };
+        let mut way = twist.less(from);
+        for v in self.free_motions() {
+            way -= v * v.dot(&way);
+        }
+        Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
+    }
+
+    /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
+    fn left_over(
+        &self,
+        problem: &Problem<D, C>,
+        states: &[State<C>],
+        forces: &mut [[DoubleDouble; C]],
+        twist: &PreciseTwist<D>,
+        e: &mut [f64],
+    ) -> SVector<f64, D> {
+        let mut balance = PreciseBalance::new(&problem.load());
+        for (contact, springs, range) in self.of_each_contact() {
+            let (site, force) = (&problem.sites[contact], &mut forces[contact]);
+            put_on_cone(&problem.local(contact), &states[contact], force);
+            let mut across = Across::of(&states[contact], force);
+            let mut along = [DoubleDouble::default(); C];
+            for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
+                if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
+                    let mut w = twist.stretch(site, a, problem.drives[contact][a]);
+                    w.subtract(site.springs.precise_give_along(a, *force));
+                    for (along, spring) in along.iter_mut().zip(springs) {
+                        along.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
+                    }
+                    if let Some(across) = &mut across {
+                        across.add(a, w);
+                    }
+                }
+                balance.add(site, a, *force);
+            }
+            if let Some(across) = across {
+                along[1] = across.times(springs.get(1));
+            }
+            for (e, along) in e[range].iter_mut().zip(along) {
+                *e = along.value();
+            }
+        }
+        balance.value()
+    }
+}
+
+/// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`: across the force itself, since on the way
+/// w is long.
+struct Across<const C: usize> {
+    along: [DoubleDouble; C],
+    length: f64,
+    sum: DoubleDouble,
+}
+
+impl<const C: usize> Across<C> {
+    fn of(state: &State<C>, force: &[DoubleDouble; C]) -> Option<Self> {
+        let Mode::Round(_) = state else { return None };
+        let mut along = [DoubleDouble::default(); C];
+        let minus = |f: DoubleDouble| DoubleDouble { high: -f.high, low: -f.low };
+        (along[1], along[2]) = (minus(force[2]), force[1]);
+        Some(Self { along, length: force[1].high.hypot(force[2].high), sum: DoubleDouble::default() })
+    }
+
+    fn add(&mut self, axis: usize, w: DoubleDouble) {
+        let along = self.along[axis];
+        self.sum.add_product_of_twice((along.high, along.low), w);
+    }
+
+    /// Times the root of the stiffness of the spring across.
+    fn times(&self, spring: Option<&Spring<C>>) -> DoubleDouble {
+        let root = spring.map_or(0.0, |spring| spring.right.norm());
+        let part = if self.length > 0.0 { root / self.length } else { 0.0 };
+        DoubleDouble::new(self.sum.value() * part)
+    }
+}
+
+/// Removes what rounding left between a sliding contact's force and the edge of its cone.
+fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force: &mut [DoubleDouble; C]) {
+    let mut limit = DoubleDouble::default();
+    limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);
+    let facets = local.facets();
+    match state {
+        Mode::Open | Mode::Rolling => {}
+        Mode::Round(_) => {
+            // |F_t| by the difference of the squares.
+            let length = force[1].high.hypot(force[2].high);
+            let mut squares = DoubleDouble::default();
+            squares.add_product_of_twice((limit.high, limit.low), limit);
+            for f in &force[1..] {
+                squares.add_product_of_twice((-f.high, -f.low), *f);
+            }
+            let size = length * (limit.high + length);
+            let stretch = if size > 0.0 { squares.value() / size } else { 0.0 };
+            for force in &mut force[1..] {
+                force.add(force.high * stretch);
+            }
+        }
+        Mode::Facet(j) => {
+            let h = &facets[usize::from(*j)];
+            let mut inside = limit;
+            for a in 1..C {
+                inside.add_product_of_twice((-h[a], 0.0), force[a]);
+            }
+            let pull = local.edge_direction(state) * inside.value();
+            for a in 1..C {
+                force[a].add(pull[a]);
+            }
+        }
+        Mode::Corner(_) => {
+            let p = local.edge_direction(state);
+            for (a, force) in force.iter_mut().enumerate().skip(1) {
+                *force = DoubleDouble::default();
+                force.add_product_of_twice((p[a], 0.0), limit);
+            }
+        }
+    }
+}

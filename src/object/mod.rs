@@ -1,0 +1,27 @@
+//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their own.
+//!
+//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything above asks this room for it.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `problem` | laws, drives and load: the local problem, at rest and in rates |
+//! | `piece` | the linear problem in known states, by orthogonal factors |
+//! | `tangent` | the tangent stiffness, and balance by steps on it |
+//! | `correction` | how far forces and a twist are from the solution of their piece |
+//! | `precise`, `load` | twist, balance and load in twice the working precision |
+//! | `sizes` | what rounding is measured against |
+
+mod correction;
+mod load;
+mod piece;
+mod precise;
+mod problem;
+mod sizes;
+mod tangent;
+
+pub(crate) use load::Load;
+pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
+pub(crate) use precise::PreciseTwist;
+pub(crate) use problem::Problem;
+pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
+pub(crate) use tangent::{Springs, add_tangent, balance, tangent_stiffness};

@@ -1,0 +1,146 @@
+//! The local problem that every room above asks in one way: a law for each contact, a drive for each contact, a load.
+//!
+//! ```text
+//! v_i = a_i - G_iᵀq,      F_i from v_i by the law of contact i,      Σ G_i F_i + W = 0
+//! ```
+//!
+//! At rest the drives a_i are commanded displacements and the laws are whole; in rates both are those of what happens next.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::load::Load;
+use super::precise::PreciseTwist;
+use crate::contact::{Law, LocalLaw, Mode, Polygon, Slide, State, tangential};
+use crate::grasp::Site;
+use crate::numerics::DoubleDouble;
+
+/// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
+#[derive(Debug, Clone)]
+pub(crate) struct Problem<'g, const D: usize, const C: usize> {
+    pub(crate) sites: &'g [Site<D, C>],
+    /// The polygon of every contact that has none of its own.
+    pub(crate) polygon: Arc<Polygon<C>>,
+    /// Polygons of their own, turned to the traction: none, or one a contact.
+    pub(crate) turned: Vec<Polygon<C>>,
+    pub(crate) laws: Vec<Law<C>>,
+    /// Commanded displacement less clearance and less the slip so far.
+    pub(crate) drives: Vec<SVector<f64, C>>,
+    /// The slip so far, in the contact frames.
+    pub(crate) slips: Vec<SVector<f64, C>>,
+    pub(crate) wrench: SVector<f64, D>,
+    /// What rounding took from the load when it was moved to the centroid.
+    pub(crate) wrench_rest: SVector<f64, D>,
+    /// Contacts with infinite friction get facets, as with a very large finite one.
+    pub(crate) infinite_friction_has_edges: bool,
+    /// In space: rolling contacts are held by the round cone; the polygon only proposes.
+    pub(crate) round: bool,
+}
+
+impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
+    /// Every contact with its whole law, on the round cone if `round`.
+    pub(crate) fn at_rest(
+        sites: &'g [Site<D, C>],
+        polygon: Arc<Polygon<C>>,
+        round: bool,
+        drives: Vec<SVector<f64, C>>,
+        load: &Load<D>,
+    ) -> Self {
+        Self {
+            sites,
+            polygon,
+            turned: Vec::new(),
+            laws: sites.iter().map(Site::whole_law).collect(),
+            slips: vec![SVector::zeros(); sites.len()],
+            drives,
+            wrench: load.wrench,
+            wrench_rest: load.rest,
+            infinite_friction_has_edges: false,
+            round,
+        }
+    }
+
+    /// The load to twice the working precision.
+    pub(crate) fn load(&self) -> Load<D> {
+        Load { wrench: self.wrench, rest: self.wrench_rest }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.sites.len()
+    }
+
+    /// The polygon that stands for the cone of a contact.
+    #[inline]
+    pub(crate) fn polygon(&self, contact: usize) -> &Polygon<C> {
+        self.turned.get(contact).unwrap_or(&self.polygon)
+    }
+
+    /// One contact with its law.
+    #[inline]
+    pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_, C> {
+        let site = &self.sites[contact];
+        LocalLaw::new(
+            &site.springs,
+            site.friction,
+            &self.laws[contact],
+            self.polygon(contact),
+            [self.round, self.infinite_friction_has_edges],
+        )
+    }
+
+    /// All contacts with their laws, in order.
+    pub(crate) fn locals(&self) -> impl ExactSizeIterator<Item = LocalLaw<'_, C>> {
+        (0..self.len()).map(|contact| self.local(contact))
+    }
+
+    /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
+    #[inline]
+    pub(crate) fn stretch(&self, contact: usize, twist: &SVector<f64, D>) -> SVector<f64, C> {
+        self.sites[contact].stretch(&self.drives[contact], twist)
+    }
+
+    /// The states of the elastic trial: everything that is there sticks.
+    pub(crate) fn unjumped(&self) -> Vec<State<C>> {
+        self.locals().map(|local| local.unjumped()).collect()
+    }
+
+    /// The same states, with slides on the round cone that belong to these friction forces and to the slip at this twist.
+    pub(crate) fn slid_on(
+        &self,
+        states: &[State<C>],
+        forces: &[SVector<f64, C>],
+        twist: &PreciseTwist<D>,
+    ) -> Vec<State<C>> {
+        let slid_on = |(contact, state): (usize, &State<C>)| {
+            let friction = tangential(&forces[contact]);
+            let square = friction.norm_squared();
+            let Mode::Round(_) = state else { return *state };
+            if square == 0.0 {
+                return *state;
+            }
+            let slip = self.precise_slip(contact, &friction, twist);
+            let lambda = (slip.dot(&friction) / square).max(0.0);
+            Mode::Round(Slide::new(&friction, lambda))
+        };
+        states.iter().enumerate().map(slid_on).collect()
+    }
+
+    /// The slip of a contact with this friction force: of a stiff one a small difference.
+    fn precise_slip(
+        &self,
+        contact: usize,
+        friction: &SVector<f64, C>,
+        twist: &PreciseTwist<D>,
+    ) -> SVector<f64, C> {
+        let site = &self.sites[contact];
+        SVector::from_fn(|a, _| {
+            if a == 0 {
+                return 0.0;
+            }
+            let mut slip = twist.stretch(site, a, self.drives[contact][a]);
+            slip.subtract(site.springs.precise_give_along(a, DoubleDouble::new(friction[a])));
+            slip.value()
+        })
+    }
+}

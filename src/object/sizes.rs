@@ -1,0 +1,72 @@
+//! Sizes of a scene: what rounding of forces and displacements is measured against.
+
+use nalgebra::SVector;
+
+use super::problem::Problem;
+use crate::contact::At;
+use crate::grasp::Site;
+
+/// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
+/// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This
+/// part of those counts as a force, so that noise is not measured against itself.
+pub(crate) const NO_FORCE: f64 = 1e-25;
+
+/// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
+pub(crate) fn least_spring_force<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    spans: impl Iterator<Item = f64>,
+) -> f64 {
+    sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
+}
+
+/// Size of the largest force of a scene.
+pub(crate) fn largest_force<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    drives: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+    load: f64,
+    forces: impl Iterator<Item = f64>,
+) -> f64 {
+    let largest = forces.fold(load, f64::max);
+    // The least of them is no larger than the first: mostly that says that it does not count.
+    let least_of = |count: usize| {
+        let spans = sites.iter().zip(drives).map(|(site, a)| site.span(a, twist));
+        NO_FORCE * least_spring_force(&sites[..count], spans)
+    };
+    if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
+}
+
+impl<const D: usize, const C: usize> Problem<'_, D, C> {
+    /// Size of the largest force of the scene with these forces and this twist.
+    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> f64 {
+        let sizes = forces.iter().map(nalgebra::Matrix::norm);
+        largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
+    }
+
+    /// Size of the displacements at a contact.
+    #[inline]
+    pub(crate) fn span(&self, contact: usize, twist: &SVector<f64, D>) -> f64 {
+        self.sites[contact].span(&self.drives[contact], twist)
+    }
+
+    /// Where a contact is, for its conditions.
+    pub(crate) fn at<'s>(
+        &self,
+        contact: usize,
+        force: &'s SVector<f64, C>,
+        twist: &SVector<f64, D>,
+        largest: f64,
+    ) -> At<'s, C> {
+        At { stretch: self.stretch(contact, twist), force, span: self.span(contact, twist), largest }
+    }
+
+    /// `|Σ G_i F_i + W|` and `Σ |F_i|`.
+    pub(crate) fn imbalance(&self, forces: &[SVector<f64, C>]) -> (f64, f64) {
+        let (mut sum, mut carried) = (self.wrench, 0.0);
+        for (site, force) in self.sites.iter().zip(forces) {
+            sum += site.map * force;
+            carried += force.norm();
+        }
+        (sum.norm(), carried)
+    }
+}

@@ -1,0 +1,87 @@
+//! The tangent stiffness: to first order every contact is a few springs, and a step of the twist changes its force by them.
+//!
+//! ```text
+//! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
+//! ```
+//!
+//! The forces are corrected, not made anew from the twist: where a stiff spring hardly gives, its force is known from
+//! equilibrium and not from displacements. What a step leaves of R is its own rounding, so that a few of them balance
+//! to the last digits where T is regular; where it is not, see [`super::Piece`].
+
+use nalgebra::{SMatrix, SVector};
+
+use super::piece::PieceState;
+use crate::grasp::Site;
+use crate::numerics::PartialPivoting;
+
+/// Steps of refinement: where the first does not do, the second should.
+const STEPS: usize = 4;
+
+/// C_i of a contact: the derivative of its force by its stretch.
+pub(crate) type Springs<const C: usize> = SMatrix<f64, C, C>;
+
+/// T.
+pub(crate) fn tangent_stiffness<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    springs: &[Springs<C>],
+) -> SMatrix<f64, D, D> {
+    let mut t = SMatrix::zeros();
+    for (site, springs) in sites.iter().zip(springs) {
+        add_tangent(&mut t, site, springs);
+    }
+    t
+}
+
+/// Adds `G_i C_i G_iᵀ` of one contact to T.
+#[inline]
+pub(crate) fn add_tangent<const D: usize, const C: usize>(
+    t: &mut SMatrix<f64, D, D>,
+    site: &Site<D, C>,
+    springs: &Springs<C>,
+) {
+    let g = &site.map.data.0;
+    let pushed = (site.map * springs).data.0;
+    let t = &mut t.data.0;
+    for j in 0..D {
+        let mut column = t[j];
+        for a in 0..C {
+            for i in 0..D {
+                column[i] += pushed[a][i] * g[a][j];
+            }
+        }
+        t[j] = column;
+    }
+}
+
+/// Corrects forces and twist until what is out of balance, R, is this part of the sizes of its terms. Returns by how much
+/// that changed a force at most; `None` if it does not get there.
+pub(crate) fn balance<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    springs: &[Springs<C>],
+    tangent: &PartialPivoting<D>,
+    wrench: &SVector<f64, D>,
+    state: &mut PieceState<D, C>,
+    part: f64,
+) -> Option<f64> {
+    let mut moved = 0.0_f64;
+    for _ in 0..STEPS {
+        let (mut left, mut size) = (*wrench, wrench.norm());
+        for (site, force) in sites.iter().zip(&state.forces) {
+            left += site.map * force;
+            size += force.norm();
+        }
+        if left.norm() <= part * size {
+            return Some(moved);
+        }
+        let step = tangent.solve(&left);
+        state.twist += step;
+        let mut longest = 0.0_f64;
+        for ((site, springs), force) in sites.iter().zip(springs).zip(&mut state.forces) {
+            let change = springs * site.map.tr_mul(&step);
+            *force -= change;
+            longest = longest.max(change.norm_squared());
+        }
+        moved += longest.sqrt();
+    }
+    None
+}

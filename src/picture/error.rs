@@ -1,0 +1,15 @@
+//! Why there is no picture.
+
+/// A picture could not be drawn; the message says what stood in the way.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the picture could not be drawn: {0}")]
+pub struct PictureError(pub(super) String);
+
+impl PictureError {
+    pub(super) fn from_backend(error: impl std::fmt::Display) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// What a stroke comes to.
+pub(super) type Drawn = Result<(), PictureError>;

@@ -1,0 +1,54 @@
+//! The place of the legend in a chart.
+
+use plotters::chart::SeriesLabelPosition;
+
+use super::series::{Series, Stroke};
+
+/// Places for the legend: how much of the room beside and below it is on its left and below.
+const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
+    (SeriesLabelPosition::UpperRight, 1.0, 1.0),
+    (SeriesLabelPosition::LowerRight, 1.0, 0.0),
+    (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
+    (SeriesLabelPosition::MiddleLeft, 0.0, 0.5),
+    (SeriesLabelPosition::MiddleRight, 1.0, 0.5),
+    (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
+];
+
+/// Where the legend hides least of the curves, of labels of marks, and of that of a shaded area.
+pub(super) fn emptiest_corner(
+    [x0, x1, y0, y1]: [f64; 4],
+    series: &[Series],
+    marked: bool,
+    shaded: bool,
+) -> SeriesLabelPosition {
+    // Part of the plot that a legend of so many lines and letters covers.
+    let height = 0.08 + 0.06 * series.len() as f64;
+    let letters = series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
+    let width = (0.08 + 0.009 * letters as f64).max(0.32);
+    let hidden = |&(_, side, anchor): &(SeriesLabelPosition, f64, f64)| {
+        let (left, bottom) = (side * (1.0 - width), anchor * (1.0 - height));
+        let inside = |x: f64, y: f64| {
+            let (x, y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0));
+            (left..left + width).contains(&x) && (bottom..bottom + height).contains(&y)
+        };
+        let mut count = 0;
+        for Series { points, stroke, .. } in series {
+            if matches!(stroke, Stroke::Circles | Stroke::Dots | Stroke::Bars) {
+                count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
+                continue;
+            }
+            for pair in points.windows(2) {
+                for k in 0..=20 {
+                    let along = |a: f64, b: f64| a + f64::from(k) / 20.0 * (b - a);
+                    let (x, y) = (along(pair[0].0, pair[1].0), along(pair[0].1, pair[1].1));
+                    count += usize::from(inside(x, y));
+                }
+            }
+        }
+        // Labels of marks stand at the top, that of a shaded area at the bottom right.
+        let marked = marked && anchor == 1.0;
+        let shaded = shaded && side > 0.0 && anchor == 0.0;
+        count + 10 * (usize::from(marked) + usize::from(shaded))
+    };
+    PLACES.iter().min_by_key(|place| hidden(place)).map_or(PLACES[0].0.clone(), |place| place.0.clone())
+}

@@ -1,0 +1,62 @@
+//! A page as an HTML file.
+
+use std::fmt::Write;
+
+use super::drawing::Drawing;
+use super::frame::Frame;
+use super::spatial_page::SpatialPage;
+use super::table;
+use super::text::html;
+use crate::picture::error::PictureError;
+
+const STYLE: &str = include_str!("style.css");
+const VIEW: &str = include_str!("view.js");
+const LEGEND: &str = include_str!("legend.html");
+
+impl SpatialPage {
+    /// Writes the page. Names and labels may contain any characters.
+    ///
+    /// # Errors
+    /// [`PictureError`] if a corner of the outline is not finite, a number of an answer that must be drawn is not, or an answer has not as many contacts as the
+    /// grasp.
+    pub fn to_html(&self) -> Result<String, PictureError> {
+        let drawing = Drawing::new(self)?;
+        let title = html(&self.title);
+        let scales = drawing.scales(self.frames.iter().filter_map(Frame::state)).join(" ");
+        let mut page = String::new();
+        page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+        page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+        // Strings take whatever is written into them.
+        let _ = write!(page, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n");
+        let _ = writeln!(page, "<h1>{title}</h1>\n<main>\n<div id=\"picture\">");
+        let _ = writeln!(
+            page,
+            "<canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"{title}; the numbers are in the table\"></canvas>"
+        );
+        page +=
+            "<p class=\"hint\">Drag to turn, wheel to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
+        write_buttons(&mut page, &self.frames);
+        page += LEGEND;
+        let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", html(&scales));
+        table::write(&mut page, &self.grasp, &self.frames)?;
+        let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
+        let _ = write!(page, "<script>\n{VIEW}</script>\n</body>\n</html>\n");
+        Ok(page)
+    }
+}
+
+fn write_buttons(page: &mut String, frames: &[Frame]) {
+    if frames.len() < 2 {
+        return;
+    }
+    page.push_str("<div id=\"frames\">");
+    for (k, frame) in frames.iter().enumerate() {
+        let pressed = k == 0;
+        let label = html(&frame.label);
+        let _ = write!(
+            page,
+            "<button type=\"button\" data-frame=\"{k}\" aria-pressed=\"{pressed}\">{label}</button>"
+        );
+    }
+    page.push_str("</div>\n");
+}

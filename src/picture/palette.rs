@@ -1,0 +1,21 @@
+//! Colours and letters of all pictures.
+
+use plotters::style::RGBColor;
+
+/// Eight colours that remain distinct for colour-blind readers (Okabe & Ito 2008), black last.
+pub(super) const PALETTE: [RGBColor; 8] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(160, 140, 20),
+    RGBColor(0, 0, 0),
+];
+pub(super) const BLUE: RGBColor = PALETTE[0];
+pub(super) const VERMILION: RGBColor = PALETTE[1];
+pub(super) const GREEN: RGBColor = PALETTE[2];
+pub(super) const ORANGE: RGBColor = PALETTE[4];
+pub(super) const GREY: RGBColor = RGBColor(110, 110, 110);
+pub(super) const FONT: &str = "sans-serif";

@@ -1,0 +1,12 @@
+//! Proofs that no equilibrium exists, that need no search among contact states.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
+//! | `open_choices` | for each choice of open contacts, all that friction could do is a convex question |
+
+mod open_choices;
+mod wrench_cone;
+
+pub(crate) use open_choices::{around, nothing_holds};
+pub(crate) use wrench_cone::{separates_from_here_on, separating_motion};

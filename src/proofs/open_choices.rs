@@ -1,0 +1,179 @@
+//! A proof that nothing holds beyond a load, for contacts too many to try all their states: for each choice of which contacts are
+//! open, all that friction could do is a convex question.
+//!
+//! With the closed contacts chosen, forces that balance the load exist only if there are a motion q and friction forces with
+//!
+//! ```text
+//! Σ G_i F_i + W = 0,    F_n = k (a_n - n·u(q)),    F_t in F_n times the friction polygon    closed
+//! n·u(q) - a_n >= 0                                                                        open
+//! ```
+//!
+//! which forgets where friction points. It is linear, Γ x + w = 0 with x >= 0; the residual y of the nearest x >= 0 has y·γ >= 0 for all columns γ
+//! of Γ and proves that there is none if y·w > 0 (Farkas). As w is linear in the load, y·w >= 0 at the load and y·w > 0 a little
+//! further on prove it for all loads in between.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use crate::contact::{Fit, LocalLaw, Polygon, PolygonCone};
+use crate::lcp::{Lcp, Outcome, Settings};
+use crate::object::Problem;
+
+/// Of the polygons around round cones.
+const FACETS: usize = 8;
+/// Up to this many contacts that may open all choices of open ones are looked at.
+const MOST_CONTACTS: usize = 8;
+/// y·w at the load itself may be zero, up to this rounding.
+const ROUNDING: f64 = 1e-12;
+/// A proof must be larger than its rounding by far: columns may work against y by this part of y·w.
+const SMALL: f64 = 1e-9;
+
+/// Whether no forces whatsoever hold between a load (not included) and another a little further on.
+pub(crate) fn nothing_holds<const D: usize, const C: usize>(
+    here: &Problem<D, C>,
+    past: &Problem<D, C>,
+) -> bool {
+    let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
+    let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
+    whole
+        && free.len() <= MOST_CONTACTS
+        && (0..1_usize << free.len()).all(|choice| {
+            let mut open = vec![false; here.len()];
+            for (bit, &i) in free.iter().enumerate() {
+                open[i] = choice >> bit & 1 == 1;
+            }
+            proved(&columns(here, &open), &constant(here, &open), &constant(past, &open))
+        })
+}
+
+/// The problem with polygons around the round cones, each with the facet on which its force is: where forces hold on these cones no
+/// more, they hold on the round ones no more, and the facets lose nothing of it.
+pub(crate) fn around<'g, const D: usize, const C: usize>(
+    problem: &Problem<'g, D, C>,
+    forces: &[SVector<f64, C>],
+) -> Problem<'g, D, C> {
+    let Ok(cone) = PolygonCone::new(FACETS, Fit::Circumscribed) else { return problem.clone() };
+    let polygon = Polygon::<C>::new(&cone);
+    let (sin, cos) = (PI / FACETS as f64).sin_cos();
+    let turn = |force: &SVector<f64, C>| {
+        let mut corner = *force;
+        (corner[1], corner[2]) = (cos * force[1] - sin * force[2], sin * force[1] + cos * force[2]);
+        if corner[1].hypot(corner[2]) > 0.0 { polygon.turned_to(&corner) } else { polygon.clone() }
+    };
+    Problem { turned: forces.iter().map(turn).collect(), round: false, ..problem.clone() }
+}
+
+/// Rows of the inequalities come after the D of the balance, contact by contact in the same order here and in [`constant`].
+fn has_row<const C: usize>(local: &LocalLaw<'_, C>) -> bool {
+    local.pairs() > 0
+}
+
+fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
+    D + problem.locals().filter(has_row).count()
+}
+
+/// Which axes of a closed contact are springs here; friction is a force of its own.
+fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
+    if local.is_bonded() { local.springs.axes() } else { 1 }
+}
+
+/// What the drives and the load contribute.
+fn constant<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+    let mut w = DVector::zeros(rows(problem));
+    let mut row = D;
+    let mut sum = problem.wrench;
+    for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
+        let pushed = site.springs.force(&problem.drives[i]);
+        let push = pushed[0];
+        if has_row(&local) {
+            w[row] = if open[i] { -push } else { push };
+            row += 1;
+        }
+        if !open[i] {
+            for axis in 0..springs(&local) {
+                sum += site.map.column(axis) * pushed[axis];
+            }
+        }
+    }
+    w.rows_mut(0, D).copy_from(&sum);
+    w
+}
+
+/// Unit columns: motions both ways, friction, slacks.
+fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
+    let count = rows(problem);
+    let mut list = Vec::new();
+    let mut push = |column: DVector<f64>, both_ways: bool| {
+        let size = column.norm();
+        if size > 0.0 {
+            if both_ways {
+                list.push(&column / -size);
+            }
+            list.push(column / size);
+        }
+    };
+    for axis in 0..D {
+        let mut unit = SVector::<f64, D>::zeros();
+        unit[axis] = 1.0;
+        let mut column = DVector::zeros(count);
+        let mut row = D;
+        for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
+            let pulled = site.springs.force(&site.map.tr_mul(&unit));
+            if has_row(&local) {
+                column[row] = if open[i] { pulled[0] } else { -pulled[0] };
+                row += 1;
+            }
+            if !open[i] {
+                for axis in 0..springs(&local) {
+                    for d in 0..D {
+                        column[d] -= site.map[(d, axis)] * pulled[axis];
+                    }
+                }
+            }
+        }
+        push(column, true);
+    }
+    let mut row = D;
+    for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
+        let own = has_row(&local).then_some(row);
+        let force = |f: &SVector<f64, C>, taken: f64| {
+            let mut column = DVector::zeros(count);
+            column.rows_mut(0, D).copy_from(&(site.map * f));
+            if let Some(row) = own {
+                column[row] = -taken;
+            }
+            column
+        };
+        if !open[i] && local.never_slides() && !local.is_bonded() {
+            for axis in 1..local.springs.axes() {
+                push(force(&SVector::from_fn(|a, _| if a == axis { 1.0 } else { 0.0 }), 0.0), true);
+            }
+        } else if !open[i] && !local.facets().is_empty() {
+            for corner in &local.polygon.corners {
+                push(force(&(corner * local.cone().limit(1.0)), 1.0), false);
+            }
+        }
+        if let Some(row) = own {
+            let mut slack = DVector::zeros(count);
+            slack[row] = -1.0;
+            push(slack, false);
+        }
+        row += usize::from(own.is_some());
+    }
+    list
+}
+
+fn proved(columns: &[DVector<f64>], here: &DVector<f64>, past: &DVector<f64>) -> bool {
+    let size = past.norm();
+    let gamma = DMatrix::from_columns(columns);
+    let w = past / size;
+    let Ok(lcp) = Lcp::new(gamma.tr_mul(&gamma), gamma.tr_mul(&w)) else { return false };
+    let settings = Settings { enumerate_up_to: 0, ..Settings::default() };
+    let Outcome::Solved(solution) = lcp.solve_with(&settings) else { return false };
+    let y = (&gamma * &solution.z + &w).normalize();
+    let work = y.dot(&w);
+    work > 0.0
+        && y.dot(here) >= -ROUNDING * size
+        && columns.iter().all(|column| y.dot(column) >= -SMALL * work)
+}

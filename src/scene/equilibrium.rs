@@ -1,0 +1,203 @@
+//! Answers to "what is the equilibrium under this load?"
+
+use serde::{Deserialize, Serialize};
+
+use super::fields::found;
+use super::place::{Places, Touch};
+use crate::contact::PolygonCone;
+use crate::equilibrium::{self as state, Doubt, NoEquilibrium, Outcome, Rung};
+use crate::grasp::{Twist, Wrench};
+
+/// How a question for an equilibrium ends; see [`Outcome`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "outcome", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum SolveAnswer<const D: usize, const C: usize> {
+    /// The grasp holds.
+    Equilibrium(Box<Equilibrium<D, C>>),
+    /// No equilibrium exists under this load.
+    NoEquilibrium(Proof<D>),
+    /// None was found and none was ruled out.
+    Undecided {
+        /// Why.
+        doubt: Doubt,
+    },
+}
+
+/// Why no equilibrium exists, and how that is known; see [`state::Proof`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "proof", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Proof<const D: usize> {
+    /// No contact resists this unit motion in any state, and the load works on it.
+    FreeMotion {
+        /// The motion.
+        motion: Twist<D>,
+        /// Work of the load on it, positive, J.
+        #[serde(with = "found")]
+        work: f64,
+    },
+    /// No admissible contact force works against this unit motion, and the load drives it.
+    SeparatingMotion {
+        /// The motion.
+        motion: Twist<D>,
+        /// Work of the load on it, positive, J.
+        #[serde(with = "found")]
+        work: f64,
+    },
+    /// Every combination of contact states was tried; each violates a condition clearly.
+    EveryStateTried {
+        /// How many combinations or cases.
+        combinations: usize,
+    },
+}
+
+impl<const D: usize> From<&NoEquilibrium<D>> for Proof<D> {
+    fn from(none: &NoEquilibrium<D>) -> Self {
+        match none.proof {
+            state::Proof::FreeMotion { motion, work } => Self::FreeMotion { motion, work },
+            state::Proof::SeparatingMotion { motion, work } => Self::SeparatingMotion { motion, work },
+            state::Proof::EveryStateTried { combinations } => Self::EveryStateTried { combinations },
+        }
+    }
+}
+
+/// An equilibrium; see [`state::Equilibrium`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Equilibrium<const D: usize, const C: usize> {
+    /// The load it balances.
+    pub load: Wrench<D>,
+    /// Motion of the object: translation of the origin (m) and rotation (rad).
+    pub twist: Twist<D>,
+    /// Contact by contact, in the order of the scene; a soft fingertip point by point.
+    pub contacts: Vec<Touch<C>>,
+    /// How well it satisfies the conditions, recomputed from the question.
+    pub residuals: Residuals,
+    /// How far it is from the exact answer; none on a load path with sliding on the round cone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
+    /// The friction cone it is for.
+    pub cone: Cone,
+    /// By which rule it was found; there may be others.
+    pub rule: Rung,
+    /// Energy stored in the springs, J.
+    #[serde(with = "found")]
+    pub stored_energy: f64,
+    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts as one unit says
+    /// [`state::Equilibrium::free_motions`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free_motions: Vec<Twist<D>>,
+    /// Unit motions along which the object stays in equilibrium while its forces change.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub neutral_motions: Vec<Twist<D>>,
+    /// The largest change of a contact force, N, from the answer of the polygon that the search started from, if it did.
+    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
+    pub change_from_polygon: Option<f64>,
+    /// Pivots of Lemke's method.
+    pub pivots: usize,
+}
+
+/// The friction cone that an equilibrium is for; see [`state::Cone`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Cone {
+    /// In the plane, where nothing is approximated.
+    Planar,
+    /// A polygon in place of the round cone.
+    Polygon(PolygonCone),
+    /// The round cone in space.
+    Round,
+}
+
+/// Relative residuals, zero in exact arithmetic; see [`state::Residuals`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Residuals {
+    /// Of the balance of forces and moments.
+    #[serde(with = "found")]
+    pub equilibrium: f64,
+    /// Of the contact springs.
+    #[serde(with = "found")]
+    pub springs: f64,
+    /// Of the friction cone.
+    #[serde(with = "found")]
+    pub cone: f64,
+    /// Penetration.
+    #[serde(with = "found")]
+    pub gap: f64,
+    /// Of the products that must vanish.
+    #[serde(with = "found")]
+    pub complementarity: f64,
+}
+
+impl From<state::Residuals> for Residuals {
+    fn from(r: state::Residuals) -> Self {
+        Self {
+            equilibrium: r.equilibrium,
+            springs: r.springs,
+            cone: r.cone,
+            gap: r.gap,
+            complementarity: r.complementarity,
+        }
+    }
+}
+
+/// How far an equilibrium is from the exact one; see [`state::Accuracy`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Accuracy {
+    /// Estimated error of the contact forces, N.
+    #[serde(with = "found")]
+    pub force: f64,
+    /// Estimated error of the displacements at the contacts, m.
+    #[serde(with = "found")]
+    pub displacement: f64,
+    /// Relative change of the forces by a relative change of the data.
+    #[serde(with = "found")]
+    pub condition: f64,
+}
+
+impl From<state::Accuracy> for Accuracy {
+    fn from(a: state::Accuracy) -> Self {
+        Self { force: a.force, displacement: a.displacement, condition: a.condition }
+    }
+}
+
+impl Places {
+    pub(super) fn outcome<const D: usize, const C: usize>(
+        &self,
+        outcome: &Outcome<D, C>,
+    ) -> SolveAnswer<D, C> {
+        match outcome {
+            Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.equilibrium(state))),
+            Outcome::NoEquilibrium(none) => SolveAnswer::NoEquilibrium(none.into()),
+            Outcome::Undecided(undecided) => SolveAnswer::Undecided { doubt: undecided.doubt },
+        }
+    }
+
+    pub(super) fn equilibrium<const D: usize, const C: usize>(
+        &self,
+        state: &state::Equilibrium<D, C>,
+    ) -> Equilibrium<D, C> {
+        Equilibrium {
+            load: state.load,
+            twist: state.twist,
+            contacts: state.contacts.iter().enumerate().map(|(i, c)| self.touch(i, c)).collect(),
+            residuals: state.residuals.into(),
+            accuracy: state.accuracy.map(Accuracy::from),
+            cone: match state.cone {
+                state::Cone::Planar => Cone::Planar,
+                state::Cone::Polygon(polygon) => Cone::Polygon(polygon),
+                state::Cone::Round => Cone::Round,
+            },
+            rule: state.rule,
+            stored_energy: state.stored_energy,
+            free_motions: state.free_motions.clone(),
+            neutral_motions: state.neutral_motions.clone(),
+            change_from_polygon: state.change_from_polygon,
+            pivots: state.work.pivots,
+        }
+    }
+}

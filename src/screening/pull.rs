@@ -1,0 +1,27 @@
+//! The load on a grasp in screening.
+
+use crate::error::Error;
+use crate::grasp::Wrench;
+
+/// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull<const D: usize> {
+    pub(super) base: [f64; D],
+    pub(super) direction: [f64; D],
+    /// Whether the base load is any.
+    pub(super) loaded: bool,
+}
+
+impl<const D: usize> Pull<D> {
+    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
+    /// grasp. The factor has no unit, and no length is asked of the direction.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
+    pub fn new(base: &Wrench<D>, direction: &Wrench<D>) -> Result<Self, Error> {
+        base.check("base load")?;
+        direction.check("load direction")?;
+        let entries = |wrench: &Wrench<D>| std::array::from_fn(|k| wrench.as_vector()[k]);
+        Ok(Self { base: entries(base), direction: entries(direction), loaded: *base != Wrench::ZERO })
+    }
+}

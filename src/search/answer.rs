@@ -1,0 +1,109 @@
+//! What a search for an equilibrium ends with, and what it took.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use crate::contact::State;
+use crate::object::Piece;
+
+/// By which rule a solution was found; with several equilibria this says which one it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum Rung {
+    /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
+    EverythingRolls,
+    /// Everything that touches rolls: with the contacts open that would pull, the rest satisfies every condition stuck. No
+    /// complementarity problem was made.
+    EverythingTouchingRolls,
+    /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
+    KinematicForm,
+    /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried with many
+    /// contacts only.
+    Newton,
+    /// Lemke's method on the force form: the end of a path of forces from none.
+    ForceForm,
+    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of sectors of sliding
+    /// directions in which Newton's method arrives. Also what [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) finds that way.
+    Enumeration,
+    /// Following a load path: the states come from the path's history.
+    LoadPath,
+}
+
+/// Why nothing could be said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum Doubt {
+    /// Lemke ended on rays that prove nothing, and not every combination of states could be tried: there are too many contacts for
+    /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
+    RayWithoutProof,
+    /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
+    /// boundary of what the grasp can hold, as far as the working precision can tell.
+    OnTheBoundary,
+    /// Contact states were found, but the numbers of the scene lie so far apart (arms or stiffnesses by more than the working
+    /// precision) that forces and twist cannot be written down accurately: their residuals exceed 1e-10 (1e-12 on the round
+    /// cone).
+    Inaccurate,
+    /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
+    OutOfPivots,
+}
+
+/// A solution of the local problem.
+#[derive(Debug, Clone)]
+pub(crate) struct Found<const D: usize, const C: usize> {
+    pub(crate) states: Vec<State<C>>,
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    pub(crate) twist: SVector<f64, D>,
+    pub(crate) free_motions: Vec<SVector<f64, D>>,
+    pub(crate) neutral_motions: Vec<SVector<f64, D>>,
+    /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
+    /// they vanish. Zero for a solution of its own.
+    pub(crate) sizes: [f64; 2],
+    /// On the round cone, the largest change of a contact force from the polygon's answer.
+    pub(crate) from_polygon: Option<f64>,
+    /// The piece that it solves, where that is at hand.
+    pub(crate) piece: Option<Arc<Piece<D, C>>>,
+}
+
+impl<const D: usize, const C: usize> Found<D, C> {
+    /// A solution without free motions and history.
+    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: SVector<f64, D>) -> Self {
+        Self {
+            states,
+            forces,
+            twist,
+            free_motions: Vec::new(),
+            neutral_motions: Vec::new(),
+            sizes: [0.0; 2],
+            from_polygon: None,
+            piece: None,
+        }
+    }
+}
+
+/// How a search ended.
+#[derive(Debug, Clone)]
+pub(crate) enum Settled<const D: usize, const C: usize> {
+    Found(Found<D, C>, Rung),
+    /// The load works on a motion that no spring resists.
+    FreeMotion(SVector<f64, D>),
+    /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
+    Separating(SVector<f64, D>),
+    /// Each of so many combinations of contact states fails clearly.
+    NoneOf(usize),
+    /// Nothing found, nothing proved.
+    Undecided(Doubt),
+}
+
+/// What it took.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Effort {
+    pub(crate) pivots: usize,
+    /// Rows of the largest complementarity problem that was made.
+    pub(crate) rows: usize,
+    pub(crate) combinations: usize,
+    /// Facets of the polygons that a contact would have.
+    pub(crate) facets: usize,
+}

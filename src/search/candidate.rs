@@ -1,0 +1,227 @@
+//! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, Matrix, SVector};
+
+use super::answer::Found;
+use crate::contact::{At, State};
+use crate::lcp::{self, Lcp, Outcome};
+use crate::object::{Piece, PieceState, Problem, largest_force};
+
+/// Inequalities may be violated by this much of their size, times the growth of errors in the piece. Ties are the
+/// normal case in symmetric grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
+const ROUNDING: f64 = 5e-14;
+/// Errors are not believed to grow beyond this, whatever the condition of the piece.
+const MOST_ROUNDING: f64 = 1e-10;
+/// A violation below this (times growth) is neither rounding nor clearly a violation: the proposal is not accepted,
+/// but nothing may be concluded from its failure either.
+const DOUBTFUL: f64 = 1e-12;
+
+/// A rate of an inequality along a unit motion below this part of its size is rounding of zero.
+const UNFELT: f64 = 1e-12;
+/// A shift is sought for so many inequalities at once.
+const ALL_AT_ONCE: usize = 200;
+/// Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
+const OUT_OF_BALANCE: f64 = 1e-11;
+
+/// What became of a proposal.
+#[derive(Debug, Clone)]
+pub(crate) enum Verdict<const D: usize, const C: usize> {
+    Holds(Found<D, C>),
+    Violated {
+        /// So close that rounding could have done it.
+        doubtful: bool,
+    },
+    /// No forces of these states balance the load.
+    Unbalanced,
+}
+
+/// Solves the piece with these states and checks every inequality.
+pub(crate) fn try_states<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State<C>>,
+) -> Verdict<D, C> {
+    if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
+        return Verdict::Violated { doubtful: false };
+    }
+    let piece = Piece::new(problem, &states);
+    match piece.solve(problem.sites, &problem.drives, problem.load()) {
+        Ok(state) => match admit(problem, states, &piece, state) {
+            Verdict::Holds(found) => Verdict::Holds(Found { piece: Some(Arc::new(piece)), ..found }),
+            other => other,
+        },
+        Err(_) => Verdict::Unbalanced,
+    }
+}
+
+/// Checks every inequality for a solution of the piece with these states.
+pub(super) fn admit<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State<C>>,
+    piece: &Piece<D, C>,
+    mut state: PieceState<D, C>,
+) -> Verdict<D, C> {
+    let rounding = (ROUNDING * piece.growth()).min(MOST_ROUNDING);
+    let doubtful = (DOUBTFUL * piece.growth()).min(MOST_ROUNDING);
+    let (values, sizes) = slacks(problem, &states, &state.forces, &state.twist);
+    let mut worst = violation(&values, &sizes);
+    let free_motions = piece.free_motions().to_vec();
+    let neutral_motions = piece.neutral_motions();
+    if worst > rounding && !(free_motions.is_empty() && neutral_motions.is_empty()) {
+        // The piece has a whole family of solutions, and the one of least norm is not admissible: is another?
+        let free = free_motions.iter().map(|v| (*v, vec![SVector::zeros(); problem.len()]));
+        let neutral = neutral_motions.iter().map(|v| (*v, piece.forces_along(problem, v)));
+        let motions: Vec<_> = free.chain(neutral).collect();
+        if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
+            for ((motion, along), tau) in motions.iter().zip(tau.iter()) {
+                state.twist += motion * *tau;
+                for (f, change) in state.forces.iter_mut().zip(along) {
+                    *f += change * *tau;
+                }
+            }
+            // Against the sizes of before: a shift so long that its own rounding shows is none.
+            worst = violation(&slacks(problem, &states, &state.forces, &state.twist).0, &sizes);
+        }
+    }
+    if worst > rounding {
+        return Verdict::Violated { doubtful: worst <= doubtful };
+    }
+    if out_of_balance(problem, &state.forces, &state.twist) > OUT_OF_BALANCE {
+        return Verdict::Violated { doubtful: true };
+    }
+    Verdict::Holds(Found { free_motions, neutral_motions, ..Found::new(states, state.forces, state.twist) })
+}
+
+/// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
+pub(super) fn admit_regular<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State<C>>,
+    state: PieceState<D, C>,
+) -> Option<Found<D, C>> {
+    let mut holds = true;
+    for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
+        // Written so that it also turns away what is not a number.
+        holds &= value >= -ROUNDING * size;
+    });
+    holds.then(|| Found::new(states, state.forces, state.twist))
+}
+
+/// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
+pub(crate) fn for_each_condition<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+    mut visit: impl FnMut(f64, f64),
+) {
+    let largest = problem.largest_force(forces, twist);
+    for (contact, (state, force)) in states.iter().zip(forces).enumerate() {
+        let at = problem.at(contact, force, twist, largest);
+        problem.local(contact).for_each_condition(state, &at, &mut visit);
+    }
+}
+
+/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp
+/// no force changes, and what is left of the forces is noise: it is not measured against itself.
+fn out_of_balance<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+) -> f64 {
+    let (left, carried) = problem.imbalance(forces);
+    let size = problem.largest_force(forces, twist) + carried;
+    if size > 0.0 { left / size } else { 0.0 }
+}
+
+/// Values and sizes of all inequalities.
+fn slacks<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    forces: &[SVector<f64, C>],
+    twist: &SVector<f64, D>,
+) -> (Vec<f64>, Vec<f64>) {
+    let (mut values, mut sizes) = (Vec::new(), Vec::new());
+    for_each_condition(problem, states, forces, twist, |value, size| {
+        values.push(value);
+        sizes.push(size);
+    });
+    (values, sizes)
+}
+
+/// The worst violation of an inequality, relative to its size.
+fn violation(values: &[f64], sizes: &[f64]) -> f64 {
+    let mut worst = 0.0_f64;
+    for (value, size) in values.iter().zip(sizes) {
+        if value.is_nan() {
+            return f64::INFINITY;
+        }
+        worst = worst.max(-value / size);
+    }
+    worst
+}
+
+/// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes
+/// every inequality hold:
+///
+/// ```text
+/// min ½|τ|²  with  b + A τ >= 0      ⟺      0 <= λ ⟂ A Aᵀ λ + b >= 0,   τ = Aᵀλ
+/// ```
+///
+/// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
+fn least_admissible_shift<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    values: &[f64],
+    sizes: &[f64],
+    motions: &[(SVector<f64, D>, Vec<SVector<f64, C>>)],
+) -> Option<DVector<f64>> {
+    let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
+    let mut a = DMatrix::zeros(b.len(), motions.len());
+    for (k, (motion, along)) in motions.iter().enumerate() {
+        let at_rest = vec![SVector::zeros(); problem.len()];
+        let largest = largest_force(
+            problem.sites,
+            &at_rest,
+            motion,
+            problem.wrench.norm(),
+            along.iter().map(Matrix::norm),
+        );
+        let mut i = 0;
+        for (contact, (state, force)) in states.iter().zip(along).enumerate() {
+            let site = &problem.sites[contact];
+            let stretch = -site.map.tr_mul(motion);
+            let at = At { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
+            problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
+                // An inequality that the motion does not feel must not become one that a very long motion satisfies.
+                if rate.abs() > UNFELT * rate_size {
+                    a[(i, k)] = rate / sizes[i];
+                }
+                i += 1;
+            });
+        }
+    }
+    let least = |rows: &[usize]| {
+        let (a, b) = (a.select_rows(rows), b.select_rows(rows));
+        let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
+        let Outcome::Solved(solution) = lcp.solve_with(&lcp::Settings::one_path()) else { return None };
+        Some(a.tr_mul(&solution.z))
+    };
+    if b.len() <= ALL_AT_ONCE {
+        return least(&(0..b.len()).collect::<Vec<_>>());
+    }
+    // A few of many inequalities decide: those that the shift for the others leaves most violated join them.
+    let mut rows = Vec::new();
+    let mut left = b.clone();
+    loop {
+        let joins = (0..b.len()).filter(|&i| left[i] < 0.0 && !rows.contains(&i));
+        let mut joins: Vec<usize> = joins.collect();
+        joins.sort_by(|&i, &j| left[i].total_cmp(&left[j]));
+        joins.truncate(D);
+        if joins.is_empty() || rows.len() > ALL_AT_ONCE {
+            return least(&rows);
+        }
+        rows.extend(joins);
+        left = &b + &a * least(&rows)?;
+    }
+}

@@ -1,0 +1,64 @@
+//! Trying every combination of contact states: complete, and affordable for a few contacts.
+
+use super::answer::Found;
+use super::candidate::Verdict;
+use super::polish::accept;
+use crate::contact::State;
+use crate::object::Problem;
+
+/// The number of combinations of contact states, in floating point because it overflows soon.
+pub(crate) fn combinations<const D: usize, const C: usize>(problem: &Problem<D, C>) -> f64 {
+    problem.locals().map(|local| local.states().len() as f64).product()
+}
+
+/// Visits every combination of states in a fixed order, everything unjumped first, until `visit` says stop.
+pub(crate) fn for_each_combination<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    mut visit: impl FnMut(Vec<State<C>>) -> bool,
+) {
+    let choices: Vec<Vec<State<C>>> = problem.locals().map(|local| local.states()).collect();
+    let mut at = vec![0; choices.len()];
+    loop {
+        let states = choices.iter().zip(&at).map(|(choice, &k)| choice[k]).collect();
+        if visit(states) {
+            return;
+        }
+        // Count up, contact by contact.
+        let Some(next) = (0..at.len()).find(|&i| at[i] + 1 < choices[i].len()) else { return };
+        at[next] += 1;
+        at[..next].fill(0);
+    }
+}
+
+/// What an enumeration found.
+#[derive(Debug, Clone)]
+pub(crate) struct Search<const D: usize, const C: usize> {
+    pub(crate) found: Vec<Found<D, C>>,
+    /// Combinations tried.
+    pub(crate) tried: usize,
+    /// Some combination failed so narrowly that rounding could have done it.
+    pub(crate) doubtful: bool,
+}
+
+/// Tries all combinations, or all until the first that holds.
+pub(crate) fn search<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    first_only: bool,
+) -> Search<D, C> {
+    let mut search = Search { found: Vec::new(), tried: 0, doubtful: false };
+    for_each_combination(problem, |states| {
+        search.tried += 1;
+        match accept(problem, states) {
+            Verdict::Holds(found) => {
+                search.found.push(found);
+                first_only
+            }
+            Verdict::Violated { doubtful } => {
+                search.doubtful |= doubtful;
+                false
+            }
+            Verdict::Unbalanced => false,
+        }
+    });
+    search
+}

@@ -1,0 +1,37 @@
+//! The search for contact states: the ladder, its rungs, and the check that every proposal has to pass.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `answer` | what a search ends with, and what it took |
+//! | `settings` | what a caller may choose |
+//! | `ladder` | the list of rungs and the loop over them |
+//! | `rungs` | each way to find an equilibrium or a proof |
+//! | `touching` | everything that touches rolls |
+//! | `proposals` | Lemke's method proposes states |
+//! | `candidate` | a proposal solved and checked |
+//! | `newton`, `round_pieces`, `polish` | from a polygon's answer to the round cone |
+//! | `enumerate` | every combination of states |
+//! | `sectors`, `sector_conditions` | on the round cone: every state and every sector of directions |
+
+mod answer;
+mod candidate;
+mod enumerate;
+mod ladder;
+mod newton;
+mod polish;
+mod proposals;
+mod round_pieces;
+mod rungs;
+mod sector_conditions;
+mod sectors;
+mod settings;
+mod touching;
+
+pub use answer::{Doubt, Rung};
+pub use settings::Settings;
+
+pub(crate) use answer::{Effort, Found, Settled};
+pub(crate) use candidate::{Verdict, for_each_condition, try_states};
+pub(crate) use enumerate::{combinations, for_each_combination, search};
+pub(crate) use ladder::settle;
+pub(crate) use polish::{polish, solution_near};

@@ -1,0 +1,79 @@
+//! From the polygon to the round cone: Newton's method on the return map, then the last digits.
+//!
+//! From the twist of a polygon's answer a few steps of Newton's method ([`super::newton`]) lead to the states of the contacts on the round
+//! cone. Their piece has the last digits ([`super::round_pieces`]). Where Newton's method gets lost, since stiffnesses lie so far apart that a
+//! twist says nothing of forces, the pieces are followed from the polygon's answer on.
+
+use nalgebra::SVector;
+
+use super::answer::Found;
+use super::candidate::{Verdict, try_states};
+use super::newton::newton;
+use super::round_pieces::RoundPieces;
+use crate::contact::State;
+use crate::numerics::PartialPivoting;
+use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
+
+/// What may be out of balance of a polygon's answer, from which Newton's method starts.
+const NEAR: f64 = 1e-12;
+
+/// A proposal that holds: as it is on the polygon, where it leads to on the round cone.
+pub(super) fn accept<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: Vec<State<C>>,
+) -> Verdict<D, C> {
+    if !problem.round {
+        return try_states(problem, states);
+    }
+    match try_states(problem, states) {
+        Verdict::Holds(found) => {
+            let near = PieceState { forces: found.forces, twist: found.twist };
+            polish(problem, &found.states, &near)
+                .map_or(Verdict::Violated { doubtful: false }, Verdict::Holds)
+        }
+        other => other,
+    }
+}
+
+/// The solution of the polygon's piece with these states, whether every inequality holds or not: where Newton's method starts.
+pub(crate) fn solution_near<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+) -> Option<PieceState<D, C>> {
+    if let Some(near) = regular_solution(problem, states) {
+        return Some(near);
+    }
+    match try_states(problem, states.to_vec()) {
+        Verdict::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
+        Verdict::Violated { .. } => {
+            Piece::new(problem, states).solve(problem.sites, &problem.drives, problem.load()).ok()
+        }
+        Verdict::Unbalanced => None,
+    }
+}
+
+/// The solution of a piece whose tangent stiffness is regular.
+fn regular_solution<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+) -> Option<PieceState<D, C>> {
+    let springs: Vec<_> = problem.locals().zip(states).map(|(local, state)| local.tangent(state)).collect();
+    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &springs))?;
+    let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
+    let mut near = PieceState { forces, twist: SVector::zeros() };
+    balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;
+    Some(near)
+}
+
+/// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
+pub(crate) fn polish<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    near: &PieceState<D, C>,
+) -> Option<Found<D, C>> {
+    let found = newton(problem, near.twist)
+        .and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
+        .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
+    let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
+    Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
+}

@@ -1,0 +1,212 @@
+//! From piece to piece of the contact law on the round cone: Newton's method in forces and twist together.
+//!
+//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist: told from the twist alone
+//! ([`super::newton`]), its rounding would pass for a contact state. Here forces are unknowns, too. Each contact keeps its state while the
+//! piece is solved, in twice the working precision (`object/correction`), and leaves it where the solution breaks an inequality.
+
+use nalgebra::SVector;
+
+use super::answer::Found;
+use super::candidate::{Verdict, admit, admit_regular};
+use super::newton::Arrived;
+use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
+use crate::object::{Piece, PieceState, PreciseTwist, Problem};
+
+/// Steps at most.
+const STEPS: usize = 20;
+/// A step by less than this part of a force, or of the twist, is the last.
+const SHARP: f64 = 1e-14;
+/// This part of the largest force is below the last digit of any.
+const NO_DIGIT: f64 = 1e-20;
+/// Where nothing but rounding holds the direction of a small force no step is the last. One that changes forces by less than this part of
+/// them, or by rounding of the largest, leaves the square of it.
+const SETTLED: f64 = 1e-8;
+/// Rounding of the largest force.
+const ROUNDING: f64 = 1e-15;
+/// A force that still turns is off its cone by the square of the angle. This part of the largest force is rounding.
+const ON_THE_CONE: f64 = 1e-14;
+/// An answer may be out of balance by this part of its forces: a load that was computed has rounding.
+const BALANCED: f64 = 1e-13;
+/// A state is left where its inequality fails by more than this part of its terms.
+const FAILS: f64 = 1e-14;
+/// A motion that moves a contact by less than this part of its reach does not move it.
+const FELT: f64 = 1e-10;
+
+/// A state for every contact, with forces and a twist that need not solve their piece yet.
+#[derive(Debug, Clone)]
+pub(super) struct RoundPieces<const D: usize, const C: usize> {
+    states: Vec<State<C>>,
+    forces: Vec<SVector<f64, C>>,
+    /// In twice the working precision: the slip of a stiff contact may be less than its rounding.
+    twist: PreciseTwist<D>,
+}
+
+impl<const D: usize, const C: usize> RoundPieces<D, C> {
+    /// Where Newton's method on the twist has arrived.
+    pub(super) fn arrived(arrived: &Arrived<D, C>) -> Self {
+        let (states, forces) = arrived.contacts.iter().map(|at| (at.state, at.force)).unzip();
+        Self { states, forces, twist: PreciseTwist::new(arrived.twist) }
+    }
+
+    /// The solution of the polygons' piece with these states.
+    pub(super) fn on_polygons(problem: &Problem<D, C>, states: &[State<C>], near: &PieceState<D, C>) -> Self {
+        let state = |(local, (state, force)): (LocalLaw<'_, C>, (&State<C>, &SVector<f64, C>))| {
+            if state.slides() && !local.is_on_an_edge() {
+                // Without friction force nothing says which way.
+                let rubs = local.may_slide() && tangential(force).amax() > 0.0;
+                return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Rolling };
+            }
+            // At the apex of its cone a polygon calls open what is kept closed.
+            if state.is_open() && local.excludes(state) { Mode::Rolling } else { *state }
+        };
+        let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
+        Self { states, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist) }
+    }
+
+    /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.
+    pub(super) fn solve(mut self, problem: &Problem<D, C>) -> Option<Found<D, C>> {
+        for step in 1..=STEPS {
+            let piece = Piece::new(problem, &self.states);
+            let [sharp, settled] = self.step(problem, &piece);
+            let last = (sharp || step == STEPS && settled) && self.on_cones(problem);
+            if last && let Some(found) = self.admitted(problem, &piece) {
+                return Some(found);
+            }
+            // While a motion is free the gaps along it are anything.
+            let closing = sharp || piece.free_motions().is_empty();
+            let left = self.leave_states(problem, closing);
+            if sharp && !left {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Whether friction forces are as large as they can be wherever contacts slide; not so where a contact that is kept closed pulls.
+    fn on_cones(&self, problem: &Problem<D, C>) -> bool {
+        let largest = problem.largest_force(&self.forces, &self.twist.value());
+        problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
+            let limit = local.cone().limit(force[0]);
+            state.slide().is_none()
+                || (tangential_norm(force) - limit).abs() <= ON_THE_CONE * largest.max(limit)
+        })
+    }
+
+    /// Solves the piece; whether every force has settled to its last digit, and whether it has but for rounding of the largest.
+    fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> [bool; 2] {
+        let twist = self.twist.value();
+        let largest = problem.largest_force(&self.forces, &twist);
+        let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
+        self.twist.add(&missing.twist);
+        let mut sharp = missing.twist.norm() <= SHARP * twist.norm();
+        let mut settled = true;
+        for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
+            *force += missing;
+            // Each contact by itself: a small force may still turn while the large ones have settled.
+            sharp &= missing.norm() <= SHARP * force.norm() + NO_DIGIT * largest;
+            settled &= missing.norm() <= SETTLED * force.norm() + ROUNDING * largest;
+        }
+        [sharp, settled]
+    }
+
+    /// As an answer, if every inequality holds.
+    fn admitted(&self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> Option<Found<D, C>> {
+        let Self { states, forces, twist } = self.clone();
+        let at = PieceState { forces, twist: twist.value() };
+        // Steps leave only loads that no spring of the piece resists.
+        if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
+            return None;
+        }
+        if piece.free_motions().iter().any(|motion| self.turns(problem, motion)) {
+            return None;
+        }
+        let whole = piece.free_motions().is_empty() && piece.neutral_motions().is_empty();
+        if whole && states.iter().any(|state| state.slide().is_some()) {
+            return admit_regular(problem, states, at);
+        }
+        match admit(problem, states, piece, at) {
+            Verdict::Holds(found) => Some(found),
+            _ => None,
+        }
+    }
+
+    /// Whether a motion turns the friction of a sliding contact: it is not free then, only resisted by less than rounding of the stiffest
+    /// spring, and where it leads to is not known.
+    fn turns(&self, problem: &Problem<D, C>, motion: &SVector<f64, D>) -> bool {
+        problem.sites.iter().zip(&self.states).any(|(site, state)| {
+            let turns = |slide: &Slide<C>| slide.across().dot(&site.map.tr_mul(motion)).abs();
+            state.slide().is_some_and(|slide| turns(slide) > FELT * site.map.norm())
+        })
+    }
+
+    /// Leaves states that do not hold, and lets contacts slide on in the direction that belongs to their stretch; whether a state was left.
+    /// Open contacts close only if `closing`.
+    fn leave_states(&mut self, problem: &Problem<D, C>, closing: bool) -> bool {
+        let twist = self.twist.value();
+        let largest = problem.largest_force(&self.forces, &twist);
+        let mut any = false;
+        for contact in 0..problem.len() {
+            let site = &problem.sites[contact];
+            let precise = |axis: usize| self.twist.stretch(site, axis, problem.drives[contact][axis]).value();
+            let stretch = SVector::<f64, C>::from_fn(|axis, _| precise(axis));
+            let touches = closing && stretch[0] > FAILS * problem.span(contact, &twist);
+            let (state, force) = (self.states[contact], &mut self.forces[contact]);
+            let next = next_state(
+                &problem.local(contact),
+                &state,
+                force,
+                &stretch,
+                [touches, force[0] < -FAILS * largest],
+            );
+            any |= !next.is_kind_of(&state);
+            self.states[contact] = next;
+        }
+        any
+    }
+}
+
+/// The state of a contact from here on; its force where it opens or slides on the round cone. An open contact may touch again, and a closed
+/// one may pull.
+fn next_state<const C: usize>(
+    local: &LocalLaw<'_, C>,
+    state: &State<C>,
+    force: &mut SVector<f64, C>,
+    stretch: &SVector<f64, C>,
+    [touches, pulls]: [bool; 2],
+) -> State<C> {
+    match state {
+        Mode::Open if touches && local.may_open() => Mode::Rolling,
+        Mode::Open => Mode::Open,
+        _ if local.may_open() && pulls => {
+            force.fill(0.0);
+            Mode::Open
+        }
+        _ if !local.may_slide() => *state,
+        _ => {
+            // The stretch of a stiff spring is known from its force, not from displacements.
+            let give = local.springs.give(force);
+            let known =
+                SVector::from_fn(
+                    |axis, _| if axis == 0 || state.is_rolling() { give[axis] } else { stretch[axis] },
+                );
+            let near = state.slide().map_or(0.0, |slide| slide.lambda);
+            let answer = local.answer(&known, near);
+            match answer.state {
+                Mode::Round(_) => {
+                    *force = answer.force;
+                    answer.state
+                }
+                _ => Mode::Rolling,
+            }
+        }
+    }
+}
+
+/// Whether forces balance the load. Without a load they may be noise, which is not measured against itself; with one a wild twist must not
+/// count as a force.
+fn balanced<const D: usize, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
+    let (left, carried) = problem.imbalance(&at.forces);
+    let load = problem.wrench.norm();
+    let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };
+    left <= BALANCED * (scale + carried)
+}

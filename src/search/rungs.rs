@@ -1,0 +1,207 @@
+//! The rungs of the ladder, each a way to find an equilibrium or to prove that there is none.
+
+use std::sync::Arc;
+
+use super::answer::{Doubt, Found, Rung, Settled};
+use super::candidate::{Verdict, admit};
+use super::enumerate::search;
+use super::ladder::{Attempt, Log, Scene};
+use super::proposals::{climb, enumerable, finer_polygons, on_polygons, propose_dense, propose_structured};
+use super::sectors::{Sectors, search_sectors};
+use super::touching::touching_contacts;
+use crate::contact::State;
+use crate::forms;
+use crate::object::Problem;
+use crate::proofs;
+use crate::structured::propose_by_newton;
+
+/// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
+/// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
+const STRUCTURED_FROM: usize = 8;
+/// From this many contacts on Newton's method is tried before: with few contacts it often goes round in circles, with many hardly ever
+/// unless stiffnesses and friction lie decades apart.
+const MANY: usize = 32;
+/// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
+const MOST_DENSE_ROWS: usize = 2000;
+/// A case of sectors counts as so many combinations of contact states against [`Settings::most_states`].
+const CASE: usize = 100;
+
+/// Whether dense matrices can be made for this problem.
+fn dense_is_affordable<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
+    problem.locals().map(|local| local.pairs()).sum::<usize>() <= MOST_DENSE_ROWS
+}
+
+/// Every contact keeps the state of the elastic trial.
+pub(super) fn everything_rolls<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    match admit(scene.problem, scene.unjumped.clone(), &scene.trial, scene.state.clone()) {
+        Verdict::Holds(found) => {
+            let piece = Some(Arc::new(scene.trial.clone()));
+            Attempt::Found(Found { piece, ..found }, Rung::EverythingRolls)
+        }
+        _ => Attempt::Nothing,
+    }
+}
+
+/// What would pull is open, and the rest sticks.
+pub(super) fn touching_contacts_roll<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
+    Attempt::by(Rung::EverythingTouchingRolls, found)
+}
+
+/// Newton's method on the answers of many contacts.
+pub(super) fn newton_on_answers<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    if scene.problem.len() < MANY {
+        return Attempt::Nothing;
+    }
+    let propose = |problem: &Problem<D, C>, _: &mut Log| propose_by_newton(problem);
+    Attempt::by(Rung::Newton, climb(scene.proposing(), propose, log))
+}
+
+/// Lemke's method on the kinematic form, on lists of contact states: its cost is that of a few numbers a contact.
+pub(super) fn kinematic_form_on_states<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    if scene.problem.len() < STRUCTURED_FROM {
+        return Attempt::Nothing;
+    }
+    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_structured(scene, problem, log);
+    let found = climb(scene.proposing(), propose, log).or_else(|| {
+        let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing()))?;
+        climb(with_edges, propose, log)
+    });
+    Attempt::by(Rung::KinematicForm, found)
+}
+
+/// A proof is cheaper than the paths that are left where there are many contacts; and with too many there are none left.
+pub(super) fn separating_motion_of_many<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    if scene.problem.len() < MANY {
+        return Attempt::Nothing;
+    }
+    match separating_motion(scene, log) {
+        Attempt::Nothing if !dense_is_affordable(scene.proposing()) => Attempt::Stop,
+        attempt => attempt,
+    }
+}
+
+/// Contact states from Lemke's method on the dense kinematic form.
+fn propose_kinematic<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    problem: &Problem<D, C>,
+    log: &mut Log,
+) -> Option<Vec<State<C>>> {
+    let form = |problem: &Problem<D, C>| forms::kinematic_form(problem, &scene.trial, &scene.state);
+    propose_dense(problem, scene.settings, form, forms::kinematic_states, log)
+}
+
+/// Lemke's method on the kinematic form with a dense matrix.
+pub(super) fn kinematic_form<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
+    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), propose, log))
+}
+
+/// The kinematic form once more, with facets for infinite friction.
+pub(super) fn kinematic_form_with_edges<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
+    let found = scene.with_edges().and_then(|with_edges| climb(with_edges, propose, log));
+    Attempt::by(Rung::KinematicForm, found)
+}
+
+/// Lemke's method on the force form.
+pub(super) fn force_form<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    let propose = |problem: &Problem<D, C>, log: &mut Log| {
+        propose_dense(problem, scene.settings, forms::force_form, forms::force_states, log)
+    };
+    Attempt::by(Rung::ForceForm, climb(scene.proposing(), propose, log))
+}
+
+/// A motion that separates the load from all that friction can do.
+pub(super) fn separating_motion<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    let motion = proofs::separating_motion(scene.proposing());
+    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
+}
+
+/// On the round cone: Lemke's method on polygons of other fits and with more facets.
+pub(super) fn other_polygons<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    if !scene.problem.round {
+        return Attempt::Nothing;
+    }
+    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
+    let found = finer_polygons(scene.problem, scene.settings.cone)
+        .find_map(|cone| climb(&on_polygons(scene.problem, cone, &scene.state.forces), propose, log));
+    Attempt::by(Rung::KinematicForm, found)
+}
+
+/// Whether directions of sliding can be told by sectors. With cones that are not round the polygons say all there is to say, and rates on an edge
+/// have no sectors.
+fn has_sectors<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
+    problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
+}
+
+/// On the round cone: every contact state and every sector of sliding directions.
+pub(super) fn every_case<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    let problem = scene.proposing();
+    if !has_sectors(problem) {
+        return Attempt::Nothing;
+    }
+    match search_sectors(problem, scene.settings.most_states / CASE) {
+        Sectors::Found(found) => Attempt::Found(found, Rung::Enumeration),
+        Sectors::NoneOf(cases) => Attempt::Proof(Settled::NoneOf(cases)),
+        Sectors::Unresolved => Attempt::Nothing,
+    }
+}
+
+/// Every combination of contact states, where they are few.
+pub(super) fn every_combination<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    let problem = scene.proposing();
+    if !enumerable(problem, scene.settings) {
+        return Attempt::Nothing;
+    }
+    let search = search(problem, true);
+    log.effort.combinations = search.tried;
+    if let Some(found) = search.found.into_iter().next() {
+        return Attempt::Found(found, Rung::Enumeration);
+    }
+    // A polygon that has no equilibrium says nothing about the round cone.
+    if has_sectors(problem) {
+        return Attempt::Nothing;
+    }
+    if search.doubtful {
+        log.doubt = Doubt::OnTheBoundary;
+        return Attempt::Stop;
+    }
+    Attempt::Proof(Settled::NoneOf(search.tried))
+}

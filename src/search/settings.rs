@@ -1,0 +1,96 @@
+//! What a caller may choose.
+
+use crate::contact::PolygonCone;
+
+/// Choices that have sound defaults.
+///
+/// ```
+/// use grasp_lcp::{Fit, PolygonCone, Settings};
+///
+/// // As codes without a round cone have it: 16 facets around it; and no search that takes long.
+/// let polygon = Settings::default().on_the_polygon().with_cone(PolygonCone::new(16, Fit::Circumscribed)?).with_most_states(100);
+/// assert!(!polygon.round && polygon.cone.facets() == 16);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Settings {
+    /// The polygonal friction cone in space: 8 facets, inscribed. For answers on the round cone it is what Lemke's method pivots
+    /// on, turned at each contact towards the elastic trial traction, and more facets only cost time. For answers on the
+    /// polygon itself more facets come closer to the round cone (the onset's error falls like 1/m², a sliding
+    /// state's like 1/m) and cost more pivots. Not looked at in the plane.
+    pub cone: PolygonCone,
+    /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Not looked at in
+    /// the plane.
+    pub round: bool,
+    /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
+    /// exponential problems, which contact problems are not known to be.
+    pub max_pivots: Option<usize>,
+    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
+    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone the
+    /// directions of sliding are tried in sectors, among at most five contacts that can slide, and each case counts as a
+    /// hundred combinations. Lower it for speed on scenes without an equilibrium (0 leaves the search out, and with it proofs by trying
+    /// all states), raise it to get a proof for more contacts.
+    pub most_states: usize,
+    /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
+    /// the largest force, of slips over the largest displacement. The default is 1e-9, an error that can be had on nearly every path.
+    /// Where the tangent becomes singular in the load, as at a fold, it magnifies rounding. An error of 1e-13, which rounding allows
+    /// elsewhere, takes thousands of steps there or cannot be had. Where no less can be had than a larger one, that is reported by
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Larger ones make fewer and longer steps. Where a path is
+    /// straight there are none.
+    pub step_error: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            cone: PolygonCone::default(),
+            round: true,
+            max_pivots: None,
+            most_states: 20_000,
+            step_error: 1e-9,
+        }
+    }
+}
+
+impl Settings {
+    /// The same with another polygonal cone.
+    #[must_use]
+    pub fn with_cone(mut self, cone: PolygonCone) -> Self {
+        self.cone = cone;
+        self
+    }
+
+    /// The same with answers for the polygonal cone itself instead of the round one.
+    #[must_use]
+    pub fn on_the_polygon(mut self) -> Self {
+        self.round = false;
+        self
+    }
+
+    /// Whether equilibria with C axes a contact are for the round cone.
+    pub(crate) fn is_round<const C: usize>(&self) -> bool {
+        C == 3 && self.round
+    }
+
+    /// The same with another limit on the combinations of contact states.
+    #[must_use]
+    pub fn with_most_states(mut self, most_states: usize) -> Self {
+        self.most_states = most_states;
+        self
+    }
+
+    /// The same with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
+    #[must_use]
+    pub fn with_step_error(mut self, step_error: f64) -> Self {
+        self.step_error = step_error;
+        self
+    }
+
+    /// The same with a limit on the pivots of one run of Lemke's method.
+    #[must_use]
+    pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
+        self.max_pivots = Some(max_pivots);
+        self
+    }
+}

@@ -1,0 +1,17 @@
+//! Many questions at once: answers in the order of the questions, the same bits for any number of threads.
+//!
+//! Every question is answered on its own by the same serial code. Threads (feature `parallel`, rayon's global pool) only
+//! decide which of them answers which question. Outside this room only the sums over very many contacts of one scene
+//! know of threads; they give the same bits, too.
+
+mod batch;
+mod grasps;
+mod in_order;
+mod progress;
+mod uncertainty;
+
+pub use batch::onsets_of_batch;
+pub use grasps::onset_of_each;
+pub use in_order::map_in_order;
+pub use progress::{Progress, map_watched};
+pub use uncertainty::Uncertainty;

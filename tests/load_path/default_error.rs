@@ -1,0 +1,12 @@
+//! The error of a step that is asked for unless one says otherwise can be had, also where a path folds back.
+
+use crate::pace::{around_a_glass, undecided};
+use grasp_lcp::Settings;
+
+/// Where the tangent becomes singular in the load, steps to 1e-13 die out and some of these paths end undecided.
+#[test]
+fn no_path_around_a_glass_asks_for_more_than_can_be_had() {
+    for (tilt, friction) in [(0.1, 0.5), (0.2, 0.6)] {
+        assert_eq!(undecided(&around_a_glass(tilt, friction), &[19, 20], &Settings::default()), 0);
+    }
+}
