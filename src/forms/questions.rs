@@ -1,14 +1,12 @@
 //! The two forms of a grasp under a load, for those who solve them elsewhere.
 
-use std::sync::Arc;
-
 use super::force_form::force_form;
 use super::kinematic::kinematic_form;
 use super::rows::Form;
-use crate::contact::{Polygon, PolygonCone};
+use crate::contact::PolygonCone;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::{Load, Piece, Problem};
+use crate::object::Piece;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The [kinematic form](self) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
@@ -35,9 +33,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn kinematic_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Arc::new(Polygon::new(cone));
-        let wrench = self.inside(load, "load")?;
-        let problem = Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench));
+        let problem = self.on_polygons(load, cone)?;
         let trial = Piece::new(&problem, &problem.unjumped());
         let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
         Ok(kinematic_form(&problem, &trial, &state))
@@ -67,9 +63,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn force_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Arc::new(Polygon::new(cone));
-        let wrench = self.inside(load, "load")?;
-        let problem = Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench));
-        Ok(force_form(&problem))
+        Ok(force_form(&self.on_polygons(load, cone)?))
     }
 }
