@@ -25,6 +25,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `program` | a convex quadratic program and its optimality conditions |
+//! | `program_rows` | its rows, as they are written down |
 //! | `printed`, `reduced` | the paper's program, in all displacements and without those of the surfaces |
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
@@ -41,6 +42,7 @@ mod minimum;
 mod optimality;
 mod printed;
 mod program;
+mod program_rows;
 mod reduced;
 mod second_order;
 mod stability;
