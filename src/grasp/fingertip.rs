@@ -17,8 +17,8 @@ use crate::error::{Error, LARGEST};
 /// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and [`crate::spatial`].
 /// [`Self::contacts`] puts it in the place of a contact.
 ///
-/// With w_i the shares, Σ w_i = 1, ρ_i the places about the centre, r_i = |ρ_i|, and `⟨f⟩ = Σ w_i f(ρ_i)`, a tip with
-/// normal and tangential stiffness k_n, k_t (N/m) that is squeezed by N (N) has
+/// Let w_i be the shares, Σ w_i = 1, and ρ_i the places about the centre, r_i = |ρ_i|; `⟨f⟩` stands for `Σ w_i f(ρ_i)`.
+/// The stiffness of the tip is k_n along the normal and k_t along the tangents, N/m. If it is squeezed by N (N), these formulas hold.
 ///
 /// | | formula | ring | disc: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
@@ -29,23 +29,23 @@ use crate::error::{Error, LARGEST};
 /// | tilting stiffness, N m/rad | k_n ⟨r²⟩/2 | k_n R²/2 | k_n R²/4 | k_n R²/6 | k_n R²/5 |
 /// | first opening under tilting, N m | N ⟨r²⟩/2R | N R/2 | N R/4 | N R/6 | N R/5 |
 ///
-/// and a pad of width 2b in the plane
+/// For a pad of width 2b in the plane there are fewer.
 ///
 /// | | formula | pair | pad: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
 /// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
 /// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
 ///
-/// These are the values of the continuum, and those of the points too, to rounding, from the coarsest patch on: every
+/// These are the values of the continuum, and those of the points too, to rounding, from the coarsest patch on. Every
 /// band of a disc carries its share of the load, of ⟨r⟩ and of ⟨r²⟩ exactly, and one layer of points lies on the rim
 /// (see [`Pressure`]). Where the stiffness k_1, k_2 differs along the two tangents, their mean takes the place of k_t in the
 /// torsional stiffness, and the first sliding comes earlier, by up to the factor mean/max(k_1, k_2).
 ///
 /// Under torsion slip starts at the rim and works inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide.
 /// On the uniform disc `M = μ N R (2/3 - (r_s/R)³/6)`; the continuum comes near its limit only as θ grows without end, a
-/// patch of points reaches it when its innermost ring slides. In between, the M of the points differs from that of the continuum by
-/// an amount that falls with the square of the number of bands: at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4
-/// bands of the uniform disc.
+/// patch of points reaches it when its innermost ring slides. In between, the M of the points differs from that of the
+/// continuum. The difference falls with the square of the number of bands: it is at most 0.041, 0.0163 and 0.0056 μ N R
+/// for 1, 2 and 4 bands of the uniform disc.
 ///
 /// The springs set the profile of the pressure: it is p under an even squeeze, however strong, and changes as the tip is
 /// tilted; the patch does not grow with the squeeze. A measured torsional stiffness is met by a ring of radius
@@ -111,12 +111,12 @@ impl SoftFingertip<3> {
     /// A disc of this radius (m) cut into `annuli` of equal width, each of which is stood for by two rings of `points`
     /// points. Every other ring is turned by half a spacing; the one on the rim has a point along the first tangent.
     ///
-    /// The closed forms above hold for any number of annuli and points; more annuli refine how slip spreads from the rim,
+    /// The closed forms above hold for any number of annuli and points. More annuli refine how slip spreads from the rim,
     /// more points how a tip behaves that slides and spins at once.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, there are at least 3 points
-    /// on a ring and, in all, at most [`Self::MOST_POINTS`].
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and there is at least one annulus. A ring must have at
+    /// least 3 points, and all together at most [`Self::MOST_POINTS`].
     pub fn disc(radius: f64, annuli: usize, points: usize, pressure: Pressure) -> Result<Self, Error> {
         check(annuli >= 1, "number of annuli", annuli as f64, "at least 1")?;
         let rings = annuli.saturating_mul(2);
@@ -229,8 +229,8 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// The point contacts that take the place of `contact`.
     ///
-    /// Each has its normal, its tangents, friction, command, clearance and hold, and the share w_i of the stiffness of its
-    /// body and its finger along every axis; its name is that of `contact` and a number from 0, "thumb 3".
+    /// Each point has the normal, tangents, friction, command, clearance and hold of `contact`. Its body and its finger have
+    /// the share w_i of the stiffness along every axis. Its name is that of `contact` and a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.

@@ -2,14 +2,17 @@
 //!
 //! # Three outcomes
 //!
+//! A question about equilibrium has one of three outcomes.
+//!
 //! | [`Outcome`](crate::equilibrium::Outcome) | what it says | what to do with it |
 //! |---|---|---|
 //! | `Equilibrium` | forces, motion and states that satisfy every condition, checked against the question | use it, after a look at the fields below |
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof says how |
 //! | `Undecided` | neither was found, and [why](crate::equilibrium::Doubt) | not "holds" and not "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` comes with many contacts on the verge of what friction can do, where the load lies on the boundary of what the grasp
-//! can hold to the last digit, and where the numbers of a scene lie so far apart that forces cannot be written down.
+//! `Undecided` comes in three cases. Many contacts may stand on the verge of what friction can do. The load may lie, to the
+//! last digit, on the boundary of what the grasp can hold. The numbers of a scene may lie so far apart that forces cannot
+//! be written down.
 //!
 //! # What an equilibrium says of itself
 //!
