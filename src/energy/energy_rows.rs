@@ -54,7 +54,7 @@ impl<const D: usize, const C: usize> Row<D, C> {
         self.law.dot(&forces[self.contact])
     }
 
-    /// How far the row is inside, beyond rounding or not, with forces up to `largest`.
+    /// Whether the row is satisfied up to rounding, with forces up to `largest`.
     pub(super) fn holds(&self, forces: &[SVector<f64, C>], largest: f64) -> bool {
         self.value(forces) >= -ROUNDING * largest * self.weight
     }
