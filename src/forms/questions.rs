@@ -9,7 +9,7 @@ use crate::grasp::{Grasp, Wrench};
 use crate::object::Piece;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The [kinematic form](self) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
+    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
     /// sticks. `None` if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. When
     /// `lcp.vector() >= 0` everything rolls and z = 0 is the answer. In the plane `cone` is not looked at.
     ///
@@ -39,7 +39,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(kinematic_form(&problem, &trial, &state))
     }
 
-    /// The [force form](self) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`]). Contacts that act
+    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act
     /// both ways (bonded, kept closed, infinite friction) have springs in the rows of the balance and no rows of their own. `None` if a
     /// number overflows. In the plane `cone` is not looked at.
     ///

@@ -15,7 +15,7 @@ pub enum Row {
     Slip {
         /// The contact.
         contact: usize,
-        /// The facet, see [`PolygonCone`](super::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
+        /// The facet, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
         facet: usize,
     },
     /// Force form: z = normal force `F_n` (N), w = gap g (m).
@@ -27,7 +27,7 @@ pub enum Row {
     TangentialForce {
         /// The contact.
         contact: usize,
-        /// The corner, see [`PolygonCone`](super::PolygonCone): in the plane 0 for +t, 1 for -t.
+        /// The corner, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for +t, 1 for -t.
         corner: usize,
     },
     /// Force form: z = size of the slip λ (m), w = friction that is not used, `μ F_n - Σβ` (N).
