@@ -122,9 +122,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         if !law.stuck.resists(&law.problem.wrench) {
             return Ok(AssociatedOutcome::NoBalance);
         }
-        let found = law.binding(settings);
-        let first = found.and_then(|(binding, near)| Some((law.on_faces(&binding, &near)?, binding, near)));
-        let Some((first, binding, near)) = first else {
+        let Some((first, binding, near)) = law.solve(settings) else {
             // There is a state of rest for every load in the friction wrench cone; is this one outside?
             return Ok(match separating_motion(&law.problem) {
                 Some(_) => AssociatedOutcome::NoBalance,
@@ -134,7 +132,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         // Rows on their edge that the pivots left out: forces are the same, but the object has more room.
         let most = law.problem.largest_force(&first.forces, &first.twist);
         let edge: Vec<_> = (0..law.rows.len()).filter(|r| law.rows[*r].binds(&first.forces, most)).collect();
-        let roomier = law.on_faces(&edge, &near).filter(|state| law.jumps_outwards(state));
+        let more = Some(&edge).filter(|edge| **edge != binding);
+        let roomier =
+            more.and_then(|edge| law.on_faces(edge, &near)).filter(|state| law.jumps_outwards(state));
         let (state, binding) = roomier.map_or((first, binding), |state| (state, edge));
         Ok(AssociatedOutcome::Rest(Box::new(self.at_rest(load, &law, &state, &binding))))
     }
@@ -180,19 +180,23 @@ impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
         Self { problem, stuck, rows }
     }
 
-    /// Which rows bind, and a twist with it, by Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0`.
-    fn binding(&self, settings: &Settings) -> Option<(Vec<usize>, SVector<f64, D>)> {
-        let rows = &self.rows;
-        let problem = &self.problem;
+    /// A state that satisfies the law, the rows that bind there, and the twist that follows from the pivots.
+    ///
+    /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` says which rows bind; none does if everything sticks.
+    fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, SVector<f64, D>)> {
+        let (rows, problem) = (&self.rows, &self.problem);
         let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let vector = values(rows, &trial.forces);
         if vector.iter().all(|q| *q >= 0.0) {
-            return Some((Vec::new(), trial.twist));
+            let twist = trial.twist;
+            return Some((trial, Vec::new(), twist));
         }
         let matrix = DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i].past_the_object(&rows[j]));
         let Outcome::Solved(solution) = by_pivots(matrix, vector, settings)? else { return None };
         let travelled = rows.iter().zip(&solution.z).map(|(row, z)| row.seen * *z).sum();
-        Some((solution.basis.iter().collect(), trial.twist + self.stuck.motion(&travelled)))
+        let near = trial.twist + self.stuck.motion(&travelled);
+        let binding: Vec<usize> = solution.basis.iter().collect();
+        Some((self.on_faces(&binding, &near)?, binding, near))
     }
 
     /// The springs along the faces where these rows bind; `None` if they do not satisfy the law. The twist is the least one,

@@ -4,7 +4,7 @@
 //! Π = QQᵀ be the projector on the motions of the object. Every law of this module is made of the products `n·Π n'`
 //! and `n·(1 - Π) n'` of two rows n, n', and of the values `n·x⁰` when everything sticks.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring};
@@ -40,13 +40,13 @@ impl<const D: usize, const C: usize> Row<D, C> {
         (contact, local): (usize, &LocalLaw<'_, C>),
         facet: Option<usize>,
         law: SVector<f64, C>,
-        stuck: &Piece<D, C>,
+        seen: &SMatrix<f64, D, C>,
     ) -> Self {
         let normal = law.component_mul(&local.springs.root());
         let length = normal.norm();
         let normal = normal / length;
-        let seen = stuck.seen(contact) * normal;
-        Self { contact, facet, law, normal, length, weight: local.cone().round_weight(), seen }
+        let weight = local.cone().round_weight();
+        Self { contact, facet, law, normal, length, weight, seen: seen * normal }
     }
 
     /// `μ F_n - h·F_t`, or F_n, N.
@@ -97,7 +97,8 @@ pub(super) fn rows<const D: usize, const C: usize>(
 ) -> Vec<Row<D, C>> {
     let mut rows = Vec::new();
     for (i, local) in problem.locals().enumerate() {
-        let mut push = |facet, law| rows.push(Row::new((i, &local), facet, law, stuck));
+        let seen = stuck.seen(i);
+        let mut push = |facet, law| rows.push(Row::new((i, &local), facet, law, &seen));
         if presses(&local) {
             push(None, unit(0));
         }

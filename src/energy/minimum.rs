@@ -163,7 +163,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
             };
             pivots = made;
-            point = program.on_faces(&faces, &near).filter(|point| program.holds(point, &faces));
+            point = program.on_faces(&faces, &stuck, &near).filter(|point| program.holds(point, &faces));
         }
         let Some(point) = point else { return Ok(MinimumOutcome::Unsolved) };
         Ok(MinimumOutcome::Minimum(Box::new(self.write_out(load, &program, &point, pivots))))

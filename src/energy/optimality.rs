@@ -141,14 +141,21 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
 
     /// The minimum on these faces; `None` if the binding rows depend on each other, or nothing there balances the load.
     /// Where a motion is free, its part of `near` is taken if the least twist closes a gap too far.
-    pub(super) fn on_faces(&self, faces: &Faces, near: &SVector<f64, D>) -> Option<Point<D, C>> {
+    pub(super) fn on_faces(
+        &self,
+        faces: &Faces,
+        stuck: &PieceState<D, C>,
+        near: &SVector<f64, D>,
+    ) -> Option<Point<D, C>> {
         let problem = &self.problem;
-        let springs = self.springs(faces);
-        let PieceState { mut forces, mut twist } =
-            springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let opened = faces.open.contains(&true).then(|| self.springs(faces));
+        let (springs, PieceState { mut forces, mut twist }) = match &opened {
+            Some(springs) => (springs, springs.solve(problem.sites, &problem.drives, problem.load()).ok()?),
+            None => (&self.stuck, stuck.clone()),
+        };
         let mut multipliers = vec![0.0; self.friction.len()];
         if !faces.binding.is_empty() {
-            twist += springs.motion(&self.bind(faces, &springs, &mut forces, &mut multipliers)?);
+            twist += springs.motion(&self.bind(faces, springs, &mut forces, &mut multipliers)?);
         }
         let gaps_at = |twist: &SVector<f64, D>| -> Vec<f64> {
             let gap = |i: usize| {

@@ -50,8 +50,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: &PolygonCone,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Arc::new(Polygon::new(cone));
-        let load = Load { wrench: self.inside(load, "load")?, rest: self.inside_rest(load) };
-        Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &load))
+        let wrench = self.inside(load, "load")?;
+        Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }
 
