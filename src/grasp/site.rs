@@ -15,7 +15,8 @@ pub(crate) struct Site<const D: usize, const C: usize> {
     pub(crate) map_rest: SMatrix<f64, D, C>,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
-    /// Series stiffness; zero along the tangents of a frictionless contact, which has no spring there.
+    /// Series stiffness; zero along the tangents of a frictionless contact, which has no spring
+    /// there.
     pub(crate) k: SVector<f64, C>,
     pub(crate) mu: f64,
     pub(crate) hold: Hold,

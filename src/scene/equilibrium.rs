@@ -84,14 +84,15 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Energy stored in the springs, J.
     #[serde(with = "found")]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts as one unit says
-    /// [`state::Equilibrium::free_motions`].
+    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
+    /// as one unit says [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_motions: Vec<Twist<D>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub neutral_motions: Vec<Twist<D>>,
-    /// The largest change of a contact force, N, from the answer of the polygon that the search started from, if it did.
+    /// The largest change of a contact force, N, from the answer of the polygon that the search
+    /// started from, if it did.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub change_from_polygon: Option<f64>,
     /// Pivots of Lemke's method.

@@ -83,10 +83,12 @@ pub struct Touch<const C: usize> {
     /// Displacement of the body's core, coordinate axes, m.
     #[serde(with = "found")]
     pub body_core: SVector<f64, C>,
-    /// Displacement of the body's surface, coordinate axes, m; left out if only the series stiffness is known.
+    /// Displacement of the body's surface, coordinate axes, m; left out if only the series
+    /// stiffness is known.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement of the finger's surface, coordinate axes, m; left out if only the series stiffness is known.
+    /// Displacement of the finger's surface, coordinate axes, m; left out if only the series
+    /// stiffness is known.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub finger_surface: Option<SVector<f64, C>>,
 }

@@ -6,7 +6,9 @@ use super::block::Block;
 use super::finger::{Finger, Force, moment, world};
 use super::lanes::{Lanes, dot};
 
-/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring.
+/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
+/// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
+/// motions beside very soft ones would be called free.
 pub(super) const NOTHING: f64 = 1e-13;
 
 /// Stiffness of the object about the centroid of its contacts, in factors.

@@ -11,8 +11,9 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) points: [[Lanes<L>; C]; N],
     /// In a planar pair with compliances in place of the stiffnesses, see [`super::pair`].
     pub(super) fingers: [Finger<C, L>; N],
-    /// Commanded displacements less the clearance, along the normal and across it. They are kept apart: a stiff
-    /// tangential spring would make a force of the rounding of a long way along the normal.
+    /// Commanded displacements less the clearance, along the normal and across it. They are kept
+    /// apart: a stiff tangential spring would make a force of the rounding of a long way along the
+    /// normal.
     pub(super) commands: [Force<C, L>; N],
     /// Friction coefficients, or codes; see [`super::exit`].
     pub(super) friction: [Lanes<L>; N],
@@ -20,7 +21,8 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) sizes: Sizes<L>,
 }
 
-/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms.
+/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a
+/// unit force: the sum of the sizes of all terms.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<const L: usize> {
     pub(super) commands: Lanes<L>,

@@ -4,15 +4,21 @@ use super::finger::Force;
 use super::lanes::{Lanes, dot};
 use super::screened::{GIVES_WAY, NOT_ROLLING, Screened, UNCLEAR};
 
-/// A contact this close to the edge of its cone at factor zero, relative to the forces there, may be on it.
+/// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
+/// be on it. With a smaller part rounding would decide whether it rolls; with a larger one more
+/// grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
-/// Contacts that leave at factors less than this part apart leave together.
+/// Contacts that leave at factors less than this part apart leave together, as those of symmetric
+/// grasps do up to rounding.
 const TOGETHER: f64 = 1e-12;
-/// Forces that leave more than this part of the load unbalanced are not accurate enough.
+/// Forces that leave more than this part of the load unbalanced are not accurate enough: the factor
+/// would have fewer than twelve digits.
 const BALANCED: f64 = 1e-12;
-/// A margin that closes at less than so many times what of the rate may be rounding closes at a factor that is not known well enough.
+/// A margin that closes at less than so many times the rounding of its rate closes at a factor of
+/// fewer than six digits, which is no answer.
 const SHARP: f64 = 1e6;
-/// A force times a rate outside of these bounds, squared, loses its digits to underflow or overflows.
+/// A force times a rate outside of these bounds, squared, loses its digits to underflow or
+/// overflows.
 const LEAST: f64 = 1e-140;
 const MOST: f64 = 1e150;
 
@@ -38,17 +44,19 @@ impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
     };
 }
 
-/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and one, 1 and 0 if it can only open, both zero if it
-/// never leaves.
+/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and
+/// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
 struct Cone<const L: usize> {
     alpha: Lanes<L>,
     beta: Lanes<L>,
 }
 
-/// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no friction, or infinite friction.
+/// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no
+/// friction, or infinite friction.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed without or with infinite friction.
+/// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed
+/// without or with infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<const L: usize> Cone<L> {
@@ -64,22 +72,24 @@ impl<const L: usize> Cone<L> {
 struct Exit<const L: usize> {
     /// Infinite if there is none, a code if it is not known.
     factor: Lanes<L>,
-    /// The margin to the edge at factor zero, and what is left of it without rounding.
+    /// The margin to the edge at factor zero, and the margin less its rounding.
     margin: Lanes<L>,
     sure: Lanes<L>,
 }
 
 /// Where `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
 ///
-/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the long run it closes at the rate `|t'| - n'`: whether that is more
-/// than rounding decides whether the line leaves at all. In the plane it is two straight lines. In space the first root of a quadratic is wanted,
+/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the
+/// long run it closes at the rate `|t'| - n'`: whether that is more than rounding decides whether
+/// the line leaves at all. In the plane it is two straight lines. In space the first root of a
+/// quadratic is wanted,
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
 /// ```
 ///
-/// and of `c / (√Δ - b)` and `(√Δ + b) / a` that one is taken in which nothing cancels. In its second form Δ keeps its digits where the line passes
-/// close to the apex.
+/// and of `c / (√Δ - b)` and `(√Δ + b) / a` that one is taken in which nothing cancels. In its
+/// second form Δ keeps its digits where the line passes close to the apex.
 #[inline(always)]
 fn exit<const C: usize, const N: usize, const L: usize>(
     cone: &Cone<L>,
@@ -132,7 +142,8 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
 }
 
-/// A factor as far as it is known from the rate at which the margin closes there: infinite if that is rounding, a code if it is close to it.
+/// A factor as far as it is known from the rate at which the margin closes there: infinite if that
+/// is rounding, a code if it is close to it.
 #[inline(always)]
 fn known<const L: usize>(factor: Lanes<L>, closing: Lanes<L>, noise: Lanes<L>) -> Lanes<L> {
     let factor = closing.above(Lanes::all(SHARP) * noise, factor, Lanes::all(UNCLEAR));
@@ -162,7 +173,8 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     for i in 0..N {
         leaving += factors[i].above(until, zero, Lanes::all(f64::from(1 << i)));
     }
-    // Where there are no forces this is not a number; what never leaves has a margin of zero, as exactly as it should.
+    // Where there are no forces this is not a number; what never leaves has a margin of zero, as
+    // exactly as it should.
     let code = first + Lanes::ZERO * sure;
     let code = (-sure).above(zero, Lanes::all(UNCLEAR), code);
     let code = Lanes::all(BALANCED).above(base.unbalanced + rates.unbalanced, code, Lanes::all(UNCLEAR));

@@ -11,7 +11,8 @@ pub(super) struct Finger<const C: usize, const L: usize> {
     pub(super) springs: [Lanes<L>; 2],
 }
 
-/// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the plane the first entry, that along (n_y, -n_x).
+/// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the
+/// plane the first entry, that along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force<const C: usize, const L: usize> {
     pub(super) normal: Lanes<L>,

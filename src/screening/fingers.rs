@@ -12,11 +12,11 @@ use super::screened::Screened;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
-/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling:
-/// what does not depend on the load is done once.
+/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of
+/// them leaves rolling: what does not depend on the load is done once.
 ///
-/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see [`planar::Fingers`](crate::planar::Fingers) and
-/// [`spatial::Fingers`](crate::spatial::Fingers).
+/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see
+/// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -38,11 +38,12 @@ pub struct Fingers<const D: usize, const C: usize, const N: usize> {
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
-    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not compile.
+    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not
+    /// compile.
     ///
     /// # Errors
-    /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
-    /// differs from one tangent to the other.
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space
+    /// a contact's stiffness must be equal along both tangents.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
@@ -92,7 +93,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         Ok(Self { ready: Ready::new(&block), block })
     }
 
-    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening does not know.
+    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening
+    /// does not know.
     #[must_use]
     #[inline(never)]
     pub fn onset(&self, pull: &Pull<D>) -> Screened {

@@ -1,13 +1,14 @@
 //! Two contacts in the plane: forces in closed form, in compliances.
 //!
-//! With p the way from contact 1 to contact 2, `p_1 = p` and `p_2 = -p`, `p_i⊥` a quarter turn further, m the midpoint and `C_i = K_i⁻¹` in coordinate axes, balance
-//! of forces and moments leaves one unknown λ, the force along the line through both,
+//! The way from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`; `p_i⊥` is a quarter
+//! turn further and m the midpoint. The compliances are `C_i = K_i⁻¹` in coordinate axes. Balance
+//! of forces and moments leaves one unknown λ, the force along the line through both:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! and that the object does not change its length fixes it:
+//! The object does not change its length, which fixes λ:
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0
@@ -22,9 +23,12 @@ use super::finger::Force;
 use super::lanes::Lanes;
 use crate::load_path::ROUNDING;
 
-/// Turns stiffnesses into compliances. A contact without friction has none along its tangent to speak of, an infinite one: then the condition on λ
-/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together, nor does one whose normal points along
-/// the line: the object turns about the other contact. Their compliances are not numbers.
+/// Turns stiffnesses into compliances.
+///
+/// A contact without friction has an infinite compliance along its tangent: the condition on λ
+/// reads `F_t = 0` there, and all its other terms vanish. Two such contacts do not hold anything
+/// together. Nor does one whose normal points along the line: the object turns about the other
+/// contact. The compliances of both are then not numbers.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
     let slippery = scene.fingers.map(|finger| finger.springs[1].0[0] == 0.0);
     let [x, y] = [0, 1].map(|axis| scene.points[1][axis].0[0] - scene.points[0][axis].0[0]);
@@ -79,7 +83,8 @@ pub(super) struct Pair<const L: usize> {
     v: [Lanes<L>; 2],
     one_over_give: Lanes<L>,
     one_over_square: Lanes<L>,
-    /// How much the line would have to give if s were one, and what the fingers take from it by going where they are told.
+    /// How much the line would have to give if s were one, and what the fingers take from it by
+    /// going where they are told.
     sheared: Lanes<L>,
     commanded: Lanes<L>,
     sizes: Sizes<L>,

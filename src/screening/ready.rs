@@ -1,4 +1,4 @@
-//! What is known of a scene before anything pulls.
+//! What is known of a scene before any load acts.
 
 use super::balance::Body;
 use super::block::Block;

@@ -1,8 +1,10 @@
 //! Three to five contacts, and a pair in space: the forces while every contact rolls.
 //!
-//! The springs are stretched by the commands, the object held in place; then the object lets go, and moves by `q = T⁻¹ w` with the wrench w that
-//! was not balanced. Where stiffnesses differ much T loses what the soft contacts add, but the balance of forces shows it: what they leave
-//! of the load is solved for again. Forces that obey both the balance and the springs are right, however little T is known.
+//! The springs are stretched by the commands, the object held in place; then the object lets go,
+//! and moves by `q = T⁻¹ w` with the wrench w that was not balanced. Where stiffnesses differ much
+//! T loses what the soft contacts add, but the balance of forces shows it: what they leave of the
+//! load is solved for again. Forces that obey both the balance and the springs are right, however
+//! little T is known.
 
 use super::balance::Body;
 use super::block::Block;
@@ -11,14 +13,20 @@ use super::finger::{Force, displacement, stretched};
 use super::lanes::Lanes;
 use crate::load_path::ROUNDING;
 
-/// Forces that leave this part of the load unbalanced are improved.
+/// Forces that leave more than this part of the load unbalanced are improved. Rounding alone leaves
+/// some 1e-15; with a larger bound forces would lose digits to a soft contact beside a stiff one,
+/// with a smaller one they would be improved in vain.
 const IMPROVED: f64 = 1e-14;
-/// Times that they are improved at most.
+/// Times that they are improved at most. One is enough unless stiffnesses differ very much; forces
+/// that three do not balance are called unclear.
 const TIMES: usize = 3;
-/// If motions are free and this part of the load stays unbalanced, it works on them.
+/// If motions are free and more than this part of the load stays unbalanced, it works on them. A
+/// load that does not work on them leaves rounding alone; with a larger bound a load that drives
+/// the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
-/// Commands of the fingers or a load, and what part of the forces that they bring about is called rounding.
+/// Commands of the fingers or a load, and what part of the forces that they bring about is called
+/// rounding.
 struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
     commands: Option<[Force<C, L>; N]>,
     load: [Lanes<L>; D],
@@ -84,9 +92,10 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     forces
 }
 
-/// What of a force may be rounding: a part of it, and of what its spring exerts over all that stretches and slackens it, as far as forces are
-/// that large at all. Displacements that ought to cancel leave forces only between two contacts or more, so there the second stiffest
-/// sets the measure.
+/// The forces with a bound of their rounding: a part of the force, and a part of the force that its
+/// spring would exert over the whole displacement that stretches and slackens it. The second is no
+/// larger than forces are at all: displacements that ought to cancel leave forces only between two
+/// contacts or more, so that the second stiffest of them sets the measure.
 #[inline(always)]
 fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>(
     body: &Body<D, C, N, L>,
