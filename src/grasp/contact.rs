@@ -200,8 +200,8 @@ impl<const C: usize> Contact<C> {
     ///
     /// // A finger pushes up, n = (0, 1), t = (1, 0). To the right is along t, upwards along n.
     /// let finger = Contact::new([0.0, 0.0], [0.0, 2.0]).series_stiffness(1.0, 1.0).command_world([0.001, 0.002]);
-    /// assert_eq!(finger.commanded(), [0.002, 0.001].into());
-    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded(), [0.002, 0.001].into());
+    /// assert_eq!(finger.commanded().as_slice(), [0.002, 0.001]);
+    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded().as_slice(), [0.002, 0.001]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]

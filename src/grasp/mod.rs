@@ -36,6 +36,7 @@ mod site;
 mod stiffness;
 mod wrench;
 
+#[cfg(feature = "serde")]
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;

@@ -59,7 +59,7 @@ fn no_load<const D: usize>() -> Wrench<D> {
 /// use grasp_lcp::scene::Commands;
 ///
 /// let squeeze: Commands<2> = [[0.002, 0.0]; 3].into_iter().collect();
-/// assert_eq!(squeeze.0[2], [0.002, 0.0].into());
+/// assert_eq!(squeeze.0[2].as_slice(), [0.002, 0.0]);
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
