@@ -30,28 +30,29 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
     pub(super) fn new(block: &Block<C, N, L>) -> Self {
         let share = Lanes::all(1.0 / N as f64);
         let none = [Lanes::ZERO; C];
+        let mut fingers = [Finger { normal: none, springs: [Lanes::ZERO; 2] }; N];
+        for i in 0..N {
+            for axis in 0..C {
+                fingers[i].normal[axis] = block.normal[axis][i];
+            }
+            fingers[i].springs = [block.springs[0][i], block.springs[1][i]];
+        }
         let mut centre = none;
-        let mut arms = block.points;
+        let mut arms = [centre; N];
         let mut reach = Lanes::ZERO;
         for axis in 0..C {
-            for point in &block.points {
-                centre[axis] += point[axis] * share;
+            for i in 0..N {
+                centre[axis] += block.point[axis][i] * share;
             }
-            for arm in &mut arms {
-                arm[axis] -= centre[axis];
-                reach = reach.max(arm[axis].abs());
+            for i in 0..N {
+                arms[i][axis] = block.point[axis][i] - centre[axis];
+                reach = reach.max(arms[i][axis].abs());
             }
         }
-        let mut body = Self {
-            fingers: block.fingers,
-            centre,
-            arms,
-            reach,
-            factors: [[Lanes::ZERO; D]; D],
-            free: Lanes::ZERO,
-        };
+        let mut body =
+            Self { fingers, centre, arms, reach, factors: [[Lanes::ZERO; D]; D], free: Lanes::ZERO };
         for i in 0..N {
-            body.add(&block.fingers[i], &arms[i]);
+            body.add(&fingers[i], &arms[i]);
         }
         body.factor();
         body

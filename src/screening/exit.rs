@@ -1,6 +1,5 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
-use super::finger::Force;
 use super::lanes::{Lanes, dot};
 use super::screened::{GIVES_WAY, NOT_ROLLING, Screened, UNCLEAR};
 
@@ -25,7 +24,10 @@ const MOST: f64 = 1e150;
 /// The forces of all contacts, or their rates; arrays run over the contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
-    pub(super) contacts: [Force<C, L>; N],
+    pub(super) normal: [Lanes<L>; N],
+    /// In space a vector across the normal, axis by axis; in the plane the first entry is that
+    /// along (n_y, -n_x).
+    pub(super) tangential: [[Lanes<L>; N]; C],
     /// What of them may be rounding.
     pub(super) rounding: [Lanes<L>; N],
     /// What part of the load they leave unbalanced; not a number if there are no such forces.
@@ -36,12 +38,27 @@ pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
 
 impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
     /// No forces.
-    pub(super) const NONE: Self = Self {
-        contacts: [Force::NONE; N],
-        rounding: [Lanes::ZERO; N],
-        unbalanced: Lanes::ZERO,
-        free: Lanes::ZERO,
-    };
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = Lanes::ZERO;
+        Self {
+            normal: [zero; N],
+            tangential: [[zero; N]; C],
+            rounding: [zero; N],
+            unbalanced: zero,
+            free: zero,
+        }
+    }
+
+    /// The tangential part at one contact.
+    #[inline(always)]
+    pub(super) fn friction(&self, contact: usize) -> [Lanes<L>; C] {
+        let mut friction = [Lanes::ZERO; C];
+        for axis in 0..C {
+            friction[axis] = self.tangential[axis][contact];
+        }
+        friction
+    }
 }
 
 /// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and
@@ -100,20 +117,19 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     let zero = Lanes::ZERO;
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
-    let (force, rate) = (&base.contacts[contact], &rates.contacts[contact]);
-    let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
+    let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
     let (factor, margin);
     // Minus infinity where nothing is sure.
     let mut lost = zero;
     if C == 2 {
-        let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
+        let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
         margin = one.min(two);
         factor =
             known(one / closing_one, closing_one, noise).min(known(two / closing_two, closing_two, noise));
     } else {
-        let (mut t, mut dt) = (force.tangential, rate.tangential);
+        let (mut t, mut dt) = (base.friction(contact), rates.friction(contact));
         for axis in 0..C {
             t[axis] = cone.beta * t[axis];
             dt[axis] = cone.beta * dt[axis];

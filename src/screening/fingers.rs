@@ -1,10 +1,7 @@
 //! The contacts of one grasp, checked once and made ready.
 
-use nalgebra::SVector;
-
 use super::block::Block;
 use super::exit::{OPENS_ONLY, STAYS};
-use super::finger::{Finger, Force};
 use super::lanes::Lanes;
 use super::pull::Pull;
 use super::ready::Ready;
@@ -63,7 +60,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 });
             }
             let mut a = contact.commanded();
-            let pressed = a[0] - contact.clearance;
+            block.pressed[index] = Lanes([a[0] - contact.clearance]);
             a[0] = 0.0;
             if C == 3 {
                 a = frame * a;
@@ -73,12 +70,13 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 a.swap_rows(0, 1);
                 a[0] *= turned.signum();
             }
-            block.points[index] = lanes(&contact.point);
-            block.fingers[index] = Finger {
-                normal: lanes(&frame.column(0).into_owned()),
-                springs: [Lanes([k[0]]), Lanes([tangential])],
-            };
-            block.commands[index] = Force { normal: Lanes([pressed]), tangential: lanes(&a) };
+            for axis in 0..C {
+                block.point[axis][index] = Lanes([contact.point[axis]]);
+                block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
+                block.sheared[axis][index] = Lanes([a[axis]]);
+            }
+            block.springs[0][index] = Lanes([k[0]]);
+            block.springs[1][index] = Lanes([tangential]);
             let slides = contact.friction > 0.0 && contact.friction.is_finite();
             block.friction[index] = Lanes([match contact.hold {
                 Hold::Bonded => STAYS,
@@ -101,8 +99,4 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }
-}
-
-fn lanes<const C: usize>(v: &SVector<f64, C>) -> [Lanes<1>; C] {
-    std::array::from_fn(|axis| Lanes([v[axis]]))
 }

@@ -39,8 +39,16 @@ pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: u
     body: &Body<D, C, N, L>,
     block: &Block<C, N, L>,
 ) -> Forces<C, N, L> {
-    let (commands, load) = (Some(block.commands), [Lanes::ZERO; D]);
-    rolling(body, &Pulled { commands, load, rounding: Lanes::all(ON_THE_EDGE) })
+    let zero = Lanes::ZERO;
+    let mut commands = [Force { normal: zero, tangential: [zero; C] }; N];
+    for i in 0..N {
+        commands[i].normal = block.pressed[i];
+        for axis in 0..C {
+            commands[i].tangential[axis] = block.sheared[axis][i];
+        }
+    }
+    let rounding = Lanes::all(ON_THE_EDGE);
+    rolling(body, &Pulled { commands: Some(commands), load: [Lanes::ZERO; D], rounding })
 }
 
 /// Forces that a load alone brings about, the fingers at rest.
@@ -58,11 +66,15 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     pulled: &Pulled<D, C, N, L>,
 ) -> Forces<C, N, L> {
     let zero = Lanes::ZERO;
-    let mut contacts = [Force::NONE; N];
+    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; N];
     let (mut left, mut part) = (pulled.load, zero);
     if let Some(commands) = &pulled.commands {
         for i in 0..N {
-            contacts[i] = body.fingers[i].force(&commands[i]);
+            let [normal, tangential] = body.fingers[i].springs;
+            contacts[i].normal = normal * commands[i].normal;
+            for axis in 0..C {
+                contacts[i].tangential[axis] = tangential * commands[i].tangential[axis];
+            }
         }
         (left, part) = body.unbalanced(&contacts, &pulled.load);
     }
@@ -74,7 +86,11 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
         }
         for i in 0..N {
             let u = displacement(&body.arms[i], &q);
-            contacts[i] -= stretched(&body.fingers[i], &u);
+            let less = stretched(&body.fingers[i], &u);
+            contacts[i].normal -= less.normal;
+            for axis in 0..C {
+                contacts[i].tangential[axis] -= less.tangential[axis];
+            }
         }
         (left, part) = body.unbalanced(&contacts, &pulled.load);
         let improvable = part.above(Lanes::all(IMPROVED), Lanes::all(1.0), zero);
@@ -116,7 +132,7 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
     let span = shift + turn * body.reach;
     let (mut sizes, mut stretched) = ([zero; N], [zero; N]);
     let (mut most, mut second) = (zero, zero);
-    let mut forces = Forces { contacts: *contacts, ..Forces::NONE };
+    let mut forces = Forces::none();
     for i in 0..N {
         let [normal, tangential] = body.fingers[i].springs;
         stretched[i] = normal.max(tangential) * span;
@@ -124,11 +140,13 @@ fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>
             stretched[i] += normal * commands[i].normal.abs();
         }
         sizes[i] = contacts[i].normal.abs();
+        forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
             if let Some(commands) = &pulled.commands {
                 stretched[i] += tangential * commands[i].tangential[axis].abs();
             }
             sizes[i] += contacts[i].tangential[axis].abs();
+            forces.tangential[axis][i] = contacts[i].tangential[axis];
         }
         largest += sizes[i];
         second = second.max(stretched[i].min(most));
