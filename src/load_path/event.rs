@@ -70,7 +70,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
     /// All legs were followed to their end.
     Completed,
     /// No equilibrium exists just beyond: a limit load. On the round cone that may be known only from a hundredth of the whole load
-    /// (or of all commands) further on.
+    /// (or of all commands, or of the leg where there is no load yet) further on.
     LimitLoad(Loss<D>),
     /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
     /// with infinite friction loses its normal force while it still holds a tangential one.

@@ -4,13 +4,14 @@ use nalgebra::SVector;
 
 use super::beyond::{Beyond, just_beyond, whole_way};
 use super::event::{Loss, PathEnd};
+use super::margin::ROUNDING;
 use super::nothing_holds::{around, nothing_holds};
 use super::segment::Segment;
 use crate::equilibrium::{Effort, Settings, Settled, separates_from_here_on, separating_motion, settle};
 use crate::formulation::{Piece, Problem, State, kinematic_form};
 use crate::lcp::{self, Outcome, Proof};
 
-/// Part of the whole load or of all commands that lies just beyond.
+/// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
 /// On the round cone that may be too little to tell: then a little more.
 const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
@@ -21,9 +22,17 @@ const FEW_CONTACTS: usize = 8;
 /// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
 const FURTHER: f64 = 1e-2;
 
-/// The same where steps along a sliding arc of the round cone get ever shorter.
+/// The way that parts beyond the end are parts of: [`whole_way`], or the whole leg where there is no load yet. Parts of nothing would lead
+/// no further than the end itself.
+fn way_beyond<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+    let way = whole_way(here, rates);
+    if way > ROUNDING { way } else { 1.0 }
+}
+
+/// The same where steps along a sliding arc of the round cone get ever shorter, which `ends` says is because the path ends.
 pub(super) fn end_of_arc<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
+    ends: bool,
     motion: &SVector<f64, D>,
     forces: &[SVector<f64, C>],
     loss: Loss<D>,
@@ -33,7 +42,7 @@ pub(super) fn end_of_arc<const D: usize, const C: usize>(
     if separates_from_here_on(&here, motion, &segment.direction) {
         return PathEnd::LimitLoad(loss);
     }
-    beyond_on_the_round_cone(segment, true, forces, loss, settings)
+    beyond_on_the_round_cone(segment, ends, forces, loss, settings)
 }
 
 /// Whether forces are those of a path that goes on by this part: on a short way they change by the root of it at most.
@@ -53,7 +62,7 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
 ) -> PathEnd<D, C> {
     let here = segment.problem_at(loss.fraction);
     let rates = segment.rates(here.laws.clone());
-    let past = |part: f64| segment.problem_at(loss.fraction + part * whole_way(&here, &rates));
+    let past = |part: f64| segment.problem_at(loss.fraction + part * way_beyond(&here, &rates));
     // Some equilibrium, at a distance from the end that no path goes on so short a way.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
@@ -103,7 +112,7 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
     let motion = leaving_motion(rates, &here.wrench, sliding);
     loss.motion = motion.map(|v| segment.grasp.outside(&v));
     // A little further on, for what takes a finite distance to be seen.
-    let past = segment.problem_at(loss.fraction + A_LITTLE * whole_way(&here, rates));
+    let past = segment.problem_at(loss.fraction + A_LITTLE * way_beyond(&here, rates));
     let separates = |v: &SVector<f64, D>| separates_from_here_on(&here, v, &rates.wrench);
     if motion.as_ref().is_some_and(separates) || separating_motion(&past).as_ref().is_some_and(separates) {
         return PathEnd::LimitLoad(loss);
@@ -119,7 +128,7 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
     };
     let beyond = just_beyond(segment.grasp, &here, rates, settled, effort, settings, segment.cone);
     if matches!(beyond, Beyond::Ends(_))
-        && nothing_holds(&here, &segment.problem_at(loss.fraction + FURTHER * whole_way(&here, rates)))
+        && nothing_holds(&here, &segment.problem_at(loss.fraction + FURTHER * way_beyond(&here, rates)))
     {
         return PathEnd::LimitLoad(loss);
     }

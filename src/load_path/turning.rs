@@ -18,7 +18,7 @@ use super::edge::Stand;
 use super::event::{Loss, PathEnd};
 use super::extrapolation::{Reached, extrapolate};
 use super::loss::end_of_arc;
-use super::margin::{Exit, ROUNDING};
+use super::margin::{Exit, Line, ROUNDING};
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
 use super::watch::{Watch, watch};
@@ -246,7 +246,10 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             contacts: (0..self.node.states.len()).filter(on_an_edge).collect(),
             motion: Some(self.grasp.outside(&motion)),
         };
-        end_of_arc(&self.segment, &motion, &self.node.at.forces, loss, &self.settings)
+        // Without forces there is nothing that an arc could close in on: it only could not set out.
+        let weightless = |line: &Line<C>| Stand::is_weightless(&line.force, line.force_size);
+        let ends = !here.lines.iter().all(weightless);
+        end_of_arc(&self.segment, ends, &motion, &self.node.at.forces, loss, &self.settings)
     }
 }
 

@@ -1,0 +1,74 @@
+//! Paths that start without a load and without forces, at contacts that only touch.
+
+use std::f64::consts::TAU;
+
+use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
+
+const RADIUS: f64 = 0.03;
+const MU: f64 = 0.5;
+
+/// Contacts on a circle that nothing presses, with normals up or inwards.
+fn around(count: u32, up: bool) -> Grasp {
+    let contact = |i: u32| {
+        let (s, c) = (TAU / f64::from(count) * f64::from(i)).sin_cos();
+        let normal = if up { [0.0, 0.0, 1.0] } else { [-c, -s, 0.0] };
+        Contact::new([RADIUS * c, RADIUS * s, 0.0], normal).series_stiffness(1000.0, 700.0).friction(MU)
+    };
+    Grasp::new((0..count).map(contact)).unwrap()
+}
+
+fn end(grasp: &Grasp, load: Wrench) -> PathEnd {
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
+    path.run();
+    path.end().unwrap().clone()
+}
+
+/// A plate on contacts that touch it from below carries any load within friction and footprint, and no other at all.
+#[test]
+fn a_plate_without_weight_holds_all_or_nothing() {
+    for count in 3..=6 {
+        let plate = around(count, true);
+        // Down; down and aside within friction; down beside the middle.
+        for load in [
+            Wrench::force([0.0, 0.0, -1.0]),
+            Wrench::force([0.8 * MU, 0.0, -1.0]),
+            Wrench::new([0.0, 0.0, -1.0], [0.0, 0.4 * RADIUS, 0.0]),
+        ] {
+            let end = end(&plate, load);
+            assert!(matches!(end, PathEnd::Completed), "{count} {load:?}: {end:?}");
+        }
+        // Up; aside; down and aside beyond friction; down beside the plate; a twist.
+        for load in [
+            Wrench::force([0.0, 0.0, 1.0]),
+            Wrench::force([1.0, 0.0, 0.0]),
+            Wrench::force([1.2 * MU, 0.0, -1.0]),
+            Wrench::new([0.0, 0.0, -1.0], [0.0, 1.2 * RADIUS, 0.0]),
+            Wrench::new([0.0; 3], [0.0, 0.0, 0.01]),
+        ] {
+            let end = end(&plate, load);
+            let PathEnd::LimitLoad(loss) = &end else { panic!("{count} {load:?}: {end:?}") };
+            assert_eq!((loss.leg, loss.fraction), (0, 0.0));
+        }
+    }
+}
+
+/// Fingers around a glass that do not press do not carry it, although pressed together they could.
+#[test]
+fn fingers_that_do_not_press_carry_nothing() {
+    for count in [2, 3] {
+        let end = end(&around(count, false), Wrench::force([0.0, 0.0, -1.0]));
+        assert!(matches!(&end, PathEnd::LimitLoad(loss) if loss.fraction == 0.0), "{count}: {end:?}");
+    }
+}
+
+/// Where forces grow from nothing in proportion to the load there is an equilibrium all the way. The path may not be found, but it is
+/// not lost.
+#[test]
+fn what_grows_from_nothing_is_not_lost() {
+    for count in 3..=6 {
+        let (glass, push) = (around(count, false), Wrench::force([1.0, 0.2, 0.0]));
+        assert!(glass.solve(&push).unwrap().equilibrium().is_some());
+        let end = end(&glass, push);
+        assert!(end.loss().is_none(), "{count}: {end:?}");
+    }
+}
