@@ -3,21 +3,12 @@
 //!
 //! `cargo run --release --example compare_with_energy_qp`
 
-mod support;
-
-#[path = "support/interior_point.rs"]
-#[allow(dead_code, unreachable_pub)]
-mod interior_point;
-#[path = "support/minimum_power.rs"]
-#[allow(dead_code, unreachable_pub)]
-mod minimum_power;
-
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, QpOutcome};
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
-use interior_point::{Oracle, interior_point};
-use minimum_power::minimum_power;
+use support::interior_point::{Oracle, interior_point};
+use support::minimum_power::minimum_power;
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers, two_fingers_on_rests};
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;

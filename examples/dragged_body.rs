@@ -3,11 +3,6 @@
 //!
 //! `cargo run --release --example dragged_body`
 
-mod support;
-
-#[path = "support/tractrix.rs"]
-mod tractrix;
-
 use std::error::Error;
 use std::time::Instant;
 
@@ -15,7 +10,7 @@ use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Grasp, Leg, Wrench};
 use grasp_lcp::{Fit, PolygonCone};
-use tractrix::{WAY, exact, leash, limit};
+use support::tractrix::{self, WAY, exact, leash, limit};
 
 const SAMPLES: u32 = 200;
 

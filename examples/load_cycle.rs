@@ -3,8 +3,6 @@
 //!
 //! `cargo run --release --example load_cycle`
 
-mod support;
-
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
 

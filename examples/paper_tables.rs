@@ -2,8 +2,6 @@
 //!
 //! `cargo run --release --example paper_tables`
 
-mod support;
-
 use grasp_lcp::planar::{Equilibrium, Grasp, Outcome, Wrench};
 use support::paper::{
     DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,

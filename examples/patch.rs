@@ -12,8 +12,6 @@
 //!
 //! while the shear force Q grows to begin with; on the way back from Q₁ the rim slips back outside `c/a = (1 - (Q₁ - Q)/2μP)^(1/3)`.
 
-mod support;
-
 use std::error::Error;
 use std::time::Instant;
 

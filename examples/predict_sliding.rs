@@ -13,7 +13,6 @@ mod predict;
 mod scene_file;
 #[path = "support/scene_picture.rs"]
 mod scene_picture;
-mod support;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -114,7 +113,8 @@ fn the_papers_grasp() -> Result<(), Failure> {
     let exact = 65f64.sqrt() / 66.0;
     println!("\nOnset of sliding, found directly");
     println!("  W*    = {:.15}   exact √65/66  = {exact:.15}", event.factor);
-    for c in &event.state.contacts {
+    let state = grasp.state_at_onset(event).ok_or("its own event")?;
+    for c in &state.contacts {
         let (n, t) = (c.normal_force(), c.friction_force());
         println!(
             "  F_n   = {n:.15}   65/132 {:+.0e}   |F_t| = {t:.15}   65/528 {:+.0e}",
@@ -134,7 +134,7 @@ fn the_papers_grasp() -> Result<(), Failure> {
             Departure::Opens => println!("  {name} opens"),
         }
     }
-    match &event.beyond {
+    match grasp.beyond(event).ok_or("its own event")? {
         Beyond::LimitLoad { combinations } => {
             println!(
                 "  beyond: no equilibrium ({combinations} combinations of contact states tried); W* is also the limit load"
@@ -154,12 +154,12 @@ fn the_papers_grasp() -> Result<(), Failure> {
     println!();
     let outline = [[-4.0, 1.8], [-3.6, 5.0], [3.6, 5.0], [4.0, 1.8], [2.4, -2.5], [-2.4, -2.5]];
     let title = format!("The paper's two-finger grasp at its onset of sliding, W* = {:.6} N", event.factor);
-    support::save("predict_sliding_grasp.svg", &draw_grasp(&grasp, &event.state, Some(&outline), &title)?)?;
+    support::save("predict_sliding_grasp.svg", &draw_grasp(&grasp, &state, Some(&outline), &title)?)?;
 
     // Forces are linear in the load up to the onset: two solves draw the exact lines.
     let start = grasp.solve(&Wrench::ZERO)?;
     let start = start.equilibrium().ok_or("holds without load")?;
-    let (first, last) = (&start.contacts[0], &event.state.contacts[0]);
+    let (first, last) = (&start.contacts[0], &state.contacts[0]);
     let line = |y0: f64, y1: f64| vec![(0.0, y0), (event.factor, y1)];
     let paper: Vec<_> = TWO_FINGER_TABLE.iter().map(|row| (row[0], row[4])).collect();
     let chart = Chart::new(

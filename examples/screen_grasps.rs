@@ -4,17 +4,15 @@
 //! first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked with
 //! `Grasp::onset`, the throughput, and draws how the million are distributed.
 
-mod support;
-
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use grasp_lcp::Error;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::screening::Verdict;
 use grasp_lcp::spatial::{Batch, Contact, Fingers, Grasp, Pull, Ramp, Wrench};
 use grasp_lcp::sweep::map_watched;
-use grasp_lcp::{Error, Settings};
 use nalgebra::Vector3;
 
 const GRASPS: usize = 1_000_000;
@@ -225,7 +223,7 @@ fn check(cloud: &Cloud, found: &Found) -> Result<f64, Box<dyn std::error::Error>
     let mut least = f64::INFINITY;
     for direction in directions() {
         let ramp = Ramp::load(Wrench::ZERO, weight(direction));
-        least = least.min(grasp.onset(&ramp, &Settings::default())?.factor().unwrap_or(f64::INFINITY));
+        least = least.min(grasp.onset(&ramp)?.factor().unwrap_or(f64::INFINITY));
     }
     Ok((least / found.multiple - 1.0).abs())
 }

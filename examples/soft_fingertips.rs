@@ -3,8 +3,6 @@
 //!
 //! `cargo run --release --example soft_fingertips`
 
-mod support;
-
 use grasp_lcp::Error;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Pressure, SoftFingertip, Wrench};

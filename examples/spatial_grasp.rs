@@ -4,8 +4,6 @@
 //!
 //! `cargo run --release --example spatial_grasp`
 
-mod support;
-
 use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
@@ -45,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let direction = Wrench::force_at([0.25, 0.1, -1.0], [0.01, -0.012, 0.02]);
     let ramp = Ramp::load(base, direction);
 
-    let onset = grasp.onset(&ramp, &Settings::default())?;
+    let onset = grasp.onset(&ramp)?;
     let event = onset.event().ok_or("a finite onset")?;
     println!("Onset on the round cone (a quadratic equation for each contact): {:.12} N", event.factor);
     for leaving in &event.leaving {
@@ -54,7 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("  {name} slides over the bottle along ({:+.4}, {:+.4}, {:+.4})", d[0], d[1], d[2]);
         }
     }
-    match &event.beyond {
+    match grasp.beyond(event).ok_or("its own event")? {
         Beyond::Continues(next) => {
             println!("  beyond: the grasp holds on with {} contact(s) sliding", sliding(&next.states));
         }
@@ -98,7 +96,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         print!("  {facets:6}");
         for (curve, (_, fit)) in errors.iter_mut().zip(fits) {
             let settings = Settings::default().with_cone(PolygonCone::new(facets, fit)?);
-            let factor = grasp.onset_on_polygon(&ramp, &settings)?.factor().ok_or("holds without load")?;
+            let factor =
+                grasp.onset_with(&ramp, &settings.on_the_polygon())?.factor().ok_or("holds without load")?;
             let error = factor / event.factor - 1.0;
             curve.push((f64::from(u32::try_from(facets)?), 100.0 * error));
             print!("   {factor:.8} ({:+8.4} %)", 100.0 * error);
@@ -122,11 +121,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             page = page.outline([low, high]);
         }
     }
+    let at_onset = grasp.state_at_onset(event).ok_or("its own event")?;
     let part = |factor: f64| grasp.solve(&(direction * (factor * event.factor)));
     let page = page
         .outcome("no load", &part(0.0)?)
         .outcome("half the onset", &part(0.5)?)
-        .frame(format!("onset of sliding, {:.4} N", event.factor), &event.state)
+        .frame(format!("onset of sliding, {:.4} N", event.factor), &at_onset)
         .frame(format!("{BEYOND} of the onset"), state)
         .outcome("1.5 of the onset", &part(1.5)?)
         .outcome("3 times the onset", &part(3.0)?);

@@ -2,8 +2,6 @@
 //!
 //! `cargo run --release --example squeeze_design`
 
-mod support;
-
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Error, Settings};
@@ -35,9 +33,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // least squeeze, found in one go.
     let (plenty, per_unit) = (0.03, -1.0);
     let generous = hand(plenty)?;
-    let change: Vec<_> = [1.0, 1.0, 1.2].map(|share| [per_unit * share, 0.0].into()).to_vec();
+    let change: Vec<_> = [1.0, 1.0, 1.2].map(|share| [per_unit * share, 0.0]).to_vec();
     let release = Ramp::commands(weight * reserve, change);
-    let Onset::At(event) = generous.onset(&release, &settings)? else {
+    let Onset::At(event) = generous.onset_with(&release, &settings)? else {
         return Err("slides when released".into());
     };
     let least = plenty - event.factor;
@@ -52,7 +50,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Check: with that squeeze the onset along the weight is at the reserve asked for.
     let grasp = hand(least)?;
     let ramp = Ramp::load(Wrench::ZERO, weight);
-    let onset = grasp.onset(&ramp, &settings)?;
+    let onset = grasp.onset_with(&ramp, &settings)?;
     let event = onset.event().ok_or("slides at some load")?;
     println!("  onset of sliding with it: {:.12} times the weight", event.factor);
     let both = grasp.reserve(&ramp, 100.0, &settings)?;
@@ -92,7 +90,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let curve: Result<Vec<(f64, f64)>, Error> = (0..=60)
         .map(|i| {
             let squeeze = 0.0005 * f64::from(i) * 0.5;
-            Ok((1e3 * squeeze, hand(squeeze)?.onset(&ramp, &settings)?.factor().unwrap_or(0.0)))
+            Ok((1e3 * squeeze, hand(squeeze)?.onset_with(&ramp, &settings)?.factor().unwrap_or(0.0)))
         })
         .collect();
     let chart = Chart::new(

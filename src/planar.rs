@@ -57,7 +57,7 @@ pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3, 2>;
 pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
 /// Many of them; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
-/// What pulls on them; see [`crate::screening::Pull`].
+/// The load on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<3>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
 pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3, 2>;

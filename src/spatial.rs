@@ -58,7 +58,7 @@ pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 6, 3>;
 pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
 /// Many of them; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
-/// What pulls on them; see [`crate::screening::Pull`].
+/// The load on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<6>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
 pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 6, 3>;

@@ -7,10 +7,11 @@ use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcom
 use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::{Vector3, Vector6};
 
-use crate::best_time::timed;
 use crate::onset::pinch;
 use crate::report::{Panel, Report};
-use crate::scene::{Failure, three_fingers};
+use support::Failure;
+use support::best_time::timed;
+use support::loaded::three_fingers;
 
 const FACETS: [usize; 7] = [4, 8, 16, 32, 64, 128, 256];
 const FITS: [(&str, Fit); 3] = [
@@ -43,13 +44,15 @@ fn onset() -> Result<Panel, Failure> {
     for (name, fit) in FITS {
         for facets in FACETS {
             let settings = on(facets, fit)?;
-            let (factor, time) =
-                timed(|| Ok(grasp.onset_on_polygon(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+            let (factor, time) = timed(|| {
+                Ok(grasp.onset_with(&ramp, &settings.on_the_polygon())?.factor().ok_or("a rolling base")?)
+            })?;
             panel.add(name, facets.to_string(), (factor / exact - 1.0).abs(), time);
         }
     }
     let settings = on(8, Fit::Inscribed)?;
-    let (factor, time) = timed(|| Ok(grasp.onset(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+    let (factor, time) =
+        timed(|| Ok(grasp.onset_with(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
     panel.add("round cone, and 8 facets beside it", "", (factor / exact - 1.0).abs(), time);
     Ok(panel)
 }

@@ -7,21 +7,7 @@
 //! `cargo run --release --example error_vs_runtime`
 #![allow(unreachable_pub)]
 
-#[path = "../support/best_time.rs"]
-#[allow(dead_code)]
-mod best_time;
-#[path = "../support/exact_rolling.rs"]
 mod exact_rolling;
-#[path = "../support/interior_point.rs"]
-#[allow(dead_code)]
-mod interior_point;
-#[path = "../support/scene.rs"]
-#[allow(dead_code)]
-mod scene;
-#[path = "../support/mod.rs"]
-mod support;
-#[path = "../support/tractrix.rs"]
-mod tractrix;
 
 mod cone;
 mod onset;
@@ -29,7 +15,7 @@ mod path;
 mod report;
 mod rolling;
 
-use scene::Failure;
+use support::Failure;
 
 fn main() -> Result<(), Failure> {
     let mut report = report::Report::default();

@@ -9,11 +9,11 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Fingers, Pull};
 use grasp_lcp::{Fit, PolygonCone, Settings, spatial};
 
-use crate::best_time::timed;
-use crate::interior_point::{Oracle, interior_point_and_multipliers};
 use crate::report::{Panel, Report};
-use crate::scene::Failure;
-use crate::support::paper::{down, two_fingers};
+use support::Failure;
+use support::best_time::timed;
+use support::interior_point::{Oracle, interior_point_and_multipliers};
+use support::paper::{down, two_fingers};
 
 /// Of the interior-point method, whose every row has a little slack and a little multiplier: near the onset both are about the root of this.
 const TOLERANCE: f64 = 1e-12;
@@ -127,7 +127,7 @@ impl<const D: usize, const C: usize> Question<'_, D, C> {
         let quick = Settings::default().with_most_states(0);
         for (name, settings) in [(ALONE, &quick), (DIRECT, &Settings::default())] {
             let (factor, time) =
-                timed(|| Ok(self.grasp.onset(&ramp, settings)?.factor().ok_or("a rolling base")?))?;
+                timed(|| Ok(self.grasp.onset_with(&ramp, settings)?.factor().ok_or("a rolling base")?))?;
             panel.add(name, "", off(factor, exact), time);
         }
         Ok(())

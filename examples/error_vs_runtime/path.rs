@@ -8,10 +8,10 @@ use grasp_lcp::load_path::{Change, Leg};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 
-use crate::best_time::timed;
 use crate::report::{Panel, Report};
-use crate::scene::Failure;
-use crate::tractrix;
+use support::Failure;
+use support::best_time::timed;
+use support::tractrix;
 
 const STEPS: [u32; 4] = [10, 100, 1000, 10_000];
 

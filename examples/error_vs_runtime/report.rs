@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use grasp_lcp::picture::{Chart, Stroke};
 
-use crate::scene::Failure;
-use crate::support;
+use support::Failure;
 
 /// An error of exactly nothing has no logarithm: it is drawn here.
 const NOTHING: f64 = 1e-17;

@@ -8,11 +8,11 @@ use grasp_lcp::structured::{Search, Workspace};
 use grasp_lcp::{PolygonCone, Settings};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
-use crate::best_time::timed;
 use crate::exact_rolling;
-use crate::interior_point::{Oracle, interior_point_within};
 use crate::report::{Panel, Report};
-use crate::scene::Failure;
+use support::Failure;
+use support::best_time::timed;
+use support::interior_point::{Oracle, interior_point_within};
 
 const LOAD: [f64; 6] = [0.5, -0.25, -2.0, 0.03125, 0.0625, -0.015_625];
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];

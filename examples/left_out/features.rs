@@ -6,7 +6,6 @@ use std::process::Command;
 use std::time::Instant;
 
 use crate::scene::Failure;
-use crate::support;
 
 const FEATURES: [&str; 5] = ["", "parallel", "plot", "serde", "simd"];
 

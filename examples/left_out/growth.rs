@@ -4,7 +4,6 @@ use grasp_lcp::picture::{Chart, Stroke};
 
 use crate::rows::measure;
 use crate::scene::{Failure, pad};
-use crate::support;
 
 const SPRINGS: [usize; 6] = [5, 10, 20, 40, 80, 160];
 

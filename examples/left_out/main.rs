@@ -6,15 +6,6 @@
 //! `cargo run --release --example left_out`, and with `-- --compile` the compile times of the features, each in a fresh temporary folder.
 #![allow(unreachable_pub)]
 
-#[path = "../support/best_time.rs"]
-#[allow(dead_code)]
-mod best_time;
-#[path = "../scaling/scenes.rs"]
-#[allow(dead_code)]
-mod patches;
-#[path = "../support/mod.rs"]
-mod support;
-
 mod features;
 mod full;
 mod growth;

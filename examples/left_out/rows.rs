@@ -6,10 +6,9 @@ use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::forms::Why;
 
-use crate::best_time::timed;
 use crate::full::Full;
 use crate::scene::{self, Failure, Scene};
-use crate::support;
+use support::best_time::timed;
 
 /// Forces that differ by more, relative to the largest, are not the same answer.
 const AGREE: f64 = 1e-10;

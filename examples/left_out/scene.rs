@@ -124,7 +124,7 @@ pub fn far(name: &'static str, part: f64) -> Result<Scene<3, 2>, grasp_lcp::Erro
 
 /// A pad along x, pressed most in the middle and sheared; at part 1 two thirds of it slide.
 pub fn pad(name: &'static str, springs: usize, part: f64) -> Result<Scene<3, 2>, grasp_lcp::Error> {
-    let (grasp, load) = crate::patches::planar_patch(springs)?;
+    let (grasp, load) = support::patches::planar_patch(springs)?;
     let load = load.as_vector();
     let load = planar::Wrench::new([part * load[0], load[1]], load[2]);
     let holds = vec![Hold::Unilateral; springs];

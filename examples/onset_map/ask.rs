@@ -38,7 +38,7 @@ pub(crate) struct First {
 
 /// Settings for onsets alone: what lies beyond them is asked of load paths, not of every combination of contact states.
 pub(crate) fn quick(settings: &Settings) -> Settings {
-    settings.clone().with_most_states(0)
+    (*settings).with_most_states(0)
 }
 
 pub(crate) fn first<const D: usize, const C: usize>(
@@ -46,7 +46,7 @@ pub(crate) fn first<const D: usize, const C: usize>(
     settings: &Settings,
     ramp: &Ramp<D, C>,
 ) -> Result<First, Error> {
-    Ok(match grasp.onset(ramp, settings)? {
+    Ok(match grasp.onset_with(ramp, settings)? {
         Onset::At(event) => {
             let who = event.leaving.iter().map(|leaving| {
                 let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
@@ -72,7 +72,7 @@ pub(crate) fn check_base<const D: usize, const C: usize>(
     setup: &Setup<D, C>,
     ramp: &Ramp<D, C>,
 ) -> Result<(), Failure> {
-    match grasp.onset(ramp, &setup.settings)? {
+    match grasp.onset_with(ramp, &setup.settings)? {
         Onset::NoBase(none) => {
             Err(format!("no equilibrium exists under the base load: {:?}", none.proof).into())
         }

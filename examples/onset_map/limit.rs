@@ -56,7 +56,7 @@ pub(crate) fn last<const D: usize, const C: usize>(
     direction: Wrench<D>,
     most: f64,
 ) -> Result<Last, Error> {
-    let settings = settings.clone().with_step_error(STEP_ERROR);
+    let settings = settings.with_step_error(STEP_ERROR);
     let mut path = grasp.follow_with(base, &[Leg::load_by(direction * most)], &settings)?;
     path.by_ref().for_each(drop);
     let (end, fraction) = match path.end() {

@@ -8,9 +8,6 @@
 //! The onset is found directly. The limit is where the load path in that direction, followed from event to event with slip memory, is lost; how it is lost
 //! is told: a limit load has no equilibrium beyond, at a snap there are others, to which a grasp may or may not come.
 
-#[path = "../support/mod.rs"]
-mod support;
-
 #[path = "../support/scene_file.rs"]
 mod scene_file;
 

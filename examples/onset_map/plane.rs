@@ -9,7 +9,7 @@ use grasp_lcp::scene::Setup;
 
 use crate::ask::{self, First};
 use crate::limit::{self, End, Last};
-use crate::{Failure, support, watch, weakest};
+use crate::{Failure, watch, weakest};
 
 /// Directions of the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;
@@ -45,7 +45,7 @@ pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) ->
     })?
     .ok_or(TOO_LONG)?;
     let onset_at = |angle: f64| {
-        let onset = grasp.onset(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
+        let onset = grasp.onset_with(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::NAN)
     };
     let weakest = weakest::in_the_plane(&angles, &onsets, onset_at);

@@ -8,7 +8,7 @@ use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End};
-use crate::{Failure, support, watch, weakest};
+use crate::{Failure, watch, weakest};
 
 /// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
 const ONSETS: (usize, usize) = (45, 120);
@@ -40,7 +40,7 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
         return Err("no direction has an onset above zero: the grasp carries nothing more".into());
     };
     let onset_at = |d: [f64; 3]| {
-        let onset = grasp.onset(&ramp(d), &quick).ok().and_then(|onset| onset.factor());
+        let onset = grasp.onset_with(&ramp(d), &quick).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::INFINITY)
     };
     let (weakest, onset) = weakest::in_space(directions[nearest], onset_at);

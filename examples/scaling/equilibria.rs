@@ -10,8 +10,8 @@ use grasp_lcp::structured::{Search, Workspace};
 
 use crate::Outcome;
 use crate::report::{best, row};
-use crate::scenes::{fingers, planar_patch, spatial_patch};
 use crate::today::rolls;
+use support::patches::{fingers, planar_patch, spatial_patch};
 
 /// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace that has seen the grasp before.
 pub fn few_contacts() -> Outcome {

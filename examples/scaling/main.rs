@@ -10,7 +10,6 @@ mod equilibria;
 mod onsets;
 mod paths;
 mod report;
-mod scenes;
 mod today;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;

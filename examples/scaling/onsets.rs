@@ -6,12 +6,12 @@ use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Batch, Fingers, Pull};
 use grasp_lcp::sweep::onsets_of_batch;
-use grasp_lcp::{Settings, planar, spatial};
+use grasp_lcp::{planar, spatial};
 
 use crate::Outcome;
 use crate::report::{best, row};
-use crate::scenes::uneven;
 use crate::today::bisected_onset;
+use support::patches::uneven;
 
 /// Grasps a family: with their numbers they stay in the processor's nearer memory.
 const GRASPS: usize = 4000;
@@ -78,7 +78,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
     let mut off = 0.0_f64;
     let whole = best(5, || {
         for (grasp, (_, factor)) in grasps.iter().zip(&few) {
-            if let Ok(onset) = grasp.onset(&ramp, &Settings::default()) {
+            if let Ok(onset) = grasp.onset(&ramp) {
                 off = onset.factor().map_or(f64::NAN, |exact| off.max((factor / exact - 1.0).abs()));
             }
         }

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 use crate::Outcome;
 use crate::report::{best, row};
-use crate::scenes::{planar_patch, spatial_patch};
+use support::patches::{planar_patch, spatial_patch};
 
 /// Whole load paths, pressed to begin with and sheared up to where most of the patch slides, and back: every event exact, from the
 /// public question on, with the equilibrium to start from; beside `Grasp::follow` where that is still affordable.

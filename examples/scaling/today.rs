@@ -4,10 +4,7 @@ use grasp_lcp::PolygonCone;
 use grasp_lcp::energy::{ReducedRow, Unknowns};
 use grasp_lcp::grasp::{Grasp, Wrench};
 
-#[path = "../support/interior_point.rs"]
-mod interior_point;
-
-use interior_point::{Oracle, interior_point};
+use support::interior_point::{Oracle, interior_point};
 
 /// A friction row with less slack than this part of the largest one is taken for sliding; at the onset itself the method leaves about as much.
 const ACTIVE: f64 = 1e-6;

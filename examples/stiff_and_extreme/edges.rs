@@ -4,9 +4,9 @@ use grasp_lcp::grasp::Wrench;
 use nalgebra::SVector;
 
 use crate::Failure;
-use crate::exact::scene::{Datum, Scene};
 use crate::measure::{Expected, Question, Table};
 use crate::ring::{NORMAL, SQUEEZE, TANGENTIAL, TILTED, held};
+use support::scene::{Datum, Scene};
 
 /// Half the angle of the wedge.
 const HALF_ANGLE: f64 = 0.3;

@@ -4,9 +4,9 @@ use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;
 
 use crate::Failure;
-use crate::exact::scene::{Datum, Scene};
 use crate::measure::{Question, Table};
 use crate::ring::{FRICTION, LEVEL, NORMAL, SQUEEZE, TANGENTIAL, TILTED, held, power, uneven};
+use support::scene::{Datum, Scene};
 
 const UNITS: [(&str, f64); 6] =
     [("m", 1.0), ("nm", 1e-9), ("µm", 1e-6), ("mm", 1e-3), ("10 m", 10.0), ("km", 1e3)];

@@ -16,11 +16,7 @@
 //! Everything is also written to `output/stiff_and_extreme.csv`; the picture shows errors against the stiffness ratio beside the textbook's
 //! normal equations.
 
-#[path = "../support/mod.rs"]
-mod support;
-
 mod edges;
-mod exact;
 mod friction;
 mod geometry;
 mod measure;

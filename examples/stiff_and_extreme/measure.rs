@@ -6,10 +6,10 @@ use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome};
 use grasp_lcp::grasp::Grasp;
 
 use crate::Failure;
-use crate::exact::scene::Scene;
-use crate::exact::truth::Truth;
 use crate::ring::SQUEEZE;
 use crate::textbook;
+use support::scene::Scene;
+use support::truth::Truth;
 
 /// As many directions of sliding in space can be afforded as unknowns of exact equations.
 const MOST_TURNING: usize = 12;
@@ -82,7 +82,7 @@ impl Table {
         question: Question,
         scene: &Scene<D, C>,
     ) -> Result<Option<Equilibrium<D, C>>, Failure> {
-        let grasp = Grasp::new(scene.contacts.iter().map(crate::exact::scene::Datum::contact))?;
+        let grasp = Grasp::new(scene.contacts.iter().map(support::scene::Datum::contact))?;
         self.ask_of(question, scene, &grasp)
     }
 
@@ -116,7 +116,7 @@ impl Table {
                 };
                 row.remark = format!("no exact answer{free}");
             }
-            let accuracy = answer.accuracy.ok_or("an equilibrium states its accuracy")?;
+            let accuracy = grasp.accuracy(answer).ok_or("an equilibrium has an accuracy")?;
             let largest = truth.as_ref().map_or_else(|| scene.sizes(answer).force, |truth| truth.largest);
             let errors = truth.as_ref().map(|truth| truth.errors(grasp, answer));
             let all_roll = count(answer, |s| matches!(s, ContactState::Rolling)) == answer.contacts.len();
@@ -130,7 +130,8 @@ impl Table {
                     .filter(|_| all_roll)
                     .and_then(|truth| textbook::error(scene, grasp, truth)),
             });
-            row.states = truth.map(|truth| States::of(answer, &truth));
+            let distinct = grasp.distinct(answer).ok_or("its own answer")?;
+            row.states = truth.map(|truth| States::of(&distinct, &truth));
         }
         match expected {
             Some(false) => row.states = Some(States::Wrong),
@@ -209,7 +210,7 @@ impl Table {
             )?;
         }
         println!();
-        crate::support::save("stiff_and_extreme.csv", &csv)?;
+        support::save("stiff_and_extreme.csv", &csv)?;
         Ok(())
     }
 }
@@ -226,12 +227,10 @@ impl Row {
 }
 
 impl States {
-    fn of<const D: usize, const C: usize>(answer: &Equilibrium<D, C>, truth: &Truth<C>) -> Self {
-        let fails = truth
-            .conditions
-            .iter()
-            .any(|c| c.part <= 0.0 && answer.contacts[c.contact].distinct || c.part < -CLEARLY);
-        match answer.contacts.iter().filter(|c| !c.distinct).count() {
+    fn of<const C: usize>(distinct: &[bool], truth: &Truth<C>) -> Self {
+        let fails =
+            truth.conditions.iter().any(|c| c.part <= 0.0 && distinct[c.contact] || c.part < -CLEARLY);
+        match distinct.iter().filter(|distinct| !**distinct).count() {
             _ if fails => Self::Wrong,
             0 => Self::Right,
             count => Self::Edge(count),

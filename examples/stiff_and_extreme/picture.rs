@@ -30,7 +30,7 @@ pub(crate) fn save(table: &Table) -> Result<(), Failure> {
             )
         },
     );
-    crate::support::save("stiff_and_extreme.svg", &Chart::sheet(&charts, 1)?)?;
+    support::save("stiff_and_extreme.svg", &Chart::sheet(&charts, 1)?)?;
     Ok(())
 }
 

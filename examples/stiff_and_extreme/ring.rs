@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 
-use crate::exact::scene::{Datum, Scene};
+use support::scene::{Datum, Scene};
 
 /// Stiffness, N/m, and friction where nothing else is said.
 pub(crate) const NORMAL: f64 = 1000.0;

@@ -4,9 +4,9 @@ use grasp_lcp::grasp::Grasp;
 use nalgebra::SVector;
 
 use crate::Failure;
-use crate::exact::scene::Scene;
 use crate::measure::{Question, Table};
 use crate::ring::{NORMAL, PULL, SQUEEZE, TANGENTIAL, TILTED, enough, held, power};
+use support::scene::Scene;
 
 pub(crate) const ROLLING: &str = "stiffness ratio, rolling";
 pub(crate) const SLIDING: &str = "stiffness ratio, sliding";

@@ -3,9 +3,9 @@
 use grasp_lcp::grasp::Grasp;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
-use crate::exact::dyadic::Dyadic;
-use crate::exact::scene::{Scene, wrench};
-use crate::exact::truth::Truth;
+use support::dyadic::Dyadic;
+use support::scene::{Scene, wrench};
+use support::truth::Truth;
 
 /// Largest error of a contact force over the largest force. `None` where the matrix has no inverse.
 pub(crate) fn error<const D: usize, const C: usize>(

@@ -20,8 +20,8 @@ fn first_equilibrium(setup: &Setup<3, 2>) -> Result<Option<planar::Equilibrium>,
     for question in &setup.questions {
         let state = match question {
             Question::Solve { load } => grasp.solve_with(load, &setup.settings)?.equilibrium().cloned(),
-            Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?, &setup.settings)? {
-                planar::Onset::At(event) => Some(event.state),
+            Question::Onset(ramp) => match grasp.onset_with(&setup.ramp(ramp)?, &setup.settings)? {
+                planar::Onset::At(event) => grasp.state_at_onset(&event),
                 planar::Onset::AlreadySliding(state) => Some(*state),
                 _ => None,
             },
@@ -47,9 +47,11 @@ pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, F
             Question::Solve { load } => {
                 page.outcome(format!("{number}. under the load"), &grasp.solve_with(load, settings)?)
             }
-            Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?, settings)? {
-                Onset::At(event) => page
-                    .frame(format!("{number}. onset of sliding, factor {:.6}", event.factor), &event.state),
+            Question::Onset(ramp) => match grasp.onset_with(&setup.ramp(ramp)?, settings)? {
+                Onset::At(event) => {
+                    let state = grasp.state_at_onset(&event).ok_or("its own event")?;
+                    page.frame(format!("{number}. onset of sliding, factor {:.6}", event.factor), &state)
+                }
                 Onset::AlreadySliding(state) => page.frame(format!("{number}. slides at factor 0"), &state),
                 _ => page,
             },

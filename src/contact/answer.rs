@@ -121,20 +121,20 @@ impl<const C: usize> LocalLaw<'_, C> {
                 Mode::Facet(u16::from(trial[1] < 0.0))
             }
         };
-        (state, self.force_on_polygon(&state, &trial))
+        (state, self.force_on_polygon(state, &trial))
     }
 
     /// The force of a state on the polygon whose springs, all holding, would carry this trial force.
-    fn force_on_polygon(&self, state: &PolygonState, trial: &SVector<f64, C>) -> SVector<f64, C> {
+    fn force_on_polygon(&self, state: PolygonState, trial: &SVector<f64, C>) -> SVector<f64, C> {
         match state {
             Mode::Open => SVector::zeros(),
             Mode::Rolling => *trial,
             Mode::Facet(j) => {
-                let excess = -self.cone().facet_margin(trial, &self.facets()[usize::from(*j)]);
-                trial - self.edge_direction(&State::from(*state)) * excess
+                let excess = -self.cone().facet_margin(trial, &self.facets()[usize::from(j)]);
+                trial - self.edge_direction(&State::from(state)) * excess
             }
-            Mode::Corner(_) => self.cone().generator(&self.edge_direction(&State::from(*state))) * trial[0],
-            Mode::Round(never) => match *never {},
+            Mode::Corner(_) => self.cone().generator(&self.edge_direction(&State::from(state))) * trial[0],
+            Mode::Round(never) => match never {},
         }
     }
 

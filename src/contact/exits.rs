@@ -76,29 +76,48 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
+    /// Where the line of a rolling contact leaves its cone first, and the step to the next way out.
+    pub(crate) fn first_exit(&self, line: &Line<C>) -> Option<(Exit<C>, f64)> {
+        let mut first: Option<Exit<C>> = None;
+        let mut next = f64::INFINITY;
+        self.for_each_exit(line, |exit| match first {
+            Some(nearest) if exit.step >= nearest.step => next = next.min(exit.step),
+            _ => next = first.replace(exit).map_or(next, |nearest| next.min(nearest.step)),
+        });
+        first.map(|first| (first, next))
+    }
+
+    /// Whether the edge of the cone is that of the round one.
+    fn has_a_round_edge(&self) -> bool {
+        self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
+    }
+
     /// Where the line leaves the cone.
     fn exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
-        if self.is_bonded() {
-            Vec::new()
-        } else if self.on_round_cone && self.cone().has_edges() && !self.facets().is_empty() {
-            self.round_exit(line).into_iter().collect()
-        } else {
-            self.polygon_exits(line)
+        let mut exits = Vec::new();
+        self.for_each_exit(line, |exit| exits.push(exit));
+        exits
+    }
+
+    /// Visits every way out of the cone.
+    fn for_each_exit(&self, line: &Line<C>, visit: impl FnMut(Exit<C>)) {
+        if self.has_a_round_edge() {
+            self.round_exit(line).into_iter().for_each(visit);
+        } else if !self.is_bonded() {
+            self.for_each_polygon_exit(line, visit);
         }
     }
 
     /// Every facet of the polygon that the line runs into; the vanishing normal force where there are no facets.
-    fn polygon_exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
+    fn for_each_polygon_exit(&self, line: &Line<C>, mut visit: impl FnMut(Exit<C>)) {
         let (cone, facets) = (self.cone(), self.facets());
-        if facets.is_empty() {
-            let vanishing = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros());
-            return vanishing.filter(|_| self.may_open()).into_iter().collect();
+        if facets.is_empty() && self.may_open() {
+            line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()).into_iter().for_each(&mut visit);
         }
-        let exit = |h: &SVector<f64, C>| {
+        for h in facets {
             let [margin, rate] = [&line.force, &line.rate].map(|f| cone.facet_margin(f, h));
-            line.linear(margin, rate, cone.facet_weight(h), *h)
-        };
-        facets.iter().filter_map(exit).collect()
+            line.linear(margin, rate, cone.facet_weight(h), *h).into_iter().for_each(&mut visit);
+        }
     }
 
     /// How far it is from a force to where a straight line of this rate takes it out through an exit.

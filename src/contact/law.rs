@@ -100,10 +100,9 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     #[inline]
     pub(crate) fn facets(&self) -> &'c [SVector<f64, C>] {
         match self.law {
-            Law::Absent | Law::Bonded => &[],
             Law::Edge(normals) => normals,
             Law::Cone { .. } if self.cone().has_edges() => &self.polygon.normals,
-            Law::Cone { .. } => &[],
+            Law::Absent | Law::Bonded | Law::Cone { .. } => &[],
         }
     }
 
@@ -164,6 +163,18 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         let [first, second] = state.own_facets(facets.len());
         let first = facets[first?];
         Some(second.map_or(first, |second| first + facets[second]))
+    }
+
+    /// Friction in reserve at a force, on the round cone or at the nearest facet, N; infinite where nothing limits it.
+    pub(crate) fn margin(&self, force: &SVector<f64, C>) -> f64 {
+        if self.never_slides() {
+            return f64::INFINITY;
+        }
+        if self.on_round_cone {
+            return self.friction.round_margin(force);
+        }
+        let margin = |h: &SVector<f64, C>| self.friction.facet_margin(force, h);
+        self.polygon.normals.iter().map(margin).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the law has no place for this state: an opening that is forbidden, or a slide under infinite friction.

@@ -2,12 +2,19 @@
 //!
 //! In the plane the polygon is the interval [-1, 1] and nothing is approximated.
 
+use std::any::Any;
 use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
+
+/// Corners nearer than this, in radians, are one: rounding of their facet's normal would show in the force.
+const ONE_CORNER: f64 = 1e-6;
+/// A sine or cosine below this is that of a right angle, a few roundings away from zero.
+const ROUNDED_ZERO: f64 = 1e-15;
 
 /// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -94,7 +101,22 @@ pub(crate) struct Polygon<const C: usize> {
     pub(crate) corners: Vec<SVector<f64, C>>,
 }
 
+/// The polygons that most questions ask for, in the plane and in space: made once.
+static SHARED: [OnceLock<Arc<dyn Any + Send + Sync>>; 2] = [const { OnceLock::new() }; 2];
+
 impl<const C: usize> Polygon<C> {
+    /// The polygon of a cone; that of the plane and that of the default cone are made once.
+    pub(crate) fn shared(cone: &PolygonCone) -> Arc<Self> {
+        let made = || Arc::new(Self::new(cone));
+        let place = match C {
+            2 => 0,
+            3 if *cone == PolygonCone::default() => 1,
+            _ => return made(),
+        };
+        let shared = SHARED[place].get_or_init(|| made()).clone();
+        shared.downcast().unwrap_or_else(|_| made())
+    }
+
     pub(crate) fn new(cone: &PolygonCone) -> Self {
         if C == 2 {
             let sides = vec![in_the_tangent_plane(&[1.0]), in_the_tangent_plane(&[-1.0])];
@@ -138,7 +160,7 @@ impl<const C: usize> Polygon<C> {
             .extend([-angle, 0.0, angle].map(|beside| (towards + beside).sin_cos()).map(|(y, x)| y.atan2(x)));
         angles.sort_by(f64::total_cmp);
         // Corners closer than rounding can tell apart are one.
-        angles.dedup_by(|b, a| *b - *a < 1e-6);
+        angles.dedup_by(|b, a| *b - *a < ONE_CORNER);
         let before = |j: usize| if j == 0 { angles[angles.len() - 1] - TAU } else { angles[j - 1] };
         let normal = |j: usize| {
             let (from, to) = (before(j), angles[j]);
@@ -166,7 +188,7 @@ pub(crate) fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>)
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
-    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
+    [cos, sin].map(|x| if x.abs() < ROUNDED_ZERO { 0.0 } else { x })
 }
 
 fn in_the_tangent_plane<const C: usize>(components: &[f64]) -> SVector<f64, C> {

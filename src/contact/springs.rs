@@ -29,13 +29,13 @@ pub(crate) struct Spring<const C: usize> {
 
 impl<const C: usize> Spring<C> {
     /// Pushes the way it is stretched: `left = right`.
-    fn straight(along: SVector<f64, C>) -> Self {
+    pub(crate) fn straight(along: SVector<f64, C>) -> Self {
         let none = SVector::zeros();
         Self { right: along, left: along, right_rest: none, left_rest: none }
     }
 
     /// A spring of this stiffness along an axis.
-    fn along_axis(axis: usize, k: f64) -> Self {
+    pub(crate) fn along_axis(axis: usize, k: f64) -> Self {
         let mut along = SVector::zeros();
         along[axis] = k.sqrt();
         let mut spring = Self::straight(along);

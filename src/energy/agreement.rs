@@ -1,18 +1,16 @@
 //! Along a load path: the load at which a friction constraint of the quadratic program first binds.
 
-use nalgebra::{DVector, SVector};
+use nalgebra::SVector;
 
-use super::conditions::{Faces, Program};
-use super::minimum::MinimumOutcome;
-use super::springs::Springs;
+use super::energy_rows::{ROUNDING, Row};
+use super::minimum::{MinimumEnergy, MinimumOutcome};
+use super::optimality::{Faces, Program};
 use crate::Settings;
 use crate::error::{Error, Field};
 use crate::grasp::Grasp;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
-
-/// Rows whose value at the end is below this part of its terms bind together: they tie in exact arithmetic.
-const TIED: f64 = 1e-12;
+use crate::object::Piece;
 
 /// How far along a ramp the minimum of energy is an equilibrium.
 ///
@@ -59,7 +57,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// How far along a ramp the minimum of the paper's program is an equilibrium. In space on the polygonal cone of the settings.
     ///
     /// Where every contact has friction and touches at factor 0 this is the
-    /// [onset of sliding](Self::onset_on_polygon), found another way. Frictionless contacts may open and close before.
+    /// [onset of sliding](Self::onset_with) on the polygon, found another way. Frictionless contacts may open and close before.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -82,7 +80,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         ramp: &Ramp<D, C>,
         settings: &Settings,
     ) -> Result<Agreement<D, C>, Error> {
-        let base = self.inside(&ramp.base, "base load")?;
+        ramp.base.check("base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         let change = match &ramp.command_change {
             Some(change) => {
@@ -92,78 +90,65 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             None => vec![SVector::zeros(); self.len()],
         };
         let start = self.minimum_energy(&ramp.base, settings)?;
-        if !start.minimum().is_some_and(super::MinimumEnergy::is_equilibrium) {
+        if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));
         }
-        let program = Program::new(self.sites(), &settings.cone);
-        if program.stuck.worked_on(&direction).is_some() {
+        let program = Program::new(self.on_polygons(&ramp.base, &settings.cone)?);
+        if !program.stuck.resists(&direction) {
             return Ok(Agreement::Unbounded);
         }
-        let line = Line { program, drives: self.drives(), base, change, direction };
-        Ok(line.follow(settings))
+        Ok(Line { program, change, direction }.follow(settings).unwrap_or(Agreement::Unsolved))
     }
 }
 
 /// The program along a ramp.
 struct Line<'g, const D: usize, const C: usize> {
     program: Program<'g, D, C>,
-    drives: Vec<SVector<f64, C>>,
-    base: SVector<f64, D>,
     change: Vec<SVector<f64, C>>,
     direction: SVector<f64, D>,
 }
 
 impl<const D: usize, const C: usize> Line<'_, D, C> {
-    fn follow(&self, settings: &Settings) -> Agreement<D, C> {
+    /// The forces of these springs at factor 0, and their rates.
+    fn forces(&self, springs: &Piece<D, C>) -> Option<[Vec<SVector<f64, C>>; 2]> {
+        let problem = &self.program.problem;
+        let start = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;
+        Some([start.forces, rates.forces])
+    }
+
+    fn follow(&self, settings: &Settings) -> Option<Agreement<D, C>> {
         let program = &self.program;
-        let q = program.vector(&program.stuck.rest(&self.drives, &self.base));
-        let dq: DVector<f64> = program.vector(&program.stuck.rest(&self.change, &self.direction));
-        let lcp_settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
-        let Ok(lcp) = Lcp::new(program.matrix(), q) else { return Agreement::Unsolved };
-        let Ok(mut path) = Parametric::new(&lcp, &dq, lcp_settings) else { return Agreement::Unsolved };
-        let Some(solution) = path.start().solution() else { return Agreement::Unsolved };
-        let gaps = program.gaps.len();
-        let mut basis: Basis = solution.basis.clone();
+        let [forces, rates] = self.forces(&program.stuck)?;
+        let lcp = Lcp::new(program.matrix(), program.vector(&forces)).ok()?;
+        let settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
+        let mut path = Parametric::new(&lcp, &program.vector(&rates), settings).ok()?;
+        let mut basis: Basis = path.start().solution()?.basis.clone();
         for next in path.by_ref() {
             if let Variable::Z(i) = next.entering
-                && i >= gaps
+                && let Some(row) = i.checked_sub(program.gaps.len())
             {
-                return self.ends(&program.faces_of(&basis), i - gaps, next.tau);
+                return self.ends(&program.faces_of(&basis), row, next.tau);
             }
             basis = next.basis;
         }
-        match path.end() {
-            Some(lcp::PathEnd::Unbounded(_)) => Agreement::Always,
-            _ => Agreement::Unsolved,
-        }
+        matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
     /// The factor at which a row binds, from the springs that hold until then.
-    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Agreement<D, C> {
-        let sites = self.program.sites;
-        let springs = Springs::along_axes(sites, |i, axis| axis > 0 || !faces.open[i]);
-        let at = |drives: &[SVector<f64, C>], wrench: &SVector<f64, D>| {
-            springs.forces(&springs.rest(drives, wrench).x, sites.len())
-        };
-        let (forces, rates) = (at(&self.drives, &self.base), at(&self.change, &self.direction));
-        let line = |r: usize| {
-            let row = &self.program.rows[r];
-            let site = &sites[row.contact];
-            (row.value(site, &forces[row.contact]), row.value(site, &rates[row.contact]), row.weight)
-        };
-        let (value, rate, _) = line(row);
+    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<D, C>> {
+        let [forces, rates] = self.forces(&self.program.springs(faces))?;
+        let friction = &self.program.friction;
+        let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
         // The pivots' own factor where the row stands still.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);
-        let binds = |r: &usize| {
-            let (value, rate, weight) = line(*r);
-            *r == row || (rate < 0.0 && (value + factor * rate).abs() <= TIED * size * weight)
+        let binds = |(r, other): &(usize, &Row<D, C>)| {
+            let (value, rate) = (other.value(&forces), other.value(&rates));
+            *r == row || (rate < 0.0 && (value + factor * rate).abs() <= ROUNDING * size * other.weight)
         };
-        let binding = (0..self.program.rows.len())
-            .filter(binds)
-            .map(|r| (self.program.rows[r].contact, self.program.rows[r].facet))
-            .collect();
-        Agreement::UpTo { factor, binding }
+        let binding = friction.iter().enumerate().filter(binds).map(|(_, r)| (r.contact, r.facet)).collect();
+        Some(Agreement::UpTo { factor, binding })
     }
 }

@@ -1,21 +1,17 @@
 //! The associated friction law: what a grasp does under the convex contact law of many simulators.
 
-use std::sync::Arc;
+use nalgebra::{DMatrix, SVector};
 
-use nalgebra::{DMatrix, DVector, SVector};
-
-use super::cone_rows::{FrictionRow, cone_rows};
-use super::springs::{Spring, Springs};
+use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, rows, values};
 use crate::Settings;
-use crate::contact::Polygon;
+use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
-use crate::grasp::{Grasp, Hold, Site, Twist, Wrench};
-use crate::lcp::{self, Lcp, Outcome};
-use crate::object::{Load, Problem, largest_force};
+use crate::grasp::{Grasp, Twist, Wrench};
+use crate::lcp::Outcome;
+use crate::numerics::unit;
+use crate::object::{Piece, PieceState, Problem};
 use crate::proofs::separating_motion;
 
-/// Conditions are satisfied up to this part of the forces that they compare.
-const ROUNDING: f64 = 1e-12;
 /// What is left of a direction after the binding rows were taken out of it, when it depends on them.
 const DEPENDENT: f64 = 1e-10;
 
@@ -122,32 +118,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D>,
         settings: &Settings,
     ) -> Result<AssociatedOutcome<D, C>, Error> {
-        let law = Law {
-            sites: self.sites(),
-            wrench: self.inside(load, "load")?,
-            drives: self.drives(),
-            rows: cone_rows(self.sites(), &settings.cone, |_| true),
-            corners: Polygon::new(&settings.cone).corners,
-        };
-        let stuck = Springs::along_axes(self.sites(), |_, _| true);
-        if stuck.worked_on(&law.wrench).is_some() {
+        let law = AssociatedLaw::new(self.on_polygons(load, &settings.cone)?);
+        if !law.stuck.resists(&law.problem.wrench) {
             return Ok(AssociatedOutcome::NoBalance);
         }
-        let found = law.binding(&stuck, settings);
-        let first = found.and_then(|(binding, near)| Some((law.on_faces(&binding, &near)?, binding, near)));
-        let Some((first, binding, near)) = first else {
+        let Some((first, binding, near)) = law.solve(settings) else {
             // There is a state of rest for every load in the friction wrench cone; is this one outside?
-            let polygon = Arc::new(Polygon::new(&settings.cone));
-            let problem =
-                Problem::at_rest(self.sites(), polygon, false, law.drives, &Load::from(&law.wrench));
-            return Ok(match separating_motion(&problem) {
+            return Ok(match separating_motion(&law.problem) {
                 Some(_) => AssociatedOutcome::NoBalance,
                 None => AssociatedOutcome::Unsolved,
             });
         };
         // Rows on their edge that the pivots left out: forces are the same, but the object has more room.
-        let edge = law.on_edge(&first);
-        let roomier = law.on_faces(&edge, &near).filter(|r| law.jumps_outwards(&r.forces, &r.twist));
+        let most = law.problem.largest_force(&first.forces, &first.twist);
+        let edge: Vec<_> = (0..law.rows.len()).filter(|r| law.rows[*r].binds(&first.forces, most)).collect();
+        let more = Some(&edge).filter(|edge| **edge != binding);
+        let roomier =
+            more.and_then(|edge| law.on_faces(edge, &near)).filter(|state| law.jumps_outwards(state));
         let (state, binding) = roomier.map_or((first, binding), |state| (state, edge));
         Ok(AssociatedOutcome::Rest(Box::new(self.at_rest(load, &law, &state, &binding))))
     }
@@ -155,169 +142,117 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn at_rest(
         &self,
         load: &Wrench<D>,
-        law: &Law<D, C>,
-        state: &Faces<D, C>,
+        law: &AssociatedLaw<D, C>,
+        state: &PieceState<D, C>,
         binding: &[usize],
     ) -> AssociatedState<D, C> {
-        let mut stored_energy = 0.0;
-        let mut contacts = Vec::with_capacity(self.len());
-        for (i, site) in self.sites().iter().enumerate() {
-            let force = state.forces[i];
-            let jump = law.jump(i, &force, &state.twist);
-            stored_energy += site.springs.stored(&force);
+        let contact = |(i, local): (usize, LocalLaw<'_, C>)| {
+            let (force, jump) = (state.forces[i], law.jump(i, state));
             let binds = binding.iter().any(|r| law.rows[*r].contact == i);
-            let mut slip = -jump;
-            slip[0] = 0.0;
-            if !binds && site.springs.resists_tangentially() {
-                slip.fill(0.0);
+            let slips = binds || local.is_frictionless();
+            AssociatedContact {
+                force,
+                gap: if binds { jump[0].max(0.0) } else { 0.0 },
+                slip: if slips { tangential(&-jump) } else { SVector::zeros() },
             }
-            let gap = if binds { jump[0].max(0.0) } else { 0.0 };
-            contacts.push(AssociatedContact { force, gap, slip });
+        };
+        let stored = self.sites().iter().zip(&state.forces).map(|(site, force)| site.springs.stored(force));
+        AssociatedState {
+            load: *load,
+            twist: self.outside(&state.twist),
+            contacts: law.problem.locals().enumerate().map(contact).collect(),
+            stored_energy: stored.sum(),
         }
-        AssociatedState { load: *load, twist: self.outside(&state.twist), contacts, stored_energy }
     }
 }
 
 /// The law and the question in inside coordinates.
-struct Law<'g, const D: usize, const C: usize> {
-    sites: &'g [Site<D, C>],
-    wrench: SVector<f64, D>,
-    drives: Vec<SVector<f64, C>>,
-    rows: Vec<FrictionRow<C>>,
-    corners: Vec<SVector<f64, C>>,
+struct AssociatedLaw<'g, const D: usize, const C: usize> {
+    problem: Problem<'g, D, C>,
+    stuck: Piece<D, C>,
+    rows: Vec<Row<D, C>>,
 }
 
-/// Forces and a twist when every contact keeps the springs along its face of the cone.
-struct Faces<const D: usize, const C: usize> {
-    forces: Vec<SVector<f64, C>>,
-    twist: SVector<f64, D>,
-}
+impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
+    fn new(problem: Problem<'g, D, C>) -> Self {
+        let stuck = axis_springs(problem.sites, |_, _| true);
+        let rows = rows(&problem, &stuck, |local| local.may_open() && local.facets().is_empty(), true);
+        Self { problem, stuck, rows }
+    }
 
-impl<const D: usize, const C: usize> Law<'_, D, C> {
-    /// Which rows bind, and a twist with it, by Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0`.
-    fn binding(&self, stuck: &Springs<D, C>, settings: &Settings) -> Option<(Vec<usize>, SVector<f64, D>)> {
-        let rows = &self.rows;
-        let trial = stuck.rest(&self.drives, &self.wrench);
-        // Springs along the axes stand contact by contact.
-        let first =
-            |contact: usize| self.sites[..contact].iter().map(|site| site.springs.axes()).sum::<usize>();
-        let axes = |row: &FrictionRow<C>| {
-            let start = first(row.contact);
-            (0..self.sites[row.contact].springs.axes()).map(move |a| (a, start + a))
-        };
-        let q = rows.iter().map(|row| axes(row).map(|(a, s)| row.normal[a] * trial.x[s]).sum());
-        let q = DVector::from_vec(q.collect());
-        if q.iter().all(|q| *q >= 0.0) {
-            return Some((Vec::new(), stuck.twist(&trial.travelled)));
+    /// A state that satisfies the law, the rows that bind there, and the twist that follows from the pivots.
+    ///
+    /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` says which rows bind; none does if everything sticks.
+    fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, SVector<f64, D>)> {
+        let (rows, problem) = (&self.rows, &self.problem);
+        let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let vector = values(rows, &trial.forces);
+        if vector.iter().all(|q| *q >= 0.0) {
+            let twist = trial.twist;
+            return Some((trial, Vec::new(), twist));
         }
-        let seen: Vec<SVector<f64, D>> = rows
-            .iter()
-            .map(|row| {
-                axes(row).fold(SVector::zeros(), |sum, (a, s)| sum + stuck.factor.row(s) * row.normal[a])
-            })
-            .collect();
-        let matrix = DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
-            let same = rows[i].contact == rows[j].contact;
-            let together = if same { rows[i].normal.dot(&rows[j].normal) } else { 0.0 };
-            together - seen[i].dot(&seen[j])
-        });
-        let lcp = Lcp::new(matrix, q).ok()?;
-        let lcp_settings =
-            lcp::Settings { max_pivots: settings.max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
-        match lcp.solve_with(&lcp_settings) {
-            Outcome::Solved(solution) => {
-                let travelled = seen
-                    .iter()
-                    .zip(solution.z.iter())
-                    .fold(trial.travelled, |sum, (seen, z)| sum + seen * *z);
-                Some((solution.basis.iter().collect(), stuck.twist(&travelled)))
-            }
-            _ => None,
-        }
+        let matrix = DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i].past_the_object(&rows[j]));
+        let Outcome::Solved(solution) = by_pivots(matrix, vector, settings)? else { return None };
+        let travelled = rows.iter().zip(&solution.z).map(|(row, z)| row.seen * *z).sum();
+        let near = trial.twist + self.stuck.motion(&travelled);
+        let binding: Vec<usize> = solution.basis.iter().collect();
+        Some((self.on_faces(&binding, &near)?, binding, near))
     }
 
     /// The springs along the faces where these rows bind; `None` if they do not satisfy the law. The twist is the least one,
     /// or one near that of the pivots where the least would let something slip the wrong way.
-    fn on_faces(&self, binding: &[usize], near: &SVector<f64, D>) -> Option<Faces<D, C>> {
-        let mut list = Vec::new();
-        for (contact, site) in self.sites.iter().enumerate() {
+    fn on_faces(&self, binding: &[usize], near: &SVector<f64, D>) -> Option<PieceState<D, C>> {
+        let problem = &self.problem;
+        let springs = Piece::of_springs(problem.sites, |contact, list| {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
-            let normals: Vec<_> = own.map(|row| row.normal).collect();
-            for t in face(&normals, site.springs.axes()) {
-                list.push(Spring { contact, along: t.component_mul(&site.springs.root()) });
-            }
+            let springs = &problem.sites[contact].springs;
+            let along = face(own.map(|row| &row.normal), springs.axes());
+            list.extend(along.into_iter().map(|t| Spring::straight(t.component_mul(&springs.root()))));
+        });
+        let mut state = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        if !self.jumps_outwards(&state) {
+            let free = springs.free_motions().iter();
+            state.twist += free.fold(SVector::zeros(), |sum, v| sum + v * v.dot(near));
         }
-        let springs = Springs::new(self.sites, list);
-        if springs.worked_on(&self.wrench).is_some() {
-            return None;
-        }
-        let state = springs.rest(&self.drives, &self.wrench);
-        let forces = springs.forces(&state.x, self.sites.len());
-        let mut twist = springs.twist(&state.travelled);
-        if !self.jumps_outwards(&forces, &twist) {
-            for v in &springs.free {
-                twist += v * v.dot(near);
-            }
-        }
-        let faces = Faces { forces, twist };
-        let most = self.largest_force(&faces);
-        let inside = |row: &FrictionRow<C>| self.value(row, &faces) >= -ROUNDING * most * row.weight;
-        self.rows.iter().all(inside).then_some(faces)
-    }
-
-    /// The rows that stand on their edge.
-    fn on_edge(&self, faces: &Faces<D, C>) -> Vec<usize> {
-        let most = self.largest_force(faces);
-        let edge = |r: &usize| {
-            let row = &self.rows[*r];
-            self.value(row, faces) <= ROUNDING * most * row.weight
-        };
-        (0..self.rows.len()).filter(edge).collect()
-    }
-
-    fn value(&self, row: &FrictionRow<C>, faces: &Faces<D, C>) -> f64 {
-        row.value(&self.sites[row.contact], &faces.forces[row.contact])
-    }
-
-    fn largest_force(&self, faces: &Faces<D, C>) -> f64 {
-        let sizes = faces.forces.iter().map(SVector::norm);
-        largest_force(self.sites, &self.drives, &faces.twist, self.wrench.norm(), sizes)
+        let most = problem.largest_force(&state.forces, &state.twist);
+        self.rows.iter().all(|row| row.holds(&state.forces, most)).then_some(state)
     }
 
     /// How far the surfaces of a contact have parted: (gap, -slip).
-    fn jump(&self, contact: usize, force: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
-        let site = &self.sites[contact];
-        site.springs.give(force) - site.stretch(&self.drives[contact], twist)
+    fn jump(&self, contact: usize, state: &PieceState<D, C>) -> SVector<f64, C> {
+        let give = self.problem.sites[contact].springs.give(&state.forces[contact]);
+        give - self.problem.stretch(contact, &state.twist)
     }
 
     /// Whether every jump lies in the cone of the outward normals: it works against no force of the friction cone.
-    fn jumps_outwards(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> bool {
-        self.sites.iter().enumerate().filter(|(_, site)| site.hold != Hold::Bonded).all(|(i, site)| {
-            let jump = self.jump(i, &forces[i], twist);
-            let slack = -ROUNDING * site.span(&self.drives[i], twist);
-            let cone = site.friction;
-            if !site.springs.resists_tangentially() || cone.is_infinite() {
-                return site.hold == Hold::KeptClosed || jump[0] >= slack;
+    fn jumps_outwards(&self, state: &PieceState<D, C>) -> bool {
+        self.problem.locals().enumerate().filter(|(_, local)| !local.is_bonded()).all(|(i, local)| {
+            let (jump, cone) = (self.jump(i, state), local.cone());
+            let slack = -ROUNDING * self.problem.span(i, &state.twist);
+            if local.facets().is_empty() {
+                return !local.may_open() || jump[0] >= slack;
             }
-            self.corners.iter().all(|d| cone.generator(d).dot(&jump) >= slack * cone.round_weight())
+            let corners = &local.polygon.corners;
+            corners.iter().all(|d| cone.generator(d).dot(&jump) >= slack * cone.round_weight())
         })
     }
 }
 
 /// An orthonormal basis of the vectors of the first `axes` components at right angles to all of these.
-fn face<const C: usize>(normals: &[SVector<f64, C>], axes: usize) -> Vec<SVector<f64, C>> {
+fn face<'n, const C: usize>(
+    normals: impl Iterator<Item = &'n SVector<f64, C>>,
+    axes: usize,
+) -> Vec<SVector<f64, C>> {
     let mut taken: Vec<SVector<f64, C>> = Vec::new();
-    let rest = |v: &SVector<f64, C>, taken: &[SVector<f64, C>]| {
-        let mut v = *v;
-        for _ in 0..2 {
-            for t in taken {
-                v -= t * t.dot(&v);
-            }
+    let rest = |mut v: SVector<f64, C>, taken: &[SVector<f64, C>]| {
+        // Twice: the second time removes what rounding left.
+        for t in taken.iter().chain(taken) {
+            v -= t * t.dot(&v);
         }
         v
     };
     for normal in normals {
-        let left = rest(normal, &taken);
+        let left = rest(*normal, &taken);
         if left.norm() > DEPENDENT {
             taken.push(left.normalize());
         }
@@ -325,11 +260,7 @@ fn face<const C: usize>(normals: &[SVector<f64, C>], axes: usize) -> Vec<SVector
     let bound = taken.len();
     while taken.len() < axes {
         // The axis that is farthest from what is there already.
-        let units = (0..axes).map(|a| {
-            let mut e = SVector::<f64, C>::zeros();
-            e[a] = 1.0;
-            rest(&e, &taken)
-        });
+        let units = (0..axes).map(|axis| rest(unit(axis), &taken));
         let Some(next) = units.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
         taken.push(next.normalize());
     }

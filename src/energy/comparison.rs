@@ -177,7 +177,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D>,
         settings: &Settings,
     ) -> Result<Comparison<D, C>, Error> {
-        let equilibrium = self.solve_with(load, &settings.clone().on_the_polygon())?;
+        let equilibrium = self.solve_with(load, &(*settings).on_the_polygon())?;
         let minimum = self.minimum_energy(load, settings)?;
         let difference = equilibrium
             .equilibrium()

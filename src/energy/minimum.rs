@@ -1,15 +1,16 @@
 //! The minimum of the paper's program, solved so that stiffness ratios do not cost digits.
 //!
-//! The program is solved through its optimality conditions (`conditions`): Lemke's method says which gaps open and which
-//! friction constraints bind, the springs that then hold say the rest. The multipliers of the constraints are forces on the
-//! **object** that no contact exerts; the minimum is an equilibrium exactly if they add up to nothing.
+//! The program is solved through its optimality conditions (`optimality`). Lemke's method says which gaps open and which
+//! friction constraints bind; the springs that then hold say the rest. The multipliers of the constraints are forces on
+//! the **object** that no contact exerts: the minimum is an equilibrium exactly if they add up to nothing.
 
 use nalgebra::SVector;
 
-use super::conditions::{Faces, Failure, Point, Program, ROUNDING};
+use super::optimality::{Faces, Failure, Point, Program};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Grasp, Twist, Wrench};
+use crate::object::Unbalanced;
 
 /// How the search for the minimum of the paper's program ends.
 #[derive(Debug, Clone)]
@@ -111,8 +112,9 @@ pub struct Binding {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
     ///
-    /// The same minimum as that of [`Self::reduced_qp`] with its gaps, and as that of [`Self::printed_qp`] as long as that opens no contact with
-    /// infinite friction; with the springs in series and computed on orthogonal factors, rigid sides and series stiffness are welcome.
+    /// The minimum is that of [`Self::reduced_qp`] with its gaps, and that of [`Self::printed_qp`] as long as the printed
+    /// program opens no contact with infinite friction. Springs stand in series and orthogonal factors keep their digits,
+    /// so that rigid sides and series stiffness are welcome.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -138,31 +140,33 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D>,
         settings: &Settings,
     ) -> Result<MinimumOutcome<D, C>, Error> {
-        let wrench = self.inside(load, "load")?;
-        let program = Program::new(self.sites(), &settings.cone);
-        let drives = self.drives();
-        if let Some(v) = program.stuck.worked_on(&wrench) {
-            return Ok(MinimumOutcome::Unbounded { motion: self.outside(&v), work: v.dot(&wrench) });
-        }
-        let stuck = program.stuck.rest(&drives, &wrench);
+        let program = Program::new(self.on_polygons(load, &settings.cone)?);
+        let problem = &program.problem;
+        let stuck = match program.stuck.solve(problem.sites, &problem.drives, problem.load()) {
+            Ok(stuck) => stuck,
+            Err(Unbalanced { motion: Some(v) }) => {
+                return Ok(MinimumOutcome::Unbounded {
+                    motion: self.outside(&v),
+                    work: v.dot(&problem.wrench),
+                });
+            }
+            Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
+        };
         // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
         let rolling = Faces { open: vec![false; self.len()], binding: Vec::new() };
-        let solve = |faces: &Faces, near: &SVector<f64, D>| {
-            let point = program.on_faces(faces, &drives, &wrench, near)?;
-            program.holds(&point, faces, &drives, &wrench).then_some(point)
-        };
-        let (point, pivots) = if let Some(point) = solve(&rolling, &SVector::zeros()) {
-            (point, 0)
-        } else {
-            let (faces, pivots, near) = match program.faces(&stuck, settings) {
+        let mut pivots = 0;
+        let mut point = Some(program.rolling(&stuck)).filter(|point| program.holds(point, &rolling));
+        if point.is_none() {
+            let (faces, made, near) = match program.faces(&stuck, settings) {
                 Ok(found) => found,
                 Err(Failure::NoMinimum) => return Ok(MinimumOutcome::NoMinimum),
                 Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
             };
-            let Some(point) = solve(&faces, &near) else { return Ok(MinimumOutcome::Unsolved) };
-            (point, pivots)
-        };
-        Ok(MinimumOutcome::Minimum(Box::new(self.write_out(load, &program, &point, &drives, pivots))))
+            pivots = made;
+            point = program.on_faces(&faces, &stuck, &near).filter(|point| program.holds(point, &faces));
+        }
+        let Some(point) = point else { return Ok(MinimumOutcome::Unsolved) };
+        Ok(MinimumOutcome::Minimum(Box::new(self.write_out(load, &program, &point, pivots))))
     }
 
     fn write_out(
@@ -170,25 +174,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D>,
         program: &Program<D, C>,
         point: &Point<D, C>,
-        drives: &[SVector<f64, C>],
         pivots: usize,
     ) -> MinimumEnergy<D, C> {
-        let mut pushed = SVector::<f64, D>::zeros();
-        let mut binding = Vec::new();
-        let wrench = self.inside_unchecked(load);
-        let most = point.largest_force(self.sites(), drives, &wrench);
-        for (row, &multiplier) in program.rows.iter().zip(&point.multipliers) {
-            let site = &self.sites()[row.contact];
-            let slack = row.value(site, &point.forces[row.contact]);
-            if multiplier != 0.0 || slack.abs() <= ROUNDING * most * row.weight {
-                binding.push(Binding {
-                    contact: row.contact,
-                    facet: row.facet,
-                    multiplier: multiplier / row.length,
-                });
-            }
-            pushed += site.map * row.in_springs(site) * multiplier;
-        }
+        let most = program.problem.largest_force(&point.forces, &point.twist);
+        let rows = program.friction.iter().zip(&point.multipliers);
+        let binding = rows
+            .filter(|(row, l)| **l != 0.0 || row.binds(&point.forces, most))
+            .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
+        let held = program.held_from_outside(&point.multipliers);
+        let pushed: SVector<f64, D> = self.sites().iter().zip(&held).map(|(site, f)| site.map * f).sum();
         let contact = |i: usize| {
             let site = &self.sites()[i];
             MinimumContact {
@@ -205,7 +199,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             load: *load,
             twist: self.outside(&point.twist),
             contacts: (0..self.len()).map(contact).collect(),
-            binding,
+            binding: binding.collect(),
             imbalance: self.wrench_outside(&pushed),
             stored_energy,
             potential_energy: stored_energy - own_work,

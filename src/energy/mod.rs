@@ -1,15 +1,17 @@
 //! The paper's principle of minimum potential energy, beside complementarity.
 //!
-//! While nothing slides the springs are conservative and the object goes where the energy is least. The paper poses that as a
-//! quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]; solved as the linear complementarity
-//! problem of its optimality conditions, [`QuadraticProgram`], and on orthogonal factors,
-//! [`Grasp::minimum_energy`](crate::grasp::Grasp::minimum_energy)). As long as no friction constraint binds, its minimum is the equilibrium. Once one
-//! binds, its multiplier acts on the object like a hand from outside: the program still returns numbers, but they are not in
-//! equilibrium. [`Comparison`] says which case a load is, [`Agreement`] up to which load factor all is well,
-//! [`ThreeLaws`] puts Coulomb's law, the program and the associated law of many simulators in one table.
+//! While nothing slides the springs are conservative and the object goes where the energy is least. The paper poses that
+//! as a quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]). [`QuadraticProgram`]
+//! solves it as the linear complementarity problem of its optimality conditions, and
+//! [`Grasp::minimum_energy`](crate::grasp::Grasp::minimum_energy) on orthogonal factors.
 //!
-//! With everything stuck in x⁰ = K^{1/2} F⁰, Π the projector on the motions of the object, N the rows of the cones and S those of the slips
-//! alone, all in the coordinates x = K^{-1/2} F, the three laws differ in one factor:
+//! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on
+//! the object like a hand from outside: the program still returns numbers, but they are not in equilibrium. [`Comparison`]
+//! says which case a load is, [`Agreement`] up to which load factor all is well. [`ThreeLaws`] puts Coulomb's law, the
+//! program and the associated law of many simulators in one table.
+//!
+//! The three laws differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those when everything
+//! sticks, and Π the projector on the motions of the object. N are the rows of the cones, S those of the slips alone:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip
@@ -17,19 +19,32 @@
 //! minimum energy      x = x⁰ +    Π    Nᵀz                              the object is held from outside
 //! ```
 //!
-//! [`Stability`] and [`SecondOrder`] are about what first order leaves out: the second-order term of the paper's equation 4.1.
+//! [`Stability`] and [`SecondOrder`] are about what first order leaves out: the second-order term of the paper's
+//! equation 4.1.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `program` | a convex quadratic program and its optimality conditions |
+//! | `program_rows` | its rows, as they are written down |
+//! | `printed`, `reduced` | the paper's program, in all displacements and without those of the surfaces |
+//! | `energy_rows` | gaps and friction cones in energy coordinates |
+//! | `optimality` | the optimality conditions in energy coordinates, and their solution |
+//! | `minimum`, `agreement` | the minimum under a load, and how far along a ramp it is an equilibrium |
+//! | `associated` | the associated friction law |
+//! | `comparison`, `three_laws` | the laws side by side |
+//! | `stability`, `second_order` | what displacements do beyond first order |
 
 mod agreement;
 mod associated;
 mod comparison;
-mod conditions;
-mod cone_rows;
+mod energy_rows;
 mod minimum;
+mod optimality;
 mod printed;
 mod program;
+mod program_rows;
 mod reduced;
 mod second_order;
-mod springs;
 mod stability;
 mod three_laws;
 

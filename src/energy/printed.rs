@@ -3,9 +3,10 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::program::QuadraticProgram;
-use crate::contact::{Polygon, PolygonCone};
+use super::program_rows::ProgramRows;
+use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
-use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench, displacement_of};
+use crate::grasp::{Contact, Grasp, Stiffness, Twist, Wrench, grasp_map};
 
 /// What an equality row of the printed program says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -159,9 +160,11 @@ impl<const D: usize, const C: usize> PrintedQp<D, C> {
         SVector::from_fn(|a, _| self.program.h[(C * 3 * contact + a, C * 3 * contact + a)] * stretch[a])
     }
 
-    /// What the balance of the object counts at a contact, in its frame, N: minus the multipliers of its [`Equality::BodyMotion`]
-    /// rows. As long as no inequality of the contact binds this is the contact force, and as exact as the multipliers
-    /// whatever the stiffness; where one binds it is the force together with what the constraint adds to it.
+    /// What the balance of the object counts at a contact, in its frame, N: minus the multipliers of its
+    /// [`Equality::BodyMotion`] rows.
+    ///
+    /// As long as no inequality of the contact binds this is the contact force, as exact as the multipliers whatever the
+    /// stiffness. Where an inequality binds, it is the force together with what the constraint adds to it.
     ///
     /// # Panics
     /// If y does not belong to this program, or there is no such contact.
@@ -202,142 +205,119 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
     /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
     pub fn printed_qp(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<PrintedQp<D, C>, Error> {
-        self.inside(load, "load")?;
-        let springs = self.springs_of_both_sides()?;
-        let polygon = Polygon::<C>::new(cone);
+        let problem = self.on_polygons(load, cone)?;
         let columns = 3 * C * self.len() + D;
-        let mut rows = Rows::new(columns);
-        let (mut g, mut h) = (DVector::zeros(columns), DMatrix::zeros(columns, columns));
-        let mut constant = 0.0;
-        for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
-            let (body, finger) = &springs[i];
-            let at = |part: usize, axis: usize| C * (3 * i + part) + axis;
-            let u_f = &contact.command;
-            for a in 0..C {
-                let (c, d, e) = (at(0, a), at(1, a), at(2, a));
-                (h[(c, c)], h[(d, d)], h[(e, e)]) = (body[a], body[a], finger[a]);
-                (h[(c, d)], h[(d, c)]) = (-body[a], -body[a]);
-                g[e] = -finger[a] * u_f[a];
-                constant += 0.5 * finger[a] * u_f[a] * u_f[a];
-                let ratio = finger[a] / body[a];
-                let continuity = Equality::SpringContinuity { contact: i, axis: a };
-                rows.equality(continuity, &[(c, -1.0), (d, 1.0), (e, ratio)], ratio * u_f[a]);
-            }
-            let (c, d, e) = (at(0, 0), at(1, 0), at(2, 0));
-            if site.springs.resists_tangentially() {
-                for a in 1..C {
-                    let rolling = Equality::Rolling { contact: i, axis: a };
-                    rows.equality(rolling, &[(at(1, a), 1.0), (at(2, a), -1.0)], 0.0);
-                }
-            }
-            if site.hold == Hold::Unilateral {
-                rows.inequality(Inequality::BodyPushes { contact: i }, &[(c, -1.0), (d, 1.0)], 0.0);
-                let gap = [(d, 1.0), (e, -1.0)];
-                rows.inequality(Inequality::NoPenetration { contact: i }, &gap, -contact.clearance);
-                rows.inequality(Inequality::FingerPushes { contact: i }, &[(e, -1.0)], -u_f[0]);
-            } else {
-                rows.equality(Equality::Closed { contact: i }, &[(d, 1.0), (e, -1.0)], -contact.clearance);
-            }
-            if site.hold != Hold::Bonded && site.friction.has_edges() {
-                for (facet, normal) in polygon.normals.iter().enumerate() {
-                    let mu = site.friction.limit(1.0);
-                    let mut terms = vec![(c, -mu), (d, mu)];
-                    for a in 1..C {
-                        let along = normal[a] * (body[a] / body[0]);
-                        terms.extend([(at(0, a), along), (at(1, a), -along)]);
-                    }
-                    rows.inequality(Inequality::Friction { contact: i, facet }, &terms, 0.0);
-                }
-            }
+        let mut written = Written {
+            g: DVector::zeros(columns),
+            h: DMatrix::zeros(columns, columns),
+            equalities: ProgramRows::new(columns),
+            inequalities: ProgramRows::new(columns),
+            constant: 0.0,
+        };
+        for (i, (local, contact)) in problem.locals().zip(self.contacts()).enumerate() {
+            let sides = both_sides(i, contact)?;
+            written.springs(i, &contact.command, &sides);
+            written.surfaces(i, &local, contact, &sides);
         }
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
-            for a in 0..C {
-                let mut terms = vec![(C * 3 * i + a, 1.0)];
-                for k in 0..D {
-                    let unit = SVector::<f64, D>::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
-                    let moved = displacement_of::<D, C>(&contact.point, &unit);
-                    terms.push((columns - D + k, -site.frame.column(a).dot(&moved)));
-                }
-                rows.equality(Equality::BodyMotion { contact: i, axis: a }, &terms, 0.0);
+            let map = grasp_map::<D, C>(&contact.point, &site.frame);
+            for axis in 0..C {
+                let moved = (0..D).map(|k| (columns - D + k, -map[(k, axis)]));
+                let terms = std::iter::once((column::<C>(i, BODY_CORE, axis), 1.0)).chain(moved);
+                written.equalities.push_terms(Equality::BodyMotion { contact: i, axis }, terms, 0.0);
             }
         }
-        for k in 0..D {
-            g[columns - D + k] = -load.as_vector()[k];
+        let Written { mut g, h, equalities, inequalities, constant } = written;
+        g.rows_mut(columns - D, D).copy_from(&-load.as_vector());
+        let (equalities, a, c) = equalities.finish();
+        let (inequalities, b, d) = inequalities.finish();
+        let program = QuadraticProgram { g, h, a, c, b, d };
+        Ok(PrintedQp { program, equalities, inequalities, constant, contacts: self.len() })
+    }
+}
+
+/// Places of u_c, u_d and u_e among the displacements of a contact.
+const BODY_CORE: usize = 0;
+const BODY_SURFACE: usize = 1;
+const FINGER_SURFACE: usize = 2;
+
+/// The column of a displacement along an axis.
+fn column<const C: usize>(contact: usize, displacement: usize, axis: usize) -> usize {
+    C * (3 * contact + displacement) + axis
+}
+
+/// Stiffness of body and finger.
+fn both_sides<const C: usize>(index: usize, contact: &Contact<C>) -> Result<[SVector<f64, C>; 2], Error> {
+    const ALLOWED: &str = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
+    let fault =
+        |field, value| Err(Error::Contact { contact: contact.label(index), field, value, allowed: ALLOWED });
+    let (body, finger) = match &contact.stiffness {
+        Stiffness::BodyAndFinger { body, finger } => (body, finger),
+        Stiffness::Series(k) => return fault(Field::SeriesStiffness, k[0]),
+    };
+    for (field, side) in [(Field::BodyStiffness, body), (Field::FingerStiffness, finger)] {
+        if let Some(&k) = side.iter().find(|k| !(1.0 / LARGEST..=LARGEST).contains(*k)) {
+            return fault(field, k);
         }
-        let (a, c) = stack(&rows.a, columns);
-        let (b, d) = stack(&rows.b, columns);
-        Ok(PrintedQp {
-            program: QuadraticProgram { g, h, a, c, b, d },
-            equalities: rows.equalities,
-            inequalities: rows.inequalities,
-            constant,
-            contacts: self.len(),
-        })
     }
-
-    /// Stiffness of body and finger at each contact.
-    #[expect(clippy::type_complexity, reason = "a pair for each contact")]
-    fn springs_of_both_sides(&self) -> Result<Vec<(SVector<f64, C>, SVector<f64, C>)>, Error> {
-        let usable = |k: &f64| (1.0 / LARGEST..=LARGEST).contains(k);
-        let both = self.contacts().iter().enumerate().map(|(i, contact)| {
-            let fault = |field, value| Error::Contact {
-                contact: contact.label(i),
-                field,
-                value,
-                allowed: "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)",
-            };
-            match &contact.stiffness {
-                Stiffness::BodyAndFinger { body, finger } => {
-                    for (field, side) in [(Field::BodyStiffness, body), (Field::FingerStiffness, finger)] {
-                        if let Some(&k) = side.iter().find(|k| !usable(k)) {
-                            return Err(fault(field, k));
-                        }
-                    }
-                    Ok((*body, *finger))
-                }
-                Stiffness::Series(k) => Err(fault(Field::SeriesStiffness, k[0])),
-            }
-        });
-        both.collect()
-    }
+    Ok([*body, *finger])
 }
 
-type Row = (DVector<f64>, f64);
-
-/// Rows as they are written down, one after the other.
-struct Rows {
-    columns: usize,
-    a: Vec<Row>,
-    b: Vec<Row>,
-    equalities: Vec<Equality>,
-    inequalities: Vec<Inequality>,
+/// The program as far as it is written down.
+struct Written {
+    g: DVector<f64>,
+    h: DMatrix<f64>,
+    equalities: ProgramRows<Equality>,
+    inequalities: ProgramRows<Inequality>,
+    constant: f64,
 }
 
-impl Rows {
-    fn new(columns: usize) -> Self {
-        Self { columns, a: Vec::new(), b: Vec::new(), equalities: Vec::new(), inequalities: Vec::new() }
-    }
-
-    fn row(&self, terms: &[(usize, f64)]) -> DVector<f64> {
-        let mut row = DVector::zeros(self.columns);
-        for &(column, value) in terms {
-            row[column] += value;
+impl Written {
+    /// The energy of both springs of a contact, and that they carry the same force.
+    fn springs<const C: usize>(
+        &mut self,
+        contact: usize,
+        u_f: &SVector<f64, C>,
+        [body, finger]: &[SVector<f64, C>; 2],
+    ) {
+        for axis in 0..C {
+            let [c, d, e] = [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| column::<C>(contact, u, axis));
+            let (k_b, k_f) = (body[axis], finger[axis]);
+            (self.h[(c, c)], self.h[(d, d)], self.h[(e, e)]) = (k_b, k_b, k_f);
+            (self.h[(c, d)], self.h[(d, c)]) = (-k_b, -k_b);
+            self.g[e] = -k_f * u_f[axis];
+            self.constant += 0.5 * k_f * u_f[axis] * u_f[axis];
+            let (says, ratio) = (Equality::SpringContinuity { contact, axis }, k_f / k_b);
+            self.equalities.push_terms(says, [(c, -1.0), (d, 1.0), (e, ratio)], ratio * u_f[axis]);
         }
-        row
     }
 
-    fn equality(&mut self, says: Equality, terms: &[(usize, f64)], right: f64) {
-        self.a.push((self.row(terms), right));
-        self.equalities.push(says);
+    /// How the surfaces of a contact may move past each other, and what force they may carry.
+    fn surfaces<const C: usize>(
+        &mut self,
+        i: usize,
+        local: &LocalLaw<'_, C>,
+        contact: &Contact<C>,
+        [body, _]: &[SVector<f64, C>; 2],
+    ) {
+        let [c, d, e] =
+            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column::<C>(i, u, axis));
+        let apart = |axis| [(d(axis), 1.0), (e(axis), -1.0)];
+        for axis in 1..local.springs.axes() {
+            self.equalities.push_terms(Equality::Rolling { contact: i, axis }, apart(axis), 0.0);
+        }
+        if local.may_open() {
+            let rows = &mut self.inequalities;
+            rows.push_terms(Inequality::BodyPushes { contact: i }, [(c(0), -1.0), (d(0), 1.0)], 0.0);
+            rows.push_terms(Inequality::NoPenetration { contact: i }, apart(0), -contact.clearance);
+            rows.push_terms(Inequality::FingerPushes { contact: i }, [(e(0), -1.0)], -contact.command[0]);
+        } else {
+            self.equalities.push_terms(Equality::Closed { contact: i }, apart(0), -contact.clearance);
+        }
+        for (facet, normal) in local.facets().iter().enumerate() {
+            let row = local.cone().facet_row(normal).component_mul(&(body / body[0]));
+            let terms = (0..C).flat_map(|axis| [(c(axis), -row[axis]), (d(axis), row[axis])]);
+            self.inequalities.push_terms(Inequality::Friction { contact: i, facet }, terms, 0.0);
+        }
     }
-
-    fn inequality(&mut self, says: Inequality, terms: &[(usize, f64)], right: f64) {
-        self.b.push((self.row(terms), right));
-        self.inequalities.push(says);
-    }
-}
-
-fn stack(rows: &[Row], columns: usize) -> (DMatrix<f64>, DVector<f64>) {
-    let matrix = DMatrix::from_fn(rows.len(), columns, |i, j| rows[i].0[j]);
-    (matrix, DVector::from_fn(rows.len(), |i, _| rows[i].1))
 }

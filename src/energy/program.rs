@@ -8,8 +8,8 @@
 //! 0 <= λ  ⟂  B x - D >= 0
 //! ```
 //!
-//! For a positive semidefinite H the second problem says the same as the first, and Lemke's method, which was made for
-//! it (Lemke 1965), cannot fail on it: it finds a minimum or a ray, and a ray means that there is none.
+//! For a positive semidefinite H the second problem says the same as the first. Lemke's method was made for it
+//! (Lemke 1965) and cannot fail on it: it finds a minimum or a ray, and a ray means that there is no minimum.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -91,12 +91,12 @@ impl QuadraticProgram {
     /// 0 <= λ  ⟂  B x - D >= 0
     /// ```
     ///
-    /// For a positive semidefinite H they say the same as the program, and Lemke's method, which was made for them (Lemke 1965), ends in exact
-    /// arithmetic in a minimum or on a ray, which means that there is none.
+    /// For a positive semidefinite H they say the same as the program, and Lemke's method was made for them (Lemke 1965).
+    /// In exact arithmetic it ends in a minimum, or on a ray, which means that there is no minimum.
     ///
     /// # Errors
-    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D, [`LcpError::MatrixEntry`] or [`LcpError::VectorEntry`] for a
-    /// number that is not finite: its place is that in the matrices of [`MixedLcp`].
+    /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D. [`LcpError::MatrixEntry`] or
+    /// [`LcpError::VectorEntry`] for a number that is not finite; its place is that in the matrices of [`MixedLcp`].
     pub fn optimality_conditions(&self) -> Result<MixedLcp, LcpError> {
         let (n, m, k) = (self.g.len(), self.c.len(), self.d.len());
         let shapes =
@@ -169,9 +169,9 @@ impl QuadraticProgram {
         })
     }
 
-    /// The same point from the rows that bind, with iterative refinement: each condition is then satisfied to the rounding
-    /// of its own terms (Skeel 1980), so that forces balance to the last digits beside springs a million times
-    /// stiffer. `None` where the rows that bind do not determine the point, or would pull.
+    /// The solution's point from the rows that bind, with iterative refinement. Each condition is then satisfied to the
+    /// rounding of its own terms (Skeel 1980): forces balance to the last digits beside springs a million times stiffer.
+    /// `None` where the rows that bind do not determine the point.
     fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
         let (n, m) = (self.g.len(), self.c.len());
         let binding: Vec<usize> = solution.basis.iter().collect();

@@ -1,11 +1,13 @@
 //! The quadratic program that is left when the displacements of the surfaces are eliminated.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::program::QuadraticProgram;
-use crate::contact::{Polygon, PolygonCone};
+use super::program_rows::ProgramRows;
+use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
-use crate::grasp::{Grasp, Hold, Wrench, displacement_of};
+use crate::grasp::{Grasp, Wrench, grasp_map};
+use crate::numerics::unit;
 
 /// Which unknowns a reduced program keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -97,75 +99,45 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: &PolygonCone,
         unknowns: Unknowns,
     ) -> Result<ReducedQp<D, C>, Error> {
-        self.inside(load, "load")?;
-        let polygon = Polygon::<C>::new(cone);
-        let may_open = |i: &usize| {
-            let site = &self.sites()[*i];
-            unknowns == Unknowns::TwistAndGaps
-                && site.hold == Hold::Unilateral
-                && !site.friction.is_infinite()
+        let problem = self.on_polygons(load, cone)?;
+        let may_open = |local: &LocalLaw<'_, C>| {
+            unknowns == Unknowns::TwistAndGaps && local.may_open() && !local.never_slides()
         };
-        let gaps: Vec<usize> = (0..self.len()).filter(may_open).collect();
+        let gaps = problem.locals().enumerate().filter(|(_, local)| may_open(local));
+        let gaps: Vec<usize> = gaps.map(|(i, _)| i).collect();
         let n = D + gaps.len();
         let (mut g, mut h) = (DVector::zeros(n), DMatrix::zeros(n, n));
-        let (mut rows, mut b, mut d) = (Vec::new(), Vec::new(), Vec::new());
+        g.rows_mut(0, D).copy_from(&-load.as_vector());
+        let mut rows = ProgramRows::new(n);
         let mut constant = 0.0;
-        for k in 0..D {
-            g[k] = -load.as_vector()[k];
-        }
-        for (i, (site, drive)) in self.sites().iter().zip(self.drives()).enumerate() {
+        for (i, (local, drive)) in problem.locals().zip(&problem.drives).enumerate() {
             // Stretch of the springs: a - S x, with S = [G_iᵀ, -e_n at the gap].
             let mut s = DMatrix::zeros(C, n);
-            s.view_mut((0, 0), (C, D)).copy_from(&self.motion_at(i));
+            let map = grasp_map::<D, C>(&self.contacts()[i].point, &self.sites()[i].frame);
+            s.view_mut((0, 0), (C, D)).copy_from(&map.transpose());
             let gap = gaps.iter().position(|j| *j == i).map(|place| D + place);
             if let Some(gap) = gap {
                 s[(0, gap)] = -1.0;
             }
-            let k = site.springs.stiffness();
-            h += s.transpose() * k * &s;
-            g -= s.transpose() * (k * drive);
-            constant += 0.5 * drive.dot(&(k * drive));
-            let mut push = |says: ReducedRow, row: &SVector<f64, C>| {
-                let row = site.springs.force(row);
-                rows.push(says);
-                b.push(-s.tr_mul(&row));
-                d.push(-row.dot(&drive));
+            let pushed = local.springs.force(drive);
+            h += s.transpose() * local.springs.stiffness() * &s;
+            g -= s.tr_mul(&pushed);
+            constant += 0.5 * drive.dot(&pushed);
+            let mut push = |says: ReducedRow, law: &SVector<f64, C>| {
+                rows.push(says, -s.tr_mul(&local.springs.force(law)), -law.dot(&pushed));
             };
-            let push_normal = SVector::from_fn(|a, _| if a == 0 { 1.0 } else { 0.0 });
-            if site.hold == Hold::Unilateral && gap.is_none() {
-                push(ReducedRow::Pushes { contact: i }, &push_normal);
+            if local.may_open() && gap.is_none() {
+                push(ReducedRow::Pushes { contact: i }, &unit(0));
             }
-            if site.hold != Hold::Bonded && site.friction.has_edges() {
-                for (facet, normal) in polygon.normals.iter().enumerate() {
-                    push(ReducedRow::Friction { contact: i, facet }, &site.friction.facet_row(normal));
-                }
+            for (facet, normal) in local.facets().iter().enumerate() {
+                push(ReducedRow::Friction { contact: i, facet }, &local.cone().facet_row(normal));
             }
             if let Some(gap) = gap {
-                rows.push(ReducedRow::NoPenetration { contact: i });
-                b.push(DVector::from_fn(n, |j, _| if j == gap { 1.0 } else { 0.0 }));
-                d.push(0.0);
+                rows.push_terms(ReducedRow::NoPenetration { contact: i }, [(gap, 1.0)], 0.0);
             }
         }
-        let b = DMatrix::from_fn(b.len(), n, |i, j| b[i][j]);
-        let program = QuadraticProgram {
-            g,
-            h,
-            a: DMatrix::zeros(0, n),
-            c: DVector::zeros(0),
-            b,
-            d: DVector::from_vec(d),
-        };
+        let (rows, b, d) = rows.finish();
+        let program = QuadraticProgram { g, h, a: DMatrix::zeros(0, n), c: DVector::zeros(0), b, d };
         Ok(ReducedQp { program, gaps, rows, constant })
-    }
-
-    /// G_iᵀ about the origin of the user's coordinates: twist → displacement in the contact frame.
-    fn motion_at(&self, i: usize) -> SMatrix<f64, C, D> {
-        let mut motion = SMatrix::<f64, C, D>::zeros();
-        for k in 0..D {
-            let unit = SVector::<f64, D>::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
-            let moved = displacement_of::<D, C>(&self.contacts()[i].point, &unit);
-            motion.set_column(k, &self.sites()[i].frame.tr_mul(&moved));
-        }
-        motion
     }
 }

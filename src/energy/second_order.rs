@@ -8,10 +8,9 @@ use crate::contact::{LocalLaw, Mode, Polygon, State};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
+use crate::numerics::unit;
 use crate::object::{Load, Problem};
 use crate::search::{Settled, settle};
-use std::sync::Arc;
-
 /// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
 const MOST_ITERATIONS: usize = 100;
 /// Changes of the displacements below this part of them are rounding.
@@ -55,17 +54,17 @@ impl<const D: usize, const C: usize> SecondOrderOutcome<D, C> {
 
 /// An equilibrium with second-order displacements.
 ///
-/// To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)` (in the plane the last term is `-½ θ² r`) and the
-/// moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. Outer iterations: at the twist q_k
-/// u is replaced by its tangent,
+/// To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)`; in the plane the last term is `-½ θ² r`.
+/// The moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. In each outer iteration, at
+/// the twist q_k, u is replaced by its tangent,
 ///
 /// ```text
 /// u ≈ J_k q + (u(q_k) - J_k q_k)
 /// ```
 ///
-/// which is a first-order grasp with other maps and commands, solved as ever, contacts sliding and opening included. Each
-/// iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before; where that is
-/// not small the equilibrium is close to instability and the iterations do not settle, which is said.
+/// This is a first-order grasp with other maps and commands, solved as ever, with contacts that slide and open. Each
+/// iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before. Where that
+/// ratio is not small, the equilibrium is close to instability, and the outcome says that the iterations do not settle.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SecondOrder<const D: usize, const C: usize> {
@@ -151,8 +150,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// The first-order problem about a twist, solved.
     fn iterate(&self, twist: &SVector<f64, D>, load: &Wrench<D>, settings: &Settings) -> Option<Step<D, C>> {
-        let unit = self.length();
-        let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / unit });
+        let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
         let sites: Vec<Site<D, C>> = self
             .sites()
@@ -163,15 +161,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 let tangent = tangent::<D, C>(&contact.point, twist);
                 let rest = second_order_displacement(&contact.point, twist) - tangent.tr_mul(twist);
                 *drive -= site.frame.tr_mul(&rest);
-                let mut map = tangent * site.frame;
-                for k in C..D {
-                    map.row_mut(k).scale_mut(in_units[k]);
-                }
+                let map = SMatrix::<f64, D, D>::from_diagonal(&in_units) * tangent * site.frame;
                 Site { map, map_rest: SMatrix::zeros(), ..site.clone() }
             })
             .collect();
         let wrench = load.as_vector().component_mul(&in_units);
-        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let polygon = Polygon::shared(&settings.cone);
         let round = settings.is_round::<C>();
         let problem = Problem::at_rest(&sites, polygon, round, drives, &Load::from(&wrench));
         let (Settled::Found(found, _), _) = settle(&problem, settings) else { return None };
@@ -196,8 +191,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             dropped = dropped.max(0.5 * turned(&turned(&contact.point, twist), twist).norm());
             displacement = displacement.max((u - first_order.contacts[i].body_core).norm());
             force = force.max((step.forces[i] - first_order.contacts[i].force).norm());
-            let moved = SVector::<f64, C>::from_fn(|a, _| u[a] - twist[a]);
-            arms.push(contact.point + moved);
+            arms.push(contact.point + u - twist.fixed_rows::<C>(0));
             world.push(site.frame * step.forces[i]);
         }
         SecondOrder {
@@ -260,14 +254,11 @@ fn tangent<const D: usize, const C: usize>(
     point: &SVector<f64, C>,
     twist: &SVector<f64, D>,
 ) -> SMatrix<f64, D, C> {
-    let mut jt = SMatrix::<f64, D, C>::zeros();
-    for k in 0..D {
-        let unit = SVector::<f64, D>::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
-        let mut change = displacement_of::<D, C>(point, &unit);
-        change += turned(&turned(point, twist), &unit) * 0.5 + turned(&turned(point, &unit), twist) * 0.5;
-        for a in 0..C {
-            jt[(k, a)] = change[a];
-        }
-    }
-    jt
+    let column = |k: usize| {
+        let (unit, once) = (unit::<D>(k), turned(point, twist));
+        let twice = turned(&once, &unit) + turned(&turned(point, &unit), twist);
+        displacement_of::<D, C>(point, &unit) + twice * 0.5
+    };
+    let columns: [_; D] = std::array::from_fn(column);
+    SMatrix::<f64, C, D>::from_columns(&columns).transpose()
 }

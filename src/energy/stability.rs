@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Grasp, Twist, grasp_map};
+use crate::numerics::unit;
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
 const ZERO: f64 = 1e-12;
@@ -126,7 +127,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
             geometric += turning_arm(arm, force);
         }
-        let units = self.inside_units();
+        // Columns: the twists about the origin that are unit twists in inside coordinates.
+        let units: [_; D] = std::array::from_fn(|k| *self.outside(&unit(k)).as_vector());
+        let units = SMatrix::<f64, D, D>::from_columns(&units);
         let hessian = units.transpose() * (elastic + geometric) * units;
         let (least, most, motion) = extremes(&hessian);
         let size = least.abs().max(most.abs());
@@ -147,16 +150,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             softest: self.outside(&motion),
             verdict,
         }
-    }
-
-    /// Columns: the twists about the origin that are unit twists in inside coordinates.
-    fn inside_units(&self) -> SMatrix<f64, D, D> {
-        let mut units = SMatrix::<f64, D, D>::zeros();
-        for k in 0..D {
-            let unit = SVector::from_fn(|j, _| if j == k { 1.0 } else { 0.0 });
-            units.set_column(k, self.outside(&unit).as_vector());
-        }
-        units
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::fmt;
 
-use super::associated::AssociatedOutcome;
+use nalgebra::SVector;
+
+use super::associated::{AssociatedContact, AssociatedOutcome};
 use super::comparison::Comparison;
-use super::minimum::MinimumOutcome;
+use super::minimum::{MinimumContact, MinimumOutcome};
 use crate::Settings;
-use crate::equilibrium::Outcome;
+use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 
@@ -52,21 +54,30 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 }
 
+impl<const D: usize, const C: usize> ThreeLaws<D, C> {
+    /// A line for each contact: its name, its force, and what else there is to say of it.
+    fn lines(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        contacts: impl Iterator<Item = (SVector<f64, C>, String)>,
+    ) -> fmt::Result {
+        for (label, (force, rest)) in self.labels.iter().zip(contacts) {
+            write!(f, "  {label:12} F_n {:10.6}  F_t", force[0])?;
+            force.iter().skip(1).try_for_each(|t| write!(f, " {t:10.6}"))?;
+            writeln!(f, "  {rest}")?;
+        }
+        Ok(())
+    }
+}
+
 impl<const D: usize, const C: usize> fmt::Display for ThreeLaws<D, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let forces = |f: &mut fmt::Formatter<'_>, force: &[f64]| {
-            write!(f, "F_n {:10.6}  F_t", force[0])?;
-            force[1..].iter().try_for_each(|t| write!(f, " {t:10.6}"))
-        };
         write!(f, "Coulomb (complementarity): ")?;
         match &self.comparison.equilibrium {
             Outcome::Equilibrium(state) => {
                 writeln!(f, "an equilibrium")?;
-                for (label, c) in self.labels.iter().zip(&state.contacts) {
-                    write!(f, "  {label:12} ")?;
-                    forces(f, c.force.as_slice())?;
-                    writeln!(f, "  slip {:.3e}  gap {:.3e}", c.slip.norm(), c.gap)?;
-                }
+                let rest = |c: &ContactAnswer<C>| format!("slip {:.3e}  gap {:.3e}", c.slip.norm(), c.gap);
+                self.lines(f, state.contacts.iter().map(|c| (c.force, rest(c))))?;
             }
             Outcome::NoEquilibrium(_) => writeln!(f, "no equilibrium exists")?,
             Outcome::Undecided(_) => writeln!(f, "undecided")?,
@@ -76,12 +87,12 @@ impl<const D: usize, const C: usize> fmt::Display for ThreeLaws<D, C> {
             MinimumOutcome::Minimum(minimum) => {
                 let (force, moment) = minimum.out_of_balance();
                 writeln!(f, "out of equilibrium by {force:.6} N, {moment:.6} N m")?;
-                for (i, (label, c)) in self.labels.iter().zip(&minimum.contacts).enumerate() {
-                    write!(f, "  {label:12} ")?;
-                    forces(f, c.force.as_slice())?;
+                let contact = |(i, c): (usize, &MinimumContact<C>)| {
                     let binds = minimum.binding.iter().any(|b| b.contact == i);
-                    writeln!(f, "  gap {:.3e}{}", c.gap, if binds { "  constraint binds" } else { "" })?;
-                }
+                    let binds = if binds { "  constraint binds" } else { "" };
+                    (c.force, format!("gap {:.3e}{binds}", c.gap))
+                };
+                self.lines(f, minimum.contacts.iter().enumerate().map(contact))?;
             }
             MinimumOutcome::NoMinimum => writeln!(f, "no minimum")?,
             MinimumOutcome::Unbounded { .. } => writeln!(f, "the energy falls for ever")?,
@@ -91,12 +102,10 @@ impl<const D: usize, const C: usize> fmt::Display for ThreeLaws<D, C> {
         match &self.associated {
             AssociatedOutcome::Rest(state) => {
                 writeln!(f, "at rest")?;
-                for (label, c) in self.labels.iter().zip(&state.contacts) {
-                    write!(f, "  {label:12} ")?;
-                    forces(f, c.force.as_slice())?;
-                    writeln!(f, "  slip {:.3e}  dilation {:.3e}", c.slip.norm(), c.dilation())?;
-                }
-                Ok(())
+                let rest = |c: &AssociatedContact<C>| {
+                    format!("slip {:.3e}  dilation {:.3e}", c.slip.norm(), c.dilation())
+                };
+                self.lines(f, state.contacts.iter().map(|c| (c.force, rest(c))))
             }
             AssociatedOutcome::NoBalance => writeln!(f, "no forces in the cones balance the load"),
             AssociatedOutcome::Unsolved => writeln!(f, "not solved"),

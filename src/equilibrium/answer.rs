@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use super::accuracy::Accuracy;
 use super::residuals::Residuals;
 use crate::contact::{PolygonCone, State};
 use crate::forms::LeftOut;
@@ -58,9 +57,6 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub neutral_motions: Vec<Twist<D>>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
-    /// How far it is from the exact answer, and how strongly it depends on the last digits of the question. `None` on a load path
-    /// with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
-    pub accuracy: Option<Accuracy>,
     /// What was done to find it.
     pub work: WorkDone,
     /// The friction cone the answer is for.
@@ -68,8 +64,20 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
     /// `None` where there was no polygon: nothing slides, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
-    /// The states as a complementary basis.
+    /// What the questions to an answer start from.
+    pub(crate) local: LocalAnswer<D, C>,
+}
+
+/// The solution of the local problem behind an answer.
+#[derive(Debug, Clone)]
+pub(crate) struct LocalAnswer<const D: usize, const C: usize> {
     pub(crate) states: Vec<State<C>>,
+    /// In inside coordinates.
+    pub(crate) twist: SVector<f64, D>,
+    /// Commanded displacements less clearance and less the slips.
+    pub(crate) drives: Vec<SVector<f64, C>>,
+    /// Slips that the drives count from.
+    pub(crate) slips: Vec<SVector<f64, C>>,
 }
 
 /// The friction cone an answer is for.
@@ -131,11 +139,6 @@ pub struct ContactAnswer<const C: usize> {
     /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
     /// frictionless contact.
     pub margin: f64,
-    /// Whether this state is told apart from its neighbours at working precision: gap, normal force, friction in reserve and
-    /// slip, as far as the state has conditions on them, are larger than 1e-12 of the terms they are differences of and than ten times
-    /// the estimated error. Where it is `false` the last digits of the question decide between, say, rolling and just sliding;
-    /// forces and displacements hardly depend on that.
-    pub distinct: bool,
 }
 
 impl<const C: usize> ContactAnswer<C> {

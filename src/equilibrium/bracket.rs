@@ -15,7 +15,7 @@ use crate::search::Settings;
 /// * The onset of sliding is bracketed, from a base that the inscribed polygon answers by
 ///   [`Rung::EverythingRolls`](super::Rung::EverythingRolls) or
 ///   [`Rung::EverythingTouchingRolls`](super::Rung::EverythingTouchingRolls): until the first contact slides or opens, forces do not
-///   depend on the cone. The factors of [`Grasp::onset_on_polygon`] on the two polygons then have that of [`Grasp::onset`] between
+///   depend on the cone. The factors of [`Grasp::onset_with`] on the two polygons then have that of [`Grasp::onset`] between
 ///   them. From other bases they need not: there the inscribed polygon may have come to rest on fewer contacts.
 /// * A load that [a motion separates](super::Proof::SeparatingMotion) from everything the circumscribed polygon can do is too much
 ///   for the round cone as well, with any stiffness.
@@ -71,10 +71,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn bracket(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
         let on = |fit: Fit| {
             let polygon = PolygonCone::new(settings.cone.facets(), fit)?;
-            self.solve_with(load, &settings.clone().with_cone(polygon).on_the_polygon())
+            self.solve_with(load, &(*settings).with_cone(polygon).on_the_polygon())
         };
         let (inscribed, circumscribed) = (on(Fit::Inscribed)?, on(Fit::Circumscribed)?);
-        let round = self.solve_with(load, &Settings { round: true, ..settings.clone() })?;
+        let round = self.solve_with(load, &Settings { round: true, ..*settings })?;
         let all = [&inscribed, &round, &circumscribed].map(Outcome::equilibrium);
         let spread = if let [Some(a), Some(b), Some(c)] = all {
             Some([(a, b), (b, c), (a, c)].map(|(x, y)| Spread::between(x, y)).into_iter().fold(

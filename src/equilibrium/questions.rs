@@ -1,7 +1,5 @@
 //! The questions for equilibria.
 
-use std::sync::Arc;
-
 use nalgebra::SVector;
 
 use super::answer::{Cone, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone};
@@ -130,7 +128,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// The problem at rest under a load.
     fn problem_under(&self, load: &Wrench<D>, settings: &Settings) -> Result<Problem<'_, D, C>, Error> {
-        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let polygon = Polygon::shared(&settings.cone);
         let load = Load { wrench: self.inside(load, "load")?, rest: self.inside_rest(load) };
         Ok(Problem::at_rest(self.sites(), polygon, settings.is_round::<C>(), self.drives(), &load))
     }

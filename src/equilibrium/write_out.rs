@@ -2,10 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::accuracy::Accuracy;
-use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, WorkDone};
-use super::distinct::distinct;
-use crate::contact::{Mode, State};
+use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, LocalAnswer, WorkDone};
+use crate::contact::Mode;
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
 use crate::object::Problem;
@@ -22,18 +20,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<D, C> {
-        // What slides on the round cone along a path is integrated: its law is not that of one state.
-        let slides = found.states.iter().any(State::slides);
-        let integrated = rule == Rung::LoadPath && cone == Cone::Round && slides;
-        let accuracy = (!integrated).then(|| Accuracy::of(self, load, problem, found));
-        let distinct = distinct(
-            problem,
-            found,
-            accuracy.map_or([0.0; 2], |accuracy| [accuracy.force, accuracy.displacement]),
-        );
-        let contacts: Vec<_> = (0..self.len())
-            .map(|i| ContactAnswer { distinct: distinct[i], ..self.contact_answer(problem, found, cone, i) })
-            .collect();
+        let contacts: Vec<_> = (0..self.len()).map(|i| self.contact_answer(problem, found, i)).collect();
         let twist = self.outside(&found.twist);
         let motions =
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
@@ -42,7 +29,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
-            accuracy,
             twist,
             contacts,
             rule,
@@ -61,7 +47,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             },
             cone,
             change_from_polygon: found.from_polygon,
-            states: found.states.clone(),
+            local: LocalAnswer {
+                states: found.states.clone(),
+                twist: found.twist,
+                drives: problem.drives.clone(),
+                slips: problem.slips.clone(),
+            },
         }
     }
 
@@ -69,7 +60,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self,
         problem: &Problem<D, C>,
         found: &Found<D, C>,
-        cone: Cone,
         i: usize,
     ) -> ContactAnswer<C> {
         let (site, contact, local) = (&self.sites()[i], &self.contacts()[i], problem.local(i));
@@ -94,10 +84,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         };
         let margin = match state {
-            ContactState::Rolling if site.hold == Hold::Bonded || local.never_slides() => f64::INFINITY,
-            ContactState::Rolling if cone == Cone::Round => site.friction.round_margin(&force),
-            ContactState::Rolling => (local.polygon.normals.iter())
-                .fold(f64::INFINITY, |least, h| least.min(site.friction.facet_margin(&force, h))),
+            ContactState::Rolling if site.hold == Hold::Bonded => f64::INFINITY,
+            ContactState::Rolling => local.margin(&force),
             _ => 0.0,
         };
         slip += problem.slips[i];
@@ -120,7 +108,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             gap: if state == ContactState::Separated { (-stretch[0]).max(0.0) } else { 0.0 },
             slip,
             margin,
-            distinct: true,
         }
     }
 

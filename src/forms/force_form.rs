@@ -3,7 +3,7 @@
 //! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
 //! friction) needs no row: its force is linear in q.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State};
@@ -33,7 +33,7 @@ pub(crate) fn force_form<const D: usize, const C: usize>(problem: &Problem<D, C>
             let row = forces + 2 * axis + half;
             q[row] = -sign * b.load[axis] * unit[axis];
             for other in 0..D {
-                let h = sign * b.stiffness[axis][other] * unit[axis] * unit[other];
+                let h = sign * b.stiffness[(axis, other)] * unit[axis] * unit[other];
                 m[(row, forces + 2 * other)] = h;
                 m[(row, forces + 2 * other + 1)] = -h;
             }
@@ -81,14 +81,10 @@ pub(crate) fn force_states<const D: usize, const C: usize>(
 }
 
 /// Twist components in the unit that makes the stretched springs of a unit twist of order one.
-fn twist_units<const D: usize, const C: usize>(problem: &Problem<D, C>) -> [f64; D] {
-    let mut sums = [0.0; D];
+fn twist_units<const D: usize, const C: usize>(problem: &Problem<D, C>) -> SVector<f64, D> {
+    let mut sums = SVector::<f64, D>::zeros();
     for site in problem.sites {
-        for axis in 0..site.springs.axes() {
-            for d in 0..D {
-                sums[d] += site.springs.force_along(axis, site.map[(d, axis)].powi(2));
-            }
-        }
+        sums += site.map.component_mul(&site.map) * site.springs.force(&SVector::repeat(1.0));
     }
     sums.map(|sum| if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 })
 }
@@ -101,7 +97,7 @@ struct Builder<'p, 'g, const D: usize, const C: usize> {
     /// First row of each contact.
     first: Vec<usize>,
     /// Σ G k Gᵀ of the springs that act both ways, and the load with their drives.
-    stiffness: [[f64; D]; D],
+    stiffness: SMatrix<f64, D, D>,
     load: SVector<f64, D>,
 }
 
@@ -113,7 +109,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
             z_unit: Vec::new(),
             w_unit: Vec::new(),
             first: Vec::new(),
-            stiffness: [[0.0; D]; D],
+            stiffness: SMatrix::zeros(),
             load: problem.wrench,
         }
     }
@@ -140,7 +136,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         }
     }
 
-    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &[f64; D]) {
+    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &SVector<f64, D>) {
         let problem = self.problem;
         let local = problem.local(contact);
         if local.is_absent() {
@@ -157,8 +153,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         let facets = local.facets().len();
         // A wrench v multiplying the (split, scaled) twist in one row, and its negative in the balance rows.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: SVector<f64, D>, skew: bool| {
-            for axis in 0..D {
-                let entry = v[axis] * unit[axis];
+            for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
                 m[(row, column)] += entry;
                 m[(row, column + 1)] -= entry;
@@ -211,11 +206,6 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);
         self.load += g * site.springs.force_along(axis, self.problem.drives[contact][axis]);
-        for i in 0..D {
-            let pulled = site.springs.force_along(axis, g[i]);
-            for j in 0..D {
-                self.stiffness[i][j] += pulled * g[j];
-            }
-        }
+        self.stiffness += g * site.springs.force_along(axis, 1.0) * g.transpose();
     }
 }

@@ -31,17 +31,12 @@ fn jumps<const D: usize, const C: usize>(
     trial: &Piece<D, C>,
 ) -> Vec<(Row, Jump<D, C>)> {
     let mut jumps = Vec::new();
-    let mut first_spring = 0;
     for (contact, local) in problem.locals().enumerate() {
-        let springs = trial.springs_of(contact);
-        let root = local.springs.root();
-        let seen = |v: &SVector<f64, C>| {
-            (0..springs).fold(SVector::zeros(), |sum, a| sum + trial.factor().row(first_spring + a) * v[a])
-        };
+        let (root, seen) = (local.springs.root(), trial.seen(contact));
         let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
-            let (row_seen, column_seen) = (seen(&row), seen(&column));
+            let (row_seen, column_seen) = (seen * row, seen * column);
             jumps.push((meaning, Jump { contact, row, column, row_seen, column_seen, w_unit, z_unit }));
         };
         if local.may_open() {
@@ -52,7 +47,6 @@ fn jumps<const D: usize, const C: usize>(
             let row = root.component_mul(&local.cone().facet_row(h));
             push(Row::Slip { contact, facet }, row, tangential(&row));
         }
-        first_spring += springs;
     }
     jumps
 }

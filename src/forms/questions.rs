@@ -1,17 +1,15 @@
 //! The two forms of a grasp under a load, for those who solve them elsewhere.
 
-use std::sync::Arc;
-
 use super::force_form::force_form;
 use super::kinematic::kinematic_form;
 use super::rows::Form;
-use crate::contact::{Polygon, PolygonCone};
+use crate::contact::PolygonCone;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::{Load, Piece, Problem};
+use crate::object::Piece;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The [kinematic form](self) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
+    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
     /// sticks. `None` if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. When
     /// `lcp.vector() >= 0` everything rolls and z = 0 is the answer. In the plane `cone` is not looked at.
     ///
@@ -35,15 +33,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn kinematic_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Arc::new(Polygon::new(cone));
-        let wrench = self.inside(load, "load")?;
-        let problem = Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench));
+        let problem = self.on_polygons(load, cone)?;
         let trial = Piece::new(&problem, &problem.unjumped());
         let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
         Ok(kinematic_form(&problem, &trial, &state))
     }
 
-    /// The [force form](self) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`]). Contacts that act
+    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act
     /// both ways (bonded, kept closed, infinite friction) have springs in the rows of the balance and no rows of their own. `None` if a
     /// number overflows. In the plane `cone` is not looked at.
     ///
@@ -67,9 +63,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn force_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        let polygon = Arc::new(Polygon::new(cone));
-        let wrench = self.inside(load, "load")?;
-        let problem = Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench));
-        Ok(force_form(&problem))
+        Ok(force_form(&self.on_polygons(load, cone)?))
     }
 }

@@ -15,7 +15,7 @@ pub enum Row {
     Slip {
         /// The contact.
         contact: usize,
-        /// The facet, see [`PolygonCone`](super::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
+        /// The facet, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
         facet: usize,
     },
     /// Force form: z = normal force `F_n` (N), w = gap g (m).
@@ -27,7 +27,7 @@ pub enum Row {
     TangentialForce {
         /// The contact.
         contact: usize,
-        /// The corner, see [`PolygonCone`](super::PolygonCone): in the plane 0 for +t, 1 for -t.
+        /// The corner, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for +t, 1 for -t.
         corner: usize,
     },
     /// Force form: z = size of the slip λ (m), w = friction that is not used, `μ F_n - Σβ` (N).
@@ -35,9 +35,11 @@ pub enum Row {
         /// The contact.
         contact: usize,
     },
-    /// Force form: one half of an equilibrium equation; z = positive or negative part of a component of the twist about the centroid of the
-    /// contact points, rotations times their root mean square distance from it (m); w = minus or plus what the forces leave of that
-    /// component of `Σ G_i F_i + W`, moments over the same distance (N).
+    /// Force form: one half of an equilibrium equation.
+    ///
+    /// The unknown z is the positive or negative part of a component of the twist about the centroid of the contact points, m. The
+    /// slack w is minus or plus what the forces leave of that component of `Σ G_i F_i + W`, N. Rotations are counted times the root
+    /// mean square distance of the points from the centroid, moments over it.
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
@@ -46,7 +48,7 @@ pub enum Row {
     },
 }
 
-/// Rows that a full formulation would have and this one does not.
+/// Rows that a full form would have and this one does not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {

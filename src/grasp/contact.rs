@@ -5,9 +5,9 @@ use nalgebra::{SMatrix, SVector};
 use super::stiffness::Stiffness;
 use crate::error::{ContactLabel, Error, Field, LARGEST, MODERATE, is_moderate};
 
-/// A tangent whose part across the normal is at most this much of its length lies along the normal. Rounding turns a
-/// tangent by some 1e-16; with a smaller bound it would choose the direction of the frame, with a much larger one
-/// tangents would be refused that say clearly where to go.
+/// A tangent whose part across the normal is at most this much of its length lies along the normal.
+/// Rounding turns a tangent by some 1e-16; with a smaller bound it would choose the direction of
+/// the frame, with a much larger one tangents would be refused that say clearly where to go.
 const ALONG_NORMAL: f64 = 1e-12;
 
 /// The axes along which a command is given.
@@ -26,11 +26,13 @@ pub enum Hold {
     /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]
     Unilateral,
-    /// The contact never opens: gap = 0. With zero friction the normal spring acts both ways: a guide that lets the object
-    /// slip along itself. The same with infinite friction, where it never slips. With friction in between `|F_t| <= μ F_n` as usual, which a pull cannot
-    /// meet: where one would be needed there is no equilibrium.
+    /// The contact never opens: gap = 0. With zero friction the normal spring acts both ways: a
+    /// guide that lets the object slip along itself. With infinite friction, too, the normal spring
+    /// acts both ways, and the object never slips. With friction in between `|F_t| <= μ F_n` holds
+    /// as usual: where a pull would be needed there is no equilibrium.
     KeptClosed,
-    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero, friction does not count.
+    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero,
+    /// friction does not count.
     Bonded,
 }
 
@@ -39,8 +41,8 @@ pub enum Hold {
 /// Built step by step; what is not said has the default given with each method. Checked when the
 /// [`Grasp`](crate::grasp::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
 ///
-/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`. Stiffnesses, commands
-/// and forces are along its axes, the normal first.
+/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with
+/// `t₂ = n × t₁`. Stiffnesses, commands and forces are along its axes, the normal first.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -78,8 +80,9 @@ pub struct Contact<const C: usize> {
 }
 
 impl<const C: usize> Contact<C> {
-    /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger pushes. The normal need
-    /// not have length one. Friction 0, command 0 and clearance 0 until said otherwise; a stiffness must be given.
+    /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger
+    /// pushes. The normal need not have length one. Friction 0, command 0 and clearance 0 until
+    /// said otherwise; a stiffness must be given.
     pub fn new(point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> Self {
         Self {
             name: None,
@@ -102,9 +105,9 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Direction of the first tangent; its part along the normal is dropped. In the plane it only chooses between the
-    /// two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the projection of the coordinate axis that
-    /// is farthest from the normal.
+    /// Direction of the first tangent; its part along the normal is dropped. In the plane it only
+    /// chooses between the two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the
+    /// projection of the coordinate axis that is farthest from the normal.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector3;
@@ -123,8 +126,9 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
-    /// rigid object (the default). Takes the place of a series stiffness given before.
+    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive;
+    /// `f64::INFINITY` for a rigid object (the default). Takes the place of a series stiffness
+    /// given before.
     #[must_use]
     pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.body_stiffness_axes(normal_and_tangential(normal, tangential))
@@ -138,8 +142,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the
-    /// default). Takes the place of a series stiffness given before.
+    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
+    /// rigid finger (the default). Takes the place of a series stiffness given before.
     #[must_use]
     pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
@@ -153,8 +157,9 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and tangential, N/m, positive and
-    /// finite. Takes the place of both; how far each surface gives way is then not known.
+    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and
+    /// tangential, N/m, positive and finite. Takes the place of both; how far each surface gives
+    /// way is then not known.
     #[must_use]
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))
@@ -167,18 +172,18 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at all, whatever
-    /// tangential stiffness was given; with `f64::INFINITY` it never slides while it is closed. A [bonded](Self::bonded) contact has
-    /// its tangential springs whatever μ is.
+    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at
+    /// all, whatever tangential stiffness was given; with `f64::INFINITY` it never slides while it
+    /// is closed. A [bonded](Self::bonded) contact has its tangential springs whatever μ is.
     #[must_use]
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
         self
     }
 
-    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive
-    /// normal part pushes into the object, a positive tangential one drags it along the tangent.
-    /// [`Self::command_world`] takes one along the coordinate axes.
+    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal,
+    /// tangential…). A positive normal part pushes into the object, a positive tangential one drags
+    /// it along the tangent. [`Self::command_world`] takes one along the coordinate axes.
     #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
@@ -186,16 +191,17 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`].
-    /// A grasp turns it into the contact frame: normal and tangent may be given after it.
+    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of
+    /// [`Self::command`]. A grasp turns it into the contact frame: normal and tangent may be given
+    /// after it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
     ///
     /// // A finger pushes up, n = (0, 1), t = (1, 0). To the right is along t, upwards along n.
     /// let finger = Contact::new([0.0, 0.0], [0.0, 2.0]).series_stiffness(1.0, 1.0).command_world([0.001, 0.002]);
-    /// assert_eq!(finger.commanded(), [0.002, 0.001].into());
-    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded(), [0.002, 0.001].into());
+    /// assert_eq!(finger.commanded().as_slice(), [0.002, 0.001]);
+    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded().as_slice(), [0.002, 0.001]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
@@ -207,9 +213,10 @@ impl<const C: usize> Contact<C> {
 
     /// Clearance between finger and object before anything moves, m (default 0).
     ///
-    /// The finger must come this far along the normal before it touches, `F_n = k_n (command - clearance - n·u_c)`.
-    /// A negative clearance is an overlap at rest, a depth as collision libraries report it: the contact then
-    /// presses with k_n times the overlap before anything moves.
+    /// The finger must come this far along the normal before it touches, `F_n = k_n (command -
+    /// clearance - n·u_c)`. A negative clearance is an overlap at rest, a depth as collision
+    /// libraries report it: the contact then presses with k_n times the overlap before anything
+    /// moves.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -280,8 +287,9 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m. One that was given along the coordinate
-    /// axes is not a number where the contact has no frame, which a grasp refuses.
+    /// Commanded displacement of the finger's core in the contact frame, m. One that was given
+    /// along the coordinate axes is not a number where the contact has no frame, which a grasp
+    /// refuses.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         match self.command_axes {
@@ -297,7 +305,8 @@ impl<const C: usize> Contact<C> {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C }
     }
 
-    /// How tables and pictures call the contact: its name, or "contact" and `index`, its place in the list.
+    /// How tables and pictures call the contact: its name, or "contact" and `index`, its place in
+    /// the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.name.clone().unwrap_or_else(|| format!("contact {index}"))
@@ -342,7 +351,8 @@ impl<const C: usize> Contact<C> {
             axis[n.iamin()] = 1.0;
             axis
         };
-        // DoubleDouble, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
+        // Twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points
+        // along n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
         if flat.norm() <= ALONG_NORMAL {

@@ -1,8 +1,9 @@
 //! Soft fingertips: one contact spread over a patch.
 //!
-//! A point contact carries no moment: two of them let the object turn freely about the line through them. A fingertip
-//! touches over a patch and does carry one. The patch is made of point contacts in the tangent plane that share the
-//! springs of the one they replace, so everything the crate says of contacts holds for it.
+//! A point contact carries no moment: two of them let the object turn freely about the line through
+//! them. A fingertip touches over a patch and does carry one. The patch is made of point contacts
+//! in the tangent plane that share the springs of the one they replace, so everything the crate
+//! says of contacts holds for it.
 
 use std::f64::consts::TAU;
 
@@ -12,13 +13,17 @@ use super::contact::Contact;
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
 
-/// A patch of point contacts that stands for one fingertip, with its stiffness and its friction in closed form.
+/// A patch of point contacts that stands for one fingertip, with its stiffness and its friction in
+/// closed form.
 ///
-/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and [`crate::spatial`].
-/// [`Self::contacts`] puts it in the place of a contact.
+/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and
+/// [`crate::spatial`]. [`Self::contacts`] puts it in the place of a contact.
 ///
-/// With w_i the shares, Σ w_i = 1, ρ_i the places about the centre, r_i = |ρ_i|, and `⟨f⟩ = Σ w_i f(ρ_i)`, a tip with
-/// normal and tangential stiffness k_n, k_t (N/m) that is squeezed by N (N) has
+/// The points have the shares w_i, `Σ w_i = 1`, and the places ρ_i about the centre. With
+/// r_i = |ρ_i| the mean of a quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. A tip has the normal and
+/// tangential stiffness k_n, k_t (N/m) and is squeezed by N (N).
+///
+/// In space:
 ///
 /// | | formula | ring | disc: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
@@ -29,27 +34,30 @@ use crate::error::{Error, LARGEST};
 /// | tilting stiffness, N m/rad | k_n ⟨r²⟩/2 | k_n R²/2 | k_n R²/4 | k_n R²/6 | k_n R²/5 |
 /// | first opening under tilting, N m | N ⟨r²⟩/2R | N R/2 | N R/4 | N R/6 | N R/5 |
 ///
-/// and a pad of width 2b in the plane
+/// In the plane, for a pad of width 2b:
 ///
 /// | | formula | pair | pad: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
 /// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
 /// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
 ///
-/// These are the values of the continuum, and those of the points too, to rounding, from the coarsest patch on: every
-/// band of a disc carries its share of the load, of ⟨r⟩ and of ⟨r²⟩ exactly, and one layer of points lies on the rim
-/// (see [`Pressure`]). Where the stiffness k_1, k_2 differs along the two tangents, their mean takes the place of k_t in the
-/// torsional stiffness, and the first sliding comes earlier, by up to the factor mean/max(k_1, k_2).
+/// These are the values of the continuum. The points have them too, to rounding, from the coarsest
+/// patch on: every band of a disc carries its share of the load, of ⟨r⟩ and of ⟨r²⟩ exactly, and
+/// one layer of points lies on the rim (see [`Pressure`]). Where the stiffness k_1, k_2 differs
+/// along the two tangents, their mean takes the place of k_t in the torsional stiffness. The first
+/// sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
 ///
-/// Under torsion slip starts at the rim and works inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide.
-/// On the uniform disc `M = μ N R (2/3 - (r_s/R)³/6)`; the continuum comes near its limit only as θ grows without end, a
-/// patch of points reaches it when its innermost ring slides. In between, the M of the points differs from that of the continuum by
-/// an amount that falls with the square of the number of bands: at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4
-/// bands of the uniform disc.
+/// Under torsion slip starts at the rim and works inwards: at an angle θ all points beyond `r_s = μ
+/// N / (k_t θ)` slide. On the uniform disc `M = μ N R (2/3 - (r_s/R)³/6)`. The continuum comes near
+/// its limit only as θ grows without end; a patch of points reaches the limit when its innermost
+/// ring slides. In between, the moment of the points is off by an amount that falls with the square
+/// of the number of bands. On the uniform disc it is at most 0.041, 0.0163 and 0.0056 μ N R for 1,
+/// 2 and 4 bands.
 ///
-/// The springs set the profile of the pressure: it is p under an even squeeze, however strong, and changes as the tip is
-/// tilted; the patch does not grow with the squeeze. A measured torsional stiffness is met by a ring of radius
-/// √(k_θ/k_t), a measured friction limit by one of radius τ/(μ N).
+/// The springs set the profile of the pressure: it is p under an even squeeze, however strong, and
+/// changes as the tip is tilted. The patch does not grow with the squeeze. A ring of radius
+/// √(k_θ/k_t) has a measured torsional stiffness k_θ, one of radius τ/(μ N) a measured friction
+/// limit τ.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -74,8 +82,9 @@ pub struct SoftFingertip<const C: usize> {
     places: Vec<Place<C>>,
 }
 
-/// Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0 would blur the ties of
-/// symmetric grasps; 4096 points on a ring have none between it and 1e-3.
+/// Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0
+/// would blur the ties of symmetric grasps. A ring of at most 4096 points has no other value below
+/// 3e-4.
 const ZERO: f64 = 1e-15;
 
 /// One point of the patch.
@@ -87,7 +96,8 @@ struct Place<const C: usize> {
 }
 
 impl SoftFingertip<3> {
-    /// `points` points with equal shares on a circle of this radius (m), the first one along the first tangent.
+    /// `points` points with equal shares on a circle of this radius (m), the first one along the
+    /// first tangent.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
@@ -101,22 +111,24 @@ impl SoftFingertip<3> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (two would tilt freely) to
-    /// [`Self::MOST_POINTS`].
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (two
+    /// would tilt freely) to [`Self::MOST_POINTS`].
     pub fn ring(radius: f64, points: usize) -> Result<Self, Error> {
         Self::check_points(1, points)?;
         Self::of_rings(radius, &[Layer { distance: 1.0, share: 1.0 }], points)
     }
 
-    /// A disc of this radius (m) cut into `annuli` of equal width, each of which is stood for by two rings of `points`
-    /// points. Every other ring is turned by half a spacing; the one on the rim has a point along the first tangent.
+    /// A disc of this radius (m) cut into `annuli` of equal width, each of which is stood for by
+    /// two rings of `points` points. Every other ring is turned by half a spacing; the one on the
+    /// rim has a point along the first tangent.
     ///
-    /// The closed forms above hold for any number of annuli and points; more annuli refine how slip spreads from the rim,
-    /// more points how a tip behaves that slides and spins at once.
+    /// The closed forms above hold for any number of annuli and points. More annuli refine how slip
+    /// spreads from the rim. More points refine the behaviour of a tip that slides and spins at
+    /// once.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, there are at least 3 points
-    /// on a ring and, in all, at most [`Self::MOST_POINTS`].
+    /// [`Error::Fingertip`] if the radius is not from 1e-50 to 1e50, or without an annulus. Fewer
+    /// than 3 points on a ring are refused, too, and more than [`Self::MOST_POINTS`] in all.
     pub fn disc(radius: f64, annuli: usize, points: usize, pressure: Pressure) -> Result<Self, Error> {
         check(annuli >= 1, "number of annuli", annuli as f64, "at least 1")?;
         let rings = annuli.saturating_mul(2);
@@ -149,17 +161,19 @@ impl SoftFingertip<3> {
         Ok(Self { radius, places })
     }
 
-    /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1 y_i² + k_2 x_i²)` with x
-    /// along the first tangent and y along the second one, that is `(k_1 + k_2)/2 ⟨r²⟩`, as long as friction holds.
+    /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1
+    /// y_i² + k_2 x_i²)` with x along the first tangent and y along the second one, that is `(k_1 +
+    /// k_2)/2 ⟨r²⟩`, as long as friction holds.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
         let k = contact.series_stiffness_of_axes();
         self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
     }
 
-    /// The moment about the normal at which the first points slide, N m, if the tip is squeezed by `normal_force` (N) and
-    /// carries nothing else: `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal
-    /// tangential stiffness all points slide at once, and this is [`Self::torsional_limit`].
+    /// The moment about the normal at which the first points slide, N m, if the tip is squeezed by
+    /// `normal_force` (N) and carries nothing else: `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the
+    /// point that slides first. On a ring with equal tangential stiffness all points slide at once,
+    /// and this is [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -167,8 +181,8 @@ impl SoftFingertip<3> {
         contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
     }
 
-    /// The largest moment about the normal that friction can carry, N m, if the tip is squeezed by `normal_force` (N) and
-    /// carries nothing else: `μ N ⟨r⟩`, whatever the springs.
+    /// The largest moment about the normal that friction can carry, N m, if the tip is squeezed by
+    /// `normal_force` (N) and carries nothing else: `μ N ⟨r⟩`, whatever the springs.
     #[must_use]
     pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
@@ -184,8 +198,9 @@ impl SoftFingertip<2> {
         Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
     }
 
-    /// A pad of this width (m); each half is cut into `strips` of equal width, each of which is stood for by two points, one
-    /// of them on its outer edge. The closed forms above hold for any number of strips.
+    /// A pad of this width (m); each half is cut into `strips` of equal width, each of which is
+    /// stood for by two points, one of them on its outer edge. The closed forms above hold for any
+    /// number of strips.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
@@ -200,8 +215,8 @@ impl SoftFingertip<2> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and there are at most
-    /// [`Self::MOST_POINTS`] points.
+    /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and
+    /// there are at most [`Self::MOST_POINTS`] points.
     pub fn pad(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
         check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
         let all = strips.saturating_mul(4);
@@ -229,8 +244,9 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// The point contacts that take the place of `contact`.
     ///
-    /// Each has its normal, its tangents, friction, command, clearance and hold, and the share w_i of the stiffness of its
-    /// body and its finger along every axis; its name is that of `contact` and a number from 0, "thumb 3".
+    /// Each has the normal, tangents, friction, command, clearance and hold of `contact`. Of the
+    /// stiffness of its body and its finger it has the share w_i, along every axis. Its name is
+    /// that of `contact` and a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -247,7 +263,8 @@ impl<const C: usize> SoftFingertip<C> {
         Ok(self.places.iter().enumerate().map(child).collect())
     }
 
-    /// The same patch where the number of axes is not known to the compiler; none if it is another one.
+    /// This patch where the compiler does not know the number of axes; none if the patch has
+    /// another number.
     #[cfg(feature = "serde")]
     pub(crate) fn of_axes<const B: usize>(self) -> Option<SoftFingertip<B>> {
         let Self { radius, places } = self;
@@ -262,22 +279,24 @@ impl<const C: usize> SoftFingertip<C> {
         self.radius
     }
 
-    /// The points, in the order of [`Self::contacts`]: coordinates about the centre along the axes of the contact frame
-    /// (the normal one is zero), m, and the share w_i of the stiffness.
+    /// The points, in the order of [`Self::contacts`]: coordinates about the centre along the axes
+    /// of the contact frame (the normal one is zero), m, and the share w_i of the stiffness.
     #[must_use]
     pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
         self.places.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane.
+    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in
+    /// the plane.
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         contact.series_stiffness_of_axes()[0] * self.mean(|at| at[1] * at[1])
     }
 
-    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by `normal_force` (N):
-    /// `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the plane. In space this is for a tilt towards a point on the rim; half a spacing
-    /// beside it the first opening comes later, by up to the factor 1/cos(π/points).
+    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by
+    /// `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the plane. In space this is for a
+    /// tilt towards a point on the rim; half a spacing beside it the first opening comes later, by
+    /// up to the factor 1/cos(π/points).
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         normal_force * (self.mean(|at| at[1] * at[1]) / self.radius)

@@ -1,13 +1,15 @@
-//! The same contacts, loads and motions in other coordinates.
+//! Contacts, loads and motions in other coordinates.
 //!
-//! A pose says where the frame in which something was given lies in the frame in which it is wanted: r' = R r + p for points.
-//! With f the force, m the moment about the origin, u the translation of the origin and θ the rotation,
+//! A pose says where the frame in which something was given lies in the frame in which it is
+//! wanted: r' = R r + p for points. With f the force, m the moment about the origin, u the
+//! translation of the origin and θ the rotation,
 //!
 //! ```text
 //! f' = R f,   m' = R m + p × f',      θ' = R θ,   u' = R u + p × θ'
 //! ```
 //!
-//! so that the work `f·u + m·θ` does not depend on the frame. In the plane R leaves m and θ as they are.
+//! so that the work `f·u + m·θ` does not depend on the frame. In the plane R leaves m and θ as they
+//! are.
 
 use nalgebra::{AbstractRotation, Isometry, SVector};
 
@@ -16,11 +18,13 @@ use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
 
 impl<const C: usize> Contact<C> {
-    /// The same contact in other coordinates: `pose` is the frame in which it was given – of a finger's last link, say, or of the
-    /// object – as seen from the frame in which it is wanted. Contacts of one grasp must all be in one frame.
+    /// This contact in other coordinates: `pose` is the frame in which it was given – of a finger's
+    /// last link, say, or of the object – as seen from the frame in which it is wanted. Contacts of
+    /// one grasp must all be in one frame.
     ///
-    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given becomes the one that the contact has
-    /// by default, turned with it: commands, stiffnesses and forces in its contact frame stay as they were.
+    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given
+    /// becomes the one that the contact has by default, turned with it: commands, stiffnesses and
+    /// forces in its contact frame stay as they were.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -61,15 +65,16 @@ fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
 macro_rules! in_other_frames {
     ($d:literal, $c:literal) => {
         impl Wrench<$d> {
-            /// The same load with moments about `point` instead of the origin: `m - point × f`, in axes parallel to the old ones. In its
-            /// result `point` is the origin.
+            /// This load with moments about `point` instead of the origin: `m - point × f`, in axes
+            /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 Self::from_vector(moved_wrench::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
-            /// The same load in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
-            /// wanted (points: `r' = R r + p`). `f' = R f`, `m' = R m + p × f'`; in the plane R leaves m as it is.
+            /// This load in other coordinates: `pose` is the frame in which it was given as seen
+            /// from the one in which it is wanted (points: `r' = R r + p`). `f' = R f`, `m' = R m +
+            /// p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());
@@ -78,16 +83,17 @@ macro_rules! in_other_frames {
         }
 
         impl Twist<$d> {
-            /// The same motion told of the object's point at `point` instead of the one at the origin: its translation is
-            /// [`Self::displacement_at`] that point, its rotation the same. In its result `point` is the origin.
+            /// This motion told of the object's point at `point` instead of the one at the origin:
+            /// its translation is [`Self::displacement_at`] that point, its rotation stays. In its
+            /// result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 Self::from_vector(moved_twist::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
-            /// The same motion in other coordinates: `pose` is the frame in which it was given as seen from the one in which it is
-            /// wanted (points: `r' = R r + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R
-            /// leaves θ as it is.
+            /// This motion in other coordinates: `pose` is the frame in which it was given as seen
+            /// from the one in which it is wanted (points: `r' = R r + p`). `θ' = R θ`, `u' = R u +
+            /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());

@@ -9,16 +9,18 @@ use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
-/// The reference point of wrenches and twists is the origin of the coordinates in which the contact points are given.
+/// The reference point of wrenches and twists is the origin of the coordinates in which the contact
+/// points are given.
 #[derive(Debug, Clone)]
 pub struct Grasp<const D: usize, const C: usize> {
     contacts: Vec<Contact<C>>,
     sites: Vec<Site<D, C>>,
-    /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a far away
-    /// reference point costs no digits.
+    /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a
+    /// far away reference point costs no digits.
     pub(super) origin: SVector<f64, C>,
-    /// Root mean square distance of the contact points from their centroid: inside, the unit of length of arms, so
-    /// that rotations and translations have comparable size whatever the user's unit.
+    /// Root mean square distance of the contact points from their centroid: inside, the unit of
+    /// length of arms, so that rotations and translations have comparable size whatever the user's
+    /// unit.
     pub(super) length: f64,
 }
 
@@ -39,7 +41,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that is out of range.
+    /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that
+    /// is out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         let mut contacts: Vec<_> = contacts.into_iter().collect();
@@ -73,9 +76,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self.contacts
     }
 
-    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a
-    /// rotation, [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it; in the plane it is a
-    /// reflection, since `t = (n_y, -n_x)` lies clockwise of n.
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the
+    /// coordinate axes. In space each is a rotation,
+    /// [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it;
+    /// in the plane it is a reflection, since `t = (n_y, -n_x)` lies clockwise of n.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Rotation3, Vector3};
@@ -93,7 +97,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.sites.iter().map(|site| &site.frame)
     }
 
-    /// The same grasp with other finger commands u_f, one a contact, each in its contact frame (m): arrays, or vectors.
+    /// This grasp with other finger commands u_f, one a contact, each in its contact frame (m):
+    /// arrays, or vectors.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -109,7 +114,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not finite.
+    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not
+    /// finite.
     pub fn with_commands(
         mut self,
         commands: impl IntoIterator<Item = impl Into<[f64; C]>>,

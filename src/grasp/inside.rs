@@ -1,7 +1,8 @@
-//! Inside coordinates: moments and rotations about the centroid of the contact points, in their own unit of length.
+//! Inside coordinates: moments and rotations about the centroid of the contact points, in their own
+//! unit of length.
 //!
-//! Wrenches and twists of a question are moved there and those of an answer are moved back, so that neither a far away
-//! reference point nor the unit of the user costs digits.
+//! Wrenches and twists of a question are moved there and those of an answer are moved back, so that
+//! neither a far away reference point nor the unit of the user costs digits.
 
 use nalgebra::SVector;
 
@@ -47,7 +48,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Wrench::from_vector(moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
     }
 
-    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of length.
+    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of
+    /// length.
     pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
         self.times_length(moved_twist::<D, C>(&-self.origin, twist.as_vector()))
     }

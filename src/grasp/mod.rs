@@ -1,21 +1,28 @@
 //! The question: contacts, soft fingertips, stiffness, friction, wrench and twist, grasp.
 //!
-//! Written once for the plane and for space: `D` is the number of degrees of freedom of the object and `C` the number
-//! of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names in [`crate::planar`] and
-//! [`crate::spatial`].
+//! Written once for the plane and for space: `D` is the number of degrees of freedom of the object
+//! and `C` the number of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names
+//! in [`crate::planar`] and [`crate::spatial`].
 //!
 //! # Vectors of other libraries
 //!
-//! Points and vectors are taken as whatever turns into an array of f64: arrays and tuples; vectors, points and translations of
-//! nalgebra; the `DVec2` and `DVec3` of any version of glam, and so of parry, rapier and bevy; mint's. Answers are nalgebra's
-//! vectors ([`crate::nalgebra`]) or arrays, and both turn back: `DVec3::from_array(contact.force_world.into())`. Single precision is
-//! widened by its owner (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
+//! A point or a vector may be anything that turns into an array of f64:
 //!
-//! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] bring the coordinates of a link
-//! or of the object to those of the grasp, `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the
-//! rigid motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its feature `nalgebra`:
-//! `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package `collision-contacts` in the repository
-//! takes contacts from parry and shows all of it.
+//! * arrays and tuples,
+//! * vectors, points and translations of nalgebra,
+//! * the `DVec2` and `DVec3` of any version of glam, and so of parry, rapier and bevy,
+//! * the vectors and points of mint.
+//!
+//! Answers are nalgebra's vectors ([`crate::nalgebra`]) or arrays, and both turn back:
+//! `DVec3::from_array(contact.force_world.into())`. Single precision is widened by its owner
+//! (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
+//!
+//! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and
+//! [`Twist::transformed`] bring the coordinates of a link or of the object to those of the grasp,
+//! `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the rigid
+//! motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its
+//! feature `nalgebra`: `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package
+//! `collision-contacts` in the repository takes contacts from parry and shows all of it.
 
 mod contact;
 mod fingertip;
@@ -29,6 +36,7 @@ mod site;
 mod stiffness;
 mod wrench;
 
+#[cfg(feature = "serde")]
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;

@@ -1,6 +1,8 @@
-//! How the pressure is distributed over a soft fingertip, and the few distances from its centre that stand for it.
+//! How the pressure is distributed over a soft fingertip, and the few distances from its centre
+//! that stand for it.
 
-/// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r from its centre.
+/// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r
+/// from its centre.
 ///
 /// Means over the load, ⟨f⟩ = ∫ f p / ∫ p:
 ///
@@ -32,17 +34,20 @@ pub(super) struct Layer {
 }
 
 impl Pressure {
-    /// `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two layers for each.
+    /// `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two layers
+    /// for each.
     ///
-    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments
-    /// `m_k = ∫ ρ^k density dρ`. One layer lies on the outer edge b; the other one, at x, and the two shares are what is
-    /// needed to have m_0, m_1 and m_2 exactly (Radau's rule with two points):
+    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the
+    /// moments `m_k = ∫ ρ^k density dρ`. One layer lies on the outer edge b; the other one, at x,
+    /// and the two shares are what is needed to have m_0, m_1 and m_2 exactly (Radau's rule with
+    /// two points):
     ///
     /// ```text
     /// x = (b m_1 - m_2) / (b m_0 - m_1),   share at x = (b m_0 - m_1) / (b - x),   at b = (m_1 - x m_0) / (b - x)
     /// ```
     ///
-    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim are those of the continuum whatever the number of bands.
+    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim are those of the continuum whatever the number of
+    /// bands.
     pub(super) fn layers<const C: usize>(self, bands: usize) -> Vec<Layer> {
         let around = i32::from(C == 3);
         let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
@@ -122,7 +127,8 @@ mod tests {
         layers_carry_the_moments_of_their_band::<2>();
     }
 
-    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, and carry something.
+    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, and
+    /// carry something.
     #[test]
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {

@@ -1,25 +1,27 @@
 //! From a twist, which is small to first order, to a rigid motion and back.
 //!
-//! The exponential map: the object moves on a screw of constant pitch whose velocity is the twist, for one unit of time. With the
-//! rotation vector θ, the translation u of the origin, its part u∥ along θ and its part u⊥ across,
+//! The exponential map: the object moves on a screw of constant pitch whose velocity is the twist,
+//! for one unit of time. With the rotation vector θ, the translation u of the origin, its part u∥
+//! along θ and its part u⊥ across,
 //!
 //! ```text
 //! rotation     exp(θ)
 //! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
 //! ```
 //!
-//! It differs from any other rigid motion that fits the twist to second order only, about which the first-order answers of this
-//! crate say nothing. The exponential is the one that does not depend on the frame: a pure rotation about a pivot stays one,
-//! however far away the origin lies.
+//! It differs from any other rigid motion that fits the twist to second order only, about which the
+//! first-order answers of this crate say nothing. The exponential is the one that does not depend
+//! on the frame: a pure rotation about a pivot stays one, however far away the origin lies.
 
 use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
 
 use super::wrench::Twist;
 
 impl Twist<3> {
-    /// The rigid motion of this twist, by the exponential map: rotation by θ, translation of the origin `s R(θ/2) u` with the ratio of
-    /// chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that fit the twist to first order differ from it to second order only;
-    /// this one turns about the same pivot wherever the origin lies.
+    /// The rigid motion of this twist, by the exponential map: the object turns by θ, and its
+    /// origin moves by `s R(θ/2) u` with the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`.
+    /// Other rigid motions that fit the twist to first order differ from this one to second order
+    /// only. This one turns about one pivot, wherever the origin lies.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
@@ -38,7 +40,8 @@ impl Twist<3> {
         Isometry2::new(translation, self.rotation())
     }
 
-    /// The twist whose rigid motion this is, with a rotation from -π to π: the inverse of [`Self::exp`].
+    /// The twist whose rigid motion this is, with a rotation from -π to π: the inverse of
+    /// [`Self::exp`].
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Isometry2, planar::Twist};
@@ -57,9 +60,11 @@ impl Twist<3> {
 }
 
 impl Twist<6> {
-    /// The rigid motion of this twist, by the exponential map: rotation by |θ| about θ, translation of the origin
-    /// `R(θ/2) (s u⊥ + u∥)` with u∥ along θ, u⊥ across and the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that fit
-    /// the twist to first order differ from it to second order only; this one is a screw about the same line wherever the origin lies.
+    /// The rigid motion of this twist, by the exponential map: the object turns by |θ| about θ, and
+    /// its origin moves by `R(θ/2) (s u⊥ + u∥)`. The translation u has the part u∥ along θ and u⊥
+    /// across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid motions that
+    /// fit the twist to first order differ from this one to second order only. This one is a screw
+    /// about one line, wherever the origin lies.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};
@@ -80,7 +85,8 @@ impl Twist<6> {
         Isometry3::from_parts((half * chord).into(), half * half)
     }
 
-    /// The twist whose rigid motion this is, with a rotation of at most π: the inverse of [`Self::exp`].
+    /// The twist whose rigid motion this is, with a rotation of at most π: the inverse of
+    /// [`Self::exp`].
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::{Isometry3, Vector3}, spatial::Twist};

@@ -1,7 +1,7 @@
 //! Moments and rotations written once for the plane and for space.
 //!
-//! A rotation turns a plane (i, j): the plane has one, (x, y); space has three, (y, z), (z, x), (x, y), which are the
-//! rotations about x, y and z. With r the arm, f a force and θ the rotations,
+//! A rotation turns a plane (i, j): the plane has one, (x, y); space has three, (y, z), (z, x), (x,
+//! y), which are the rotations about x, y and z. With r the arm, f a force and θ the rotations,
 //!
 //! ```text
 //! moment_k       = r_i f_j - r_j f_i
@@ -47,7 +47,8 @@ pub(crate) fn wrench_of<const D: usize, const C: usize>(
     w
 }
 
-/// Displacement, to first order, of the point at the end of `arm` under the twist (translation, rotation).
+/// Displacement, to first order, of the point at the end of `arm` under the twist (translation,
+/// rotation).
 pub(crate) fn displacement_of<const D: usize, const C: usize>(
     arm: &SVector<f64, C>,
     twist: &SVector<f64, D>,
@@ -81,7 +82,8 @@ pub(super) fn moved_twist<const D: usize, const C: usize>(
     SVector::from_fn(|k, _| if k < C { translation[k] } else { q[k] })
 }
 
-/// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the axes of its frame.
+/// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the
+/// axes of its frame.
 pub(crate) fn grasp_map<const D: usize, const C: usize>(
     arm: &SVector<f64, C>,
     frame: &SMatrix<f64, C, C>,
@@ -93,8 +95,8 @@ pub(crate) fn grasp_map<const D: usize, const C: usize>(
     map
 }
 
-/// The grasp map about `origin` in the unit `length`, and what rounding took from it: the second is the difference from the exact
-/// map of this point and this frame, rounded.
+/// The grasp map about `origin` in the unit `length`, and what rounding took from it: the second is
+/// the difference from the exact map of this point and this frame, rounded.
 pub(super) fn grasp_map_in_twice<const D: usize, const C: usize>(
     point: &SVector<f64, C>,
     origin: &SVector<f64, C>,

@@ -12,7 +12,8 @@ pub(crate) enum Stiffness<const C: usize> {
         /// Springs between the finger's core and its surface, u_f and u_e, N/m.
         finger: SVector<f64, C>,
     },
-    /// Both in series; how they share the deformation is not said, and displacements of the surfaces are not known.
+    /// Both in series; how they share the deformation is not said, and displacements of the
+    /// surfaces are not known.
     Series(SVector<f64, C>),
 }
 
@@ -45,7 +46,8 @@ impl<const C: usize> Stiffness<C> {
 }
 
 impl<const C: usize> Default for Stiffness<C> {
-    /// Rigid on both sides; a grasp refuses it, since forces between rigid bodies are not determined.
+    /// Rigid on both sides; a grasp refuses it, since forces between rigid bodies are not
+    /// determined.
     fn default() -> Self {
         let rigid = SVector::repeat(f64::INFINITY);
         Self::BodyAndFinger { body: rigid, finger: rigid }

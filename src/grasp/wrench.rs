@@ -1,4 +1,4 @@
-//! Wrenches and twists: what pulls on the object, and how it moves.
+//! Wrenches and twists: loads on the object, and its small motions.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -7,11 +7,13 @@ use nalgebra::{ArrayStorage, Matrix, SVector};
 use super::rotation::{displacement_of, wrench_of};
 use crate::error::{Error, is_moderate};
 
-/// A load on the object: forces first, then moments about the origin of the coordinates, `d` components.
+/// A load on the object: forces first, then moments about the origin of the coordinates, `d`
+/// components.
 ///
-/// It is what pulls **on the object** from outside, weight for instance; the contact forces F balance it, `Σ G_i F_i + W = 0`. N for forces
-/// and N m for moments, or whatever consistent units the contacts use. Positive moments turn from x to y in the plane and
-/// follow the right-hand rule in space.
+/// A load acts **on the object** from outside, weight for instance; the contact forces F balance
+/// it, `Σ G_i F_i + W = 0`. Forces are in N and moments in N m, or in whatever consistent units the
+/// contacts use. Positive moments turn from x to y in the plane and follow the right-hand rule in
+/// space.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -29,11 +31,13 @@ use crate::error::{Error, is_moderate};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wrench<const D: usize>(SVector<f64, D>);
 
-/// A small motion of the object: translation of the origin of the coordinates, then rotation, `d` components.
+/// A small motion of the object: translation of the origin of the coordinates, then rotation, `d`
+/// components.
 ///
-/// The displacement of the body at a point r is, to first order (equation 4.1 of the paper without its quadratic
-/// term), `translation + rotation × r`; see [`Twist::displacement_at`]. m and rad; rotations turn from x to y in the plane and follow
-/// the right-hand rule in space.
+/// To first order the body moves at a point r by `translation + rotation × r`, equation 4.1 of the
+/// paper without its quadratic term; see [`Twist::displacement_at`]. Translations are in m,
+/// rotations in rad. Rotations turn from x to y in the plane and follow the right-hand rule in
+/// space.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -60,7 +64,8 @@ macro_rules! vector_like {
             /// All components zero.
             pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; D]])));
 
-            /// From its `d` components: linear ones first, then angular ones; (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
+            /// From its `d` components: linear ones first, then angular ones; (x, y, xy) in the
+            /// plane, (x, y, z, x, y, z) in space.
             #[must_use]
             pub fn from_vector(components: impl Into<[f64; D]>) -> Self {
                 Self(SVector::from(components.into()))
@@ -201,7 +206,8 @@ impl Wrench<6> {
 }
 
 impl Twist<3> {
-    /// A translation (x, y) of the object's point at the origin, m, and a rotation from x towards y, rad.
+    /// A translation (x, y) of the object's point at the origin, m, and a rotation from x towards
+    /// y, rad.
     #[must_use]
     pub fn new(translation: impl Into<[f64; 2]>, rotation: f64) -> Self {
         let [x, y] = translation.into();
@@ -254,7 +260,8 @@ impl Twist<6> {
         [self.0[3], self.0[4], self.0[5]]
     }
 
-    /// Displacement of the object's point `point`, m, to first order: `translation + rotation × point`.
+    /// Displacement of the object's point `point`, m, to first order: `translation + rotation ×
+    /// point`.
     ///
     /// ```
     /// use grasp_lcp::spatial::Twist;

@@ -45,10 +45,10 @@
 //! for k in 0..16 {
 //!     let angle = PI * f64::from(k) / 8.0;
 //!     let ramp = Ramp::load(base, Wrench::force([angle.cos(), angle.sin(), 0.0]));
-//!     let round = grasp.onset(&ramp, &alone)?.factor().ok_or("it slides")?;
+//!     let round = grasp.onset_with(&ramp, &alone)?.factor().ok_or("it slides")?;
 //!     assert!((round - 3.0 * 0.5 * 4.0).abs() < 1e-12);
 //!     let eight = alone.clone().with_cone(PolygonCone::new(8, Fit::Inscribed)?);
-//!     let polygon = grasp.onset_on_polygon(&ramp, &eight)?.factor().ok_or("it slides")?;
+//!     let polygon = grasp.onset_with(&ramp, &eight.on_the_polygon())?.factor().ok_or("it slides")?;
 //!     (least, most) = (least.min(polygon / round), most.max(polygon / round));
 //! }
 //! // Exact along a corner, off by 1 - cos(π/8) along a facet's middle.

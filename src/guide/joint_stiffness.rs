@@ -14,13 +14,14 @@
 //! 1/k = C_finger + C_pad + C_body
 //! ```
 //!
-//! so that [`finger_stiffness_axes`](crate::grasp::Contact::finger_stiffness_axes) takes `1/(C_finger + C_pad)` for each axis, and
-//! [`body_stiffness_axes`](crate::grasp::Contact::body_stiffness_axes) `1/C_body`.
+//! so that [`finger_stiffness_axes`](crate::grasp::Contact::finger_stiffness_axes) takes `1/(C_finger + C_pad)` for each axis.
+//! [`body_stiffness_axes`](crate::grasp::Contact::body_stiffness_axes) takes `1/C_body`.
 //!
 //! # What is left out
 //!
-//! A contact of this crate has one spring for each axis of its frame: the off-diagonal `C_nt` of the finger's compliance is not represented. Pushing a
-//! tilted finger also shifts its tip sideways, and that part is lost. How much it matters says
+//! A contact of this crate has one spring for each axis of its frame: the off-diagonal `C_nt` of the finger's compliance
+//! is not represented. Pushing a tilted finger also shifts its tip sideways, and that part is lost. How much it matters
+//! says the coupling
 //!
 //! ```text
 //! ρ = C_nt / √(C_nn C_tt),      |ρ| <= 1

@@ -25,13 +25,15 @@
 //! # Ok::<(), grasp_lcp::lcp::LcpError>(())
 //! ```
 //!
-//! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried. [`Proof::None`](crate::lcp::Proof::None): nothing
-//! is known; raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or pose the problem otherwise.
+//! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried.
+//!
+//! [`Proof::None`](crate::lcp::Proof::None): nothing is known. Raise
+//! [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or pose the problem otherwise.
 //!
 //! # On a grasp
 //!
-//! After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries another formulation, then a proof on the scene itself, in this order (a free motion
-//! is noticed before any path is followed):
+//! A free motion is noticed before any path is followed. After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries
+//! another [form](crate::forms), then a proof on the scene itself, in this order:
 //!
 //! | [`Proof`](crate::equilibrium::Proof) | the motion in it | means | what helps |
 //! |---|---|---|---|

@@ -49,9 +49,15 @@
 //!
 //! # Which one is returned
 //!
-//! [`Grasp::solve`](crate::grasp::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds: everything rolls; everything
-//! that touches rolls; the end of a path of Lemke's method (from 32 contacts on Newton's is tried before); the first of all combinations.
-//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) says which. The order is the same for every number of threads, but it is a rule, not physics.
+//! [`Grasp::solve`](crate::grasp::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this order:
+//!
+//! * everything rolls;
+//! * everything that touches rolls;
+//! * the end of a path of Lemke's method (from 32 contacts on Newton's method is tried before);
+//! * the first of all combinations.
+//!
+//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) says which. The order is the same for every number of
+//! threads, but it is a rule, not physics.
 //!
 //! # Which one is real
 //!

@@ -2,23 +2,26 @@
 //!
 //! # Three outcomes
 //!
+//! A question about equilibrium has one of three outcomes.
+//!
 //! | [`Outcome`](crate::equilibrium::Outcome) | what it says | what to do with it |
 //! |---|---|---|
 //! | `Equilibrium` | forces, motion and states that satisfy every condition, checked against the question | use it, after a look at the fields below |
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof says how |
 //! | `Undecided` | neither was found, and [why](crate::equilibrium::Doubt) | not "holds" and not "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` comes with many contacts on the verge of what friction can do, where the load lies on the boundary of what the grasp
-//! can hold to the last digit, and where the numbers of a scene lie so far apart that forces cannot be written down.
+//! `Undecided` comes in three cases. Many contacts may stand on the verge of what friction can do. The load may lie, to the
+//! last digit, on the boundary of what the grasp can hold. The numbers of a scene may lie so far apart that forces cannot
+//! be written down.
 //!
 //! # What an equilibrium says of itself
 //!
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): by how much the numbers violate equilibrium, springs, cones and gaps, recomputed
 //!   from contacts, commands and load. Some 1e-16. This says that the answer solves the question, not that the question is known well.
-//! * [`accuracy`](crate::equilibrium::Equilibrium::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
+//! * [`accuracy`](crate::grasp::Grasp::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
 //!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
 //!   no digit of a force, however small the residual.
-//! * [`distinct`](crate::equilibrium::ContactAnswer::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
+//! * [`distinct`](crate::grasp::Grasp::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
 //!   sliding, rolling and sliding are the same forces; which word is used depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. Where friction is known to 10 %, a contact with a margin below
 //!   10 % of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::grasp::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.

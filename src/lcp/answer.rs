@@ -5,16 +5,18 @@ use super::outcome::{Outcome, Solution};
 use super::residuals::Residuals;
 use nalgebra::DVector;
 
-/// What a [`Workspace`] or a [`Series`](super::Series) answers: a view of the solution it holds, or the [`Outcome`] that is not one.
+/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series): a view of the
+/// solution it holds, or the [`Outcome`] that is none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Answer<'a> {
     /// The problem is solved.
     Solved(SolutionView<'a>),
-    /// It is not; the outcome is never [`Outcome::Solved`].
+    /// The problem is not solved; this outcome is never [`Outcome::Solved`].
     Unsolved(Box<Outcome>),
 }
 
-/// A [`Solution`] that still lies in the memory of its [`Workspace`] or [`Series`](super::Series); the fields mean the same.
+/// A [`Solution`] that still lies in the memory of its [`Workspace`](super::Workspace) or
+/// [`Series`](super::Series); each field means what its namesake there means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SolutionView<'a> {
@@ -24,11 +26,11 @@ pub struct SolutionView<'a> {
     pub w: &'a [f64],
     /// Which z_i are basic.
     pub basis: &'a Basis,
-    /// The violations at z, recomputed from the M and q given.
+    /// The violations at z, recomputed from the M and q given; see [`Residuals`].
     pub residuals: Residuals,
     /// Pivots made, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero.
+    /// Whether a basic variable is zero: other bases then stand for this point as well.
     pub degenerate: bool,
 }
 

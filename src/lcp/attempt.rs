@@ -1,6 +1,7 @@
-//! One attempt: a path from the slacks to its end, and what that end is worth.
+//! One attempt: a path from the slacks to its end, and the check of the point there.
 //!
-//! An attempt answers `None` where the workspace then holds a solution, and otherwise says how it failed.
+//! An attempt answers `None` where the workspace then holds a solution, and otherwise says how it
+//! failed.
 
 use super::certificate;
 use super::dictionary::Unknown;
@@ -10,8 +11,11 @@ use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;
 
-/// So many times a path is taken up again where rounding has led it to a basis that is not feasible.
-/// Each time costs one elimination; a path that misses thrice has met a basis too close to singular.
+/// So many times a path is taken up again where rounding has led it to a basis that is not
+/// feasible.
+///
+/// Each time costs one elimination. A path that misses thrice has met a basis too close to
+/// singular.
 const RESUMPTIONS: usize = 3;
 
 impl Workspace {
@@ -22,7 +26,7 @@ impl Workspace {
         self.reserve(lcp.len());
     }
 
-    /// The path of a prepared problem with the covering vector of the settings.
+    /// Follows the path of a prepared problem with the covering vector of the settings.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         if let Err(cause) = self.cover(lcp, settings) {
             return Some(Outcome::Breakdown { pivots: self.path.pivots, cause });
@@ -30,7 +34,7 @@ impl Workspace {
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// That path alone, without the ladder, of a problem that is not prepared yet.
+    /// Follows that path alone, without the ladder, for a problem that is not prepared yet.
     pub(super) fn follow_once(&mut self, lcp: &Lcp, settings: &Settings) -> Outcome {
         self.prepare(lcp);
         let failure = self.first_path(lcp, settings);
@@ -74,8 +78,8 @@ impl Workspace {
         })
     }
 
-    /// Checks the end of a path. Where rounding has led the path to a basis that is not feasible, the path is
-    /// taken up again from there.
+    /// Checks the end of a path. Where rounding has led the path to a basis that is not feasible,
+    /// the path is taken up again from there.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,

@@ -2,8 +2,9 @@
 
 /// A complementary basis: from every pair (w_i, z_i) one variable is basic, the other is zero.
 ///
-/// Write α for the set of i with z_i basic. The basis is regular when the principal block M_αα is, and then
-/// stands for the point z_α = −M_αα⁻¹ q_α, z = 0 elsewhere, w = M z + q.
+/// Write α for the set of i with z_i basic. The basis is regular when the principal block M_αα is
+/// regular. It then stands for the point z_α = −M_αα⁻¹ q_α, z = 0 elsewhere, w = M z + q. Source:
+/// Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Basis {
     basic_z: Vec<bool>,
@@ -16,7 +17,7 @@ impl Basis {
         Self { basic_z: vec![false; n] }
     }
 
-    /// The basis with the given α; indices of n or more are left out.
+    /// The basis of n pairs with the given α, counted from 0; indices of n or more are left out.
     pub fn from_indices(n: usize, alpha: impl IntoIterator<Item = usize>) -> Self {
         let mut basic_z = vec![false; n];
         for i in alpha {
@@ -27,23 +28,23 @@ impl Basis {
         Self { basic_z }
     }
 
-    /// The basis of all slacks again, for n rows.
-    pub(crate) fn clear(&mut self, n: usize) {
+    /// Makes all slacks of n rows basic.
+    pub(super) fn clear(&mut self, n: usize) {
         self.basic_z.clear();
         self.basic_z.resize(n, false);
     }
 
     /// Makes z_i basic.
-    pub(crate) fn insert(&mut self, i: usize) {
+    pub(super) fn insert(&mut self, i: usize) {
         self.basic_z[i] = true;
     }
 
     /// Exchanges w_i and z_i.
-    pub(crate) fn toggle(&mut self, i: usize) {
+    pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }
 
-    /// Whether z_i is basic, i counted from 0; no z_i with i of n or more is.
+    /// Whether z_i is basic, i counted from 0. No z_i with i of n or more is.
     #[must_use]
     pub fn contains(&self, i: usize) -> bool {
         self.basic_z.get(i).copied().unwrap_or(false)

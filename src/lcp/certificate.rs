@@ -1,9 +1,8 @@
-//! What a ray proves.
+//! Proofs that a problem has no solution, and those that a ray contains.
 //!
-//! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0, Mᵀẑ = −Mẑ ≤ 0 and
-//! qᵀẑ < 0 (Cottle, Pang & Stone, proof of theorem 4.4.12): it is itself a Farkas vector. Whether it is one can be
-//! checked without knowing the class of M. When it is not, the linear program min { t : M z + q + t h ≥ 0, z, t ≥ 0 } decides
-//! whether the constraints can be met at all; its dual solution is a Farkas vector if they cannot.
+//! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0.
+//! Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang & Stone, proof of theorem 4.4.12), so ẑ is itself a
+//! Farkas vector. Whether ẑ is one can be checked without knowing the class of M.
 
 use super::dictionary::{Unknown, largest};
 use super::outcome::{Proof, Ray};
@@ -15,9 +14,12 @@ use nalgebra::DVector;
 impl Lcp {
     /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
     ///
-    /// Each sum is compared with 8 (n + 2) ε Σ|terms|, ε = 2⁻⁵², the rounding error it may carry: (Mᵀy)_j must not exceed
-    /// that, qᵀy must be below minus that. Where the products and sums are exact, so is the proof. A y of another length, or
-    /// with a negative entry or one that is not finite, proves nothing.
+    /// Each sum is compared with the rounding error it may carry, 8 (n + 2) ε Σ|terms| with
+    /// ε = 2⁻⁵². No (Mᵀy)_j may exceed that error, and qᵀy must be below minus that. Where the
+    /// products and sums are exact, so is the proof.
+    ///
+    /// A y of another length than n proves nothing, nor does one with a negative entry or one that
+    /// is not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         let n = self.len();
@@ -38,9 +40,9 @@ impl Lcp {
     }
 }
 
-/// The ray along which the entering variable grows for ever, in the caller's units and with largest entry 1. `None` if
-/// it leaves the range of double precision there.
-pub(crate) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
+/// The ray along which the entering variable grows for ever, in the caller's units and with largest
+/// entry 1. `None` if the ray leaves the range of double precision there.
+pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
     if let Unknown::Z(e) = entering {

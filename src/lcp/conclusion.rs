@@ -11,13 +11,15 @@ use super::settings::Settings;
 use super::tolerances::{SOUND, ZERO, residual_rounding};
 use super::workspace::Workspace;
 
-/// Steps of refinement of a point at most: each costs O(n²), and a third that still gains is rare.
+/// A point is refined in so many steps at most: each costs O(n²), and a third that still gains is
+/// rare.
 const REFINEMENTS: usize = 3;
-/// A step of refinement that leaves more than this part of the residuals is the last: rounding has been reached.
+/// A step of refinement that leaves more than this part of the residuals is the last one. Rounding
+/// has then been reached.
 const WORTHWHILE: f64 = 0.5;
 
 impl Workspace {
-    /// The point z = 0 of a problem with q ≥ 0.
+    /// Takes the point z = 0 of a problem with q ≥ 0.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -27,8 +29,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// The point of the complementary basis in the dictionary, refined against the M and q given. `None` if that
-    /// point solves the problem.
+    /// Takes the point of the complementary basis in the dictionary, refined against the M and q
+    /// given. `None` if that point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         let n = lcp.len();
         self.mark_vanishing(lcp);
@@ -42,7 +44,8 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable which is zero in exact arithmetic comes out as noise, and is left out if that costs nothing.
+        // A basic variable which is zero in exact arithmetic comes out as noise. It is left out if
+        // the point without it is as good.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();
@@ -59,7 +62,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Takes the spare point in the place of the point if the largest of its residuals is accepted.
+    /// Takes the spare point in place of the point if the largest of its residuals is accepted.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -68,10 +71,12 @@ impl Workspace {
         }
     }
 
-    /// Marks the basic z's that are zero but for rounding: small against the terms they were computed from, or small
-    /// against the largest z, if the point without them is as good.
+    /// Marks the basic z's that are zero but for rounding.
     ///
-    /// The terms alone do not show the noise of a z whose terms all vanish.
+    /// Such a z is small against the terms it was computed from. It may also be small against the
+    /// largest z, if the point without all those is as good: terms do not show the noise of a z
+    /// whose terms all vanish.
+    ///
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -100,8 +105,10 @@ impl Workspace {
         }
     }
 
-    /// Lets w_j take the place of each vanishing z_j where it can: the point is then that of a smaller block, in whose
-    /// rows the noise of z_j has no part. By index, since the order of rows depends on rounding.
+    /// Lets w_j take the place of each vanishing z_j where it can.
+    ///
+    /// The point is then that of a smaller block, in whose rows the noise of z_j has no part.
+    /// Variables are taken by index, since the order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let Path { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
@@ -111,7 +118,8 @@ impl Workspace {
         }
     }
 
-    /// Refines the point until its residuals are rounding or a step gains little; returns those of the best point.
+    /// Refines the point until its residuals are rounding or a step gains little. Returns the
+    /// residuals of the best point.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         for _ in 0..REFINEMENTS {
@@ -129,7 +137,8 @@ impl Workspace {
         residuals
     }
 
-    /// Adds to the values the effect of the defect that the point leaves in the rows that should vanish.
+    /// Adds to the values the effect of the defect that the point leaves in the rows that should
+    /// vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -146,8 +155,8 @@ impl Workspace {
         }
     }
 
-    /// Sets z_i to zero where z_i is basic and w_i is not zero although the residuals are small: such a z_i has no share
-    /// in any row that could be seen. Returns whether there was one.
+    /// Sets z_i to zero where z_i is basic and w_i is not zero although the residuals are small.
+    /// Such a z_i has no share in any row that could be seen. Returns whether there was one.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {
@@ -160,8 +169,8 @@ impl Workspace {
         changed
     }
 
-    /// The point of the basis by a fresh factorisation, without and with its vanishing variables, if one of these points
-    /// is better.
+    /// Takes the point of the basis by a fresh factorisation, without or with its vanishing
+    /// variables, if that point is better.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().collect();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
@@ -180,7 +189,7 @@ impl Workspace {
         }
     }
 
-    /// Says "solved" (`None`) only if the residuals do.
+    /// Says "solved" (`None`) only if the residuals say so.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Outcome> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

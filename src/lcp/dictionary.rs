@@ -6,26 +6,31 @@
 //! basic = x + Σ over the nonbasic variables v of D_v · v.
 //! ```
 //!
-//! Only the columns D_v of nonbasic slacks v = w_i are stored. Since w_i enters the equations exactly as −q_i does, all the rest
-//! follows from them: the column of a nonbasic z_e is the effect of adding column e of M to q,
+//! Only the columns D_v of nonbasic slacks v = w_i are stored. A slack w_i enters the equations
+//! exactly as −q_i does, so all other columns follow from these. The column of a nonbasic z_e is
+//! the effect of adding column e of M to q,
 //!
 //! ```text
-//! D_e = (M_ie on the rows where w_i is basic, 0 elsewhere) − Σ over the nonbasic w_i of M_ie D_{w_i},   (1)
+//! D_e = (M_ie on the rows where w_i is basic, 0 elsewhere)
+//!       − Σ over the nonbasic w_i of M_ie D_{w_i},                          (1)
 //! ```
 //!
-//! and the column of z₀ is the same with d in the place of M_·e. If k slacks are nonbasic, a pivot
-//! costs 2nk flops for (1) and 2nk for the update: over a path on which k grows from 0 to n no more than the
-//! 2n² of a full tableau, over one that ends with half the slacks nonbasic half of that. The next entering
-//! variable is known as soon as the leaving one is, so both are done in one pass over memory.
+//! and the column of z₀ is (1) with d in place of M_·e.
+//!
+//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. Over a path on
+//! which k grows from 0 to n that is no more than the 2n² of a full tableau. Over a path that ends
+//! with half the slacks nonbasic it is half of that. The next entering variable is known as soon as
+//! the leaving one is, so both are done in one pass over memory.
 
-use super::kernel::{self, Combine, CombineSizes, Update, UpdateAndCombine};
+use super::kernel::{self, Combine, Update, UpdateAndCombine};
+use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Unknown {
+pub(super) enum Unknown {
     W(usize),
     Z(usize),
     Covering,
@@ -33,7 +38,7 @@ pub(crate) enum Unknown {
 
 impl Unknown {
     /// The other variable of the pair; z₀ has none.
-    pub(crate) fn complement(self) -> Self {
+    pub(super) fn complement(self) -> Self {
         match self {
             Self::W(i) => Self::Z(i),
             Self::Z(i) => Self::W(i),
@@ -42,121 +47,126 @@ impl Unknown {
     }
 }
 
-const NONE: usize = usize::MAX;
-
 /// The dictionary of one basis. All vectors keep their memory between problems.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Dictionary {
+pub(super) struct Dictionary {
     n: usize,
     /// The variable that is basic in each row.
-    pub(crate) basic: Vec<Unknown>,
+    pub(super) basic: Vec<Unknown>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
-    /// Where w_i is kept, or NONE.
-    slot: Vec<usize>,
+    /// In which stored column w_i is kept, if w_i is nonbasic.
+    slot: Vec<Option<usize>>,
     /// The stored columns, one after the other.
     columns: Vec<f64>,
     /// Values of the basic variables.
-    pub(crate) x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     /// The perturbation column: the effect of adding p to q, used to break ties.
-    pub(crate) p: Vec<f64>,
+    pub(super) p: Vec<f64>,
     /// For each row, the size of the largest term that has gone into its value.
-    pub(crate) level: Vec<f64>,
+    pub(super) level: Vec<f64>,
     /// The entering column.
-    pub(crate) u: Vec<f64>,
+    pub(super) u: Vec<f64>,
     /// The covering vector d.
-    pub(crate) d: Vec<f64>,
+    pub(super) d: Vec<f64>,
     /// The entering column before elimination, with a zero behind its end.
     entering: Vec<f64>,
-    /// The i of each row whose basic variable is a slack w_i, n for the others.
+    /// For each row, the i of its basic variable w_i; n where no slack is basic.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column, its multiple of u in the update and its multiple in the next entering column.
+    /// For each stored column, its multiple of u in the update, and its multiple in the next
+    /// entering column.
     g: Vec<f64>,
     c: Vec<f64>,
 }
 
 impl Dictionary {
-    /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering vector d.
-    pub(crate) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
+    /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering
+    /// vector d.
+    pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
         self.basic.clear();
         self.basic.extend((0..n).map(Unknown::W));
-        self.kept.clear();
-        self.slot.clear();
-        self.slot.resize(n, NONE);
-        self.columns.clear();
-        // Room for every slack to become nonbasic, so that no later problem of this size has to allocate.
-        self.columns.reserve(n * n);
-        for list in [&mut self.g, &mut self.c] {
-            list.clear();
-            list.reserve(n);
-        }
-        self.kept.reserve(n);
-        for (to, from) in [(&mut self.x, q), (&mut self.p, p), (&mut self.d, d)] {
-            to.clear();
-            to.extend_from_slice(from);
-        }
-        self.level.clear();
-        self.level.extend(q.iter().map(|q| q.abs()));
         self.slack.clear();
         self.slack.extend(0..n);
+        refill(&mut self.slot, n, None);
+        self.kept.clear();
+        self.columns.clear();
+        // Room for every slack to become nonbasic, so that no later problem of this size has to
+        // allocate.
+        make_room(&mut self.kept, n);
+        make_room(&mut self.columns, n * n);
+        for list in [&mut self.g, &mut self.c] {
+            make_room(list, n);
+        }
+        q.clone_into(&mut self.x);
+        p.clone_into(&mut self.p);
+        d.clone_into(&mut self.d);
+        self.level.clear();
+        self.level.extend(q.iter().map(|q| q.abs()));
         for (scratch, size) in [(&mut self.u, n), (&mut self.entering, n + 1), (&mut self.next, n)] {
-            scratch.clear();
-            scratch.resize(size, 0.0);
+            refill(scratch, size, 0.0);
         }
     }
 
     /// Whether w_i is nonbasic.
-    pub(crate) fn is_active(&self, i: usize) -> bool {
-        self.slot[i] != NONE
+    pub(super) fn is_active(&self, i: usize) -> bool {
+        self.slot[i].is_some()
+    }
+
+    /// Where the column of a variable is kept, if the variable is a nonbasic slack.
+    fn slot_of(&self, variable: Unknown) -> Option<usize> {
+        if let Unknown::W(i) = variable { self.slot[i] } else { None }
     }
 
     /// Puts the column of a nonbasic variable into `u`.
-    pub(crate) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
-        if let Unknown::W(i) = variable {
-            let at = self.slot[i] * self.n;
+    pub(super) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
+        if let Some(slot) = self.slot_of(variable) {
+            let at = slot * self.n;
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
         } else {
             self.load(variable, m, scaling);
             let mut u = std::mem::take(&mut self.u);
-            u.copy_from_slice(&self.next);
-            wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: &mut u });
+            self.eliminate(&mut u);
             self.u = u;
         }
     }
 
     /// The largest entry of the column loaded last, before elimination.
-    pub(crate) fn entering_size(&self) -> f64 {
+    pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
 
     /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
-    pub(crate) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
+    pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
-        effect.copy_from_slice(&self.next);
-        wide(Combine { columns: &self.columns, n: self.n, c: &self.c, y: effect });
+        self.eliminate(effect);
     }
 
-    /// The levels of values computed as the effect of the right-hand side q: the sum of the sizes of all terms.
-    pub(crate) fn sum_terms(&mut self, q: &[f64]) {
-        for (level, basic) in self.level.iter_mut().zip(&self.basic) {
-            *level = if let Unknown::W(i) = *basic { q[i].abs() } else { 0.0 };
+    /// Puts the right-hand side of (1) into y; its first term is in `next`, its factors are in `c`.
+    fn eliminate(&self, y: &mut [f64]) {
+        y.copy_from_slice(&self.next);
+        wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
+    }
+
+    /// Sets the levels of values that were computed as the effect of the right-hand side q: the
+    /// sums of the sizes of all terms.
+    pub(super) fn sum_terms(&mut self, q: &[f64]) {
+        self.c.clear();
+        self.c.extend(self.kept.iter().map(|i| q[*i]));
+        for (level, slack) in self.level.iter_mut().zip(&self.slack) {
+            *level = q.get(*slack).map_or(0.0, |q| q.abs());
         }
-        wide(CombineSizes {
-            columns: &self.columns,
-            n: self.n,
-            kept: &self.kept,
-            factors: q,
-            y: &mut self.level,
-        });
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
-    /// Sets those entries of the entering column to zero that are below `tolerance` times the terms from which (1) sums
-    /// them. The column of a slack is not summed; there, entries below rounding of the largest are cut.
-    pub(crate) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
+    /// Sets entries of the entering column to zero that are noise.
+    ///
+    /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
+    /// slack is not summed; there, entries below the rounding of the largest are noise.
+    pub(super) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
         if let Unknown::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
             for u in self.u.iter_mut().filter(|u| u.abs() <= rounding) {
@@ -164,7 +174,11 @@ impl Dictionary {
             }
             return;
         }
-        self.spread_terms();
+        self.spread();
+        for to in &mut self.next {
+            *to = to.abs();
+        }
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.next });
         for (u, terms) in self.u.iter_mut().zip(&self.next) {
             if u.abs() <= tolerance * terms {
                 *u = 0.0;
@@ -172,21 +186,7 @@ impl Dictionary {
         }
     }
 
-    /// Puts the sums of the sizes of the terms of (1) for the column loaded last into `next`.
-    fn spread_terms(&mut self) {
-        for (to, i) in self.next.iter_mut().zip(&self.slack) {
-            *to = self.entering[*i].abs();
-        }
-        wide(CombineSizes {
-            columns: &self.columns,
-            n: self.n,
-            kept: &self.kept,
-            factors: &self.entering,
-            y: &mut self.next,
-        });
-    }
-
-    /// Column e of the balanced M, or d, and what (1) needs of it for the present basis.
+    /// Loads column e of the balanced M, or d, with what (1) needs of it for the present basis.
     fn load(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
         if let Unknown::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -200,7 +200,7 @@ impl Dictionary {
         self.spread();
     }
 
-    /// The first term of (1) into `next`, the factors of the second into `c`.
+    /// Puts the first term of (1) into `next` and the factors of the second into `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -209,9 +209,10 @@ impl Dictionary {
         self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
     }
 
-    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned.
-    /// Then puts the column of the leaving variable's complement into `u`, unless z₀ left.
-    pub(crate) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
+    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r,
+    /// which is returned. Then puts the column of the leaving variable's complement into `u`,
+    /// unless z₀ left.
+    pub(super) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
         let leaving = self.rearrange(entering, r);
         if let Unknown::W(l) = leaving {
             self.load(Unknown::Z(l), m, scaling);
@@ -233,14 +234,14 @@ impl Dictionary {
         leaving
     }
 
-    /// The same exchange without a look ahead.
-    pub(crate) fn exchange(&mut self, entering: Unknown, r: usize) {
+    /// Makes that exchange without a look ahead: `u` is left as it is.
+    pub(super) fn exchange(&mut self, entering: Unknown, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
     /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.
-    pub(crate) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
+    pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;
         }
@@ -250,7 +251,8 @@ impl Dictionary {
         }
     }
 
-    /// All of an exchange but the rank-one update of the stored columns, whose factors are left in `g` and `u`.
+    /// Makes all of an exchange but the rank-one update of the stored columns, whose factors are
+    /// left in `g` and `u`.
     fn rearrange(&mut self, entering: Unknown, r: usize) -> Unknown {
         let n = self.n;
         let leaving = self.basic[r];
@@ -258,7 +260,7 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // With row r of a column set to 0 and that of u to 1, the update of row r is the same as that of the others.
+        // With row r of a column set to 0 and that of u to 1, row r is updated as all others are.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -268,8 +270,8 @@ impl Dictionary {
             self.g.push(-column[r] * inverse);
             column[r] = 0.0;
         }
-        let own = if let Unknown::W(i) = entering { self.slot[i] } else { NONE };
-        if own != NONE {
+        let own = self.slot_of(entering);
+        if let Some(own) = own {
             // The entering slack's own column becomes that of the leaving variable, u / pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
@@ -277,24 +279,24 @@ impl Dictionary {
         self.basic[r] = entering;
         self.slack[r] = if let Unknown::W(i) = entering { i } else { n };
         match (leaving, own) {
-            (Unknown::W(l), NONE) => {
-                self.slot[l] = self.kept.len();
+            (Unknown::W(l), None) => {
+                self.slot[l] = Some(self.kept.len());
                 self.kept.push(l);
                 self.columns.resize(self.columns.len() + n, 0.0);
                 self.g.push(inverse);
             }
-            (Unknown::W(l), own) => {
-                self.slot[self.kept[own]] = NONE;
-                self.slot[l] = own;
+            (Unknown::W(l), Some(own)) => {
+                self.slot[self.kept[own]] = None;
+                self.slot[l] = Some(own);
                 self.kept[own] = l;
             }
-            (_, NONE) => {}
-            (_, own) => self.forget(own),
+            (_, Some(own)) => self.forget(own),
+            (_, None) => {}
         }
         leaving
     }
 
-    /// The values after the entering variable has grown until row r is zero.
+    /// Moves to the values at which the entering variable has grown until row r is zero.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -310,20 +312,21 @@ impl Dictionary {
     /// Drops a stored column; the last one takes its place.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
-        self.slot[self.kept[slot]] = NONE;
+        self.slot[self.kept[slot]] = None;
         self.kept.swap_remove(slot);
         self.g.swap_remove(slot);
         let last = self.kept.len();
         if slot != last {
             self.columns.copy_within(last * n..(last + 1) * n, slot * n);
-            self.slot[self.kept[slot]] = slot;
+            self.slot[self.kept[slot]] = Some(slot);
         }
         self.columns.truncate(last * n);
     }
 }
 
-/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the processor busy.
-pub(crate) fn largest(v: &[f64]) -> f64 {
+/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the
+/// processor busy.
+pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);
     for chunk in &mut chunks {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-/// What can be wrong with the numbers a problem is made of.
+/// The faults that the numbers of a problem can have.
 ///
 /// "There is no solution" is not among them: that is an answer, see [`Outcome`](super::Outcome).
 #[derive(Debug, Clone, PartialEq, Error)]

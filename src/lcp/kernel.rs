@@ -1,15 +1,16 @@
-//! The inner loops of a pivot, written so that the compiler turns them into vector instructions (see [`crate::wide`]).
+//! The inner loops of a pivot, written so that the compiler turns them into vector instructions
+//! (see [`crate::wide`]).
 
 use crate::numerics::Loop;
 
 /// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
-pub(crate) struct UpdateAndCombine<'a> {
-    pub(crate) columns: &'a mut [f64],
-    pub(crate) n: usize,
-    pub(crate) g: &'a [f64],
-    pub(crate) u: &'a [f64],
-    pub(crate) c: &'a [f64],
-    pub(crate) y: &'a mut [f64],
+pub(super) struct UpdateAndCombine<'a> {
+    pub(super) columns: &'a mut [f64],
+    pub(super) n: usize,
+    pub(super) g: &'a [f64],
+    pub(super) u: &'a [f64],
+    pub(super) c: &'a [f64],
+    pub(super) y: &'a mut [f64],
 }
 
 impl Loop for UpdateAndCombine<'_> {
@@ -46,15 +47,15 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// y −= Σ_j c_j a_j.
-pub(crate) struct Combine<'a> {
-    pub(crate) columns: &'a [f64],
-    pub(crate) n: usize,
-    pub(crate) c: &'a [f64],
-    pub(crate) y: &'a mut [f64],
+/// y −= Σ_j c_j a_j or, with SIZES, y += Σ_j |c_j a_j|.
+pub(super) struct Combine<'a, const SIZES: bool> {
+    pub(super) columns: &'a [f64],
+    pub(super) n: usize,
+    pub(super) c: &'a [f64],
+    pub(super) y: &'a mut [f64],
 }
 
-impl Loop for Combine<'_> {
+impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
     type Output = ();
 
     #[inline(always)]
@@ -62,74 +63,36 @@ impl Loop for Combine<'_> {
         let Self { columns, n, c, y } = self;
         let blocks = columns.chunks_exact(4 * n.max(1));
         let rest = blocks.remainder();
-        let mut at = 0;
-        for block in blocks {
+        let mut fours = c.chunks_exact(4);
+        for (block, c) in blocks.zip(&mut fours) {
             let (a, tail) = block.split_at(n);
             let (b, tail) = tail.split_at(n);
             let (d, e) = tail.split_at(n);
-            let c = [c[at], c[at + 1], c[at + 2], c[at + 3]];
-            at += 4;
-            if c != [0.0; 4] {
+            let c = [c[0], c[1], c[2], c[3]];
+            if SIZES {
+                combine4_sizes([a, b, d, e], c.map(f64::abs), y);
+            } else if c != [0.0; 4] {
                 combine4([a, b, d, e], c, y);
             }
         }
-        for column in rest.chunks_exact(n.max(1)) {
-            if c[at] != 0.0 {
-                add(y, -c[at], column);
-            }
-            at += 1;
-        }
-    }
-}
-
-/// y += Σ_j |c_j a_j|, with c_j = `factors[kept[j]]`.
-pub(crate) struct CombineSizes<'a> {
-    pub(crate) columns: &'a [f64],
-    pub(crate) n: usize,
-    pub(crate) kept: &'a [usize],
-    pub(crate) factors: &'a [f64],
-    pub(crate) y: &'a mut [f64],
-}
-
-impl Loop for CombineSizes<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let Self { columns, n, kept, factors, y } = self;
-        let blocks = columns.chunks_exact(4 * n.max(1));
-        let rest = blocks.remainder();
-        let mut quads = kept.chunks_exact(4);
-        for (block, quad) in blocks.zip(&mut quads) {
-            let (a, tail) = block.split_at(n);
-            let (b, tail) = tail.split_at(n);
-            let (d, e) = tail.split_at(n);
-            let (a, b, d, e, y) = (&a[..n], &b[..n], &d[..n], &e[..n], &mut y[..n]);
-            let c = [
-                factors[quad[0]].abs(),
-                factors[quad[1]].abs(),
-                factors[quad[2]].abs(),
-                factors[quad[3]].abs(),
-            ];
-            for i in 0..n {
-                y[i] += (c[0] * a[i].abs() + c[1] * b[i].abs()) + (c[2] * d[i].abs() + c[3] * e[i].abs());
-            }
-        }
-        for (column, i) in rest.chunks_exact(n.max(1)).zip(quads.remainder()) {
-            let size = factors[*i].abs();
-            for (y, a) in y.iter_mut().zip(column) {
-                *y += size * a.abs();
+        for (column, c) in rest.chunks_exact(n.max(1)).zip(fours.remainder()) {
+            if SIZES {
+                for (y, a) in y.iter_mut().zip(column) {
+                    *y += c.abs() * a.abs();
+                }
+            } else if *c != 0.0 {
+                add(y, -c, column);
             }
         }
     }
 }
 
 /// a_j += g_j u.
-pub(crate) struct Update<'a> {
-    pub(crate) columns: &'a mut [f64],
-    pub(crate) n: usize,
-    pub(crate) g: &'a [f64],
-    pub(crate) u: &'a [f64],
+pub(super) struct Update<'a> {
+    pub(super) columns: &'a mut [f64],
+    pub(super) n: usize,
+    pub(super) g: &'a [f64],
+    pub(super) u: &'a [f64],
 }
 
 impl Loop for Update<'_> {
@@ -148,7 +111,7 @@ impl Loop for Update<'_> {
 
 /// a += g u.
 #[inline(always)]
-pub(crate) fn add(a: &mut [f64], g: f64, u: &[f64]) {
+pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {
         *a += g * u;
     }
@@ -160,6 +123,15 @@ fn combine4([a, b, d, e]: [&[f64]; 4], c: [f64; 4], y: &mut [f64]) {
     let (a, b, d, e) = (&a[..n], &b[..n], &d[..n], &e[..n]);
     for i in 0..n {
         y[i] -= (c[0] * a[i] + c[1] * b[i]) + (c[2] * d[i] + c[3] * e[i]);
+    }
+}
+
+#[inline(always)]
+fn combine4_sizes([a, b, d, e]: [&[f64]; 4], c: [f64; 4], y: &mut [f64]) {
+    let n = y.len();
+    let (a, b, d, e) = (&a[..n], &b[..n], &d[..n], &e[..n]);
+    for i in 0..n {
+        y[i] += (c[0] * a[i].abs() + c[1] * b[i].abs()) + (c[2] * d[i].abs() + c[3] * e[i].abs());
     }
 }
 

@@ -1,7 +1,7 @@
 //! The ladder from one attempt to the next.
 //!
-//! The rungs: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary
-//! bases. [`Lcp::solve_with`] says when each is climbed.
+//! The rungs are: Lemke's path; a proof from its ray; a proof by linear programming; other paths;
+//! all complementary bases. [`Lcp::solve_with`] says when each is climbed.
 
 use super::enumerate;
 use super::linear_program;
@@ -12,11 +12,13 @@ use super::workspace::Workspace;
 use crate::numerics::generic;
 use nalgebra::DVector;
 
-/// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and 3, this range
-/// of octaves. Less of it leaves the paths close to the first one; more of it makes badly scaled problems.
+/// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and
+/// 3, a range of so many octaves.
+///
+/// Less of it leaves the paths close to the first one; more of it makes badly scaled problems.
 const OCTAVES: f64 = 6.0;
-/// Attempt k draws its covering vector from entry k times this on: a prime beyond the rows of any dense problem,
-/// so no two attempts draw alike.
+/// Attempt k draws its covering vector from entry k times this on. No two attempts draw alike,
+/// since no dense problem has so many rows.
 const ENTRIES_APART: usize = 1_000_003;
 
 impl Workspace {
@@ -50,7 +52,7 @@ impl Workspace {
         })
     }
 
-    /// The end of the first path with what was proved after it.
+    /// The outcome of the first path with a proof that was found after it.
     fn proven(&self, lcp: &Lcp, first: Outcome, proof: Proof) -> Outcome {
         let (direction, covering_rate) = match first {
             Outcome::Ray(ray) => (ray.direction, ray.covering_rate),
@@ -59,7 +61,7 @@ impl Workspace {
         Outcome::Ray(Ray { direction, covering_rate, proof, pivots: self.path.pivots })
     }
 
-    /// A path with another covering vector, then one from a basis of one or two z's.
+    /// Follows a path with another covering vector, then one from a basis of one or two z's.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Outcome> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
@@ -91,8 +93,8 @@ impl Workspace {
 
 /// A basis of one or two z's to start a path from where the slack basis leads to rays.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each attempt takes another
-/// first index.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each
+/// attempt takes another first index.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

@@ -1,8 +1,8 @@
 //! Lemke's method.
 //!
-//! The augmented problem w = q + M z + d z₀ is followed along the path of points with w_i z_i = 0 for all i, from
-//! z = 0 with large z₀ to z₀ = 0 (Cottle, Pang & Stone, algorithm 4.4.5): the variable driven next is always
-//! the complement of the one that left last.
+//! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. It is
+//! followed from z = 0 with large z₀ to z₀ = 0. The variable driven next is always the complement
+//! of the one that left last (Cottle, Pang & Stone, algorithm 4.4.5).
 
 use super::dictionary::{Unknown, largest};
 use super::outcome::BreakdownCause;
@@ -13,7 +13,7 @@ use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum End {
+pub(super) enum End {
     /// z₀ left: the basis is a complementary one.
     Complementary,
     /// This variable grows for ever; its column is in the dictionary.
@@ -23,10 +23,13 @@ pub(crate) enum End {
 }
 
 /// The values are compared with the data after so many pivots.
+///
+/// The comparison costs a pivot or two. Rarer, drift is found late; more often, it costs time.
 const CHECK_EVERY: usize = 32;
 impl Path {
-    /// Lets z₀ enter an infeasible basis and follows the path until z₀ has left again. The column of z₀ is in the dictionary.
-    pub(crate) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
+    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
+    /// until z₀ has left again.
+    pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
             Ok(None) => return End::Complementary,
@@ -42,8 +45,10 @@ impl Path {
         self.run(leaving.complement(), m, settings, limit)
     }
 
-    /// Follows a path from the complementary basis in which z_i is basic where `active(i)`. Whether it ended in
-    /// another complementary basis; a singular or feasible start has no path.
+    /// Follows a path from the complementary basis in which z_i is basic where `active(i)`.
+    ///
+    /// Returns whether the path ended in another complementary basis; a singular or feasible start
+    /// has no path.
     pub(super) fn run_from(
         &mut self,
         m: &[f64],
@@ -75,16 +80,19 @@ impl Path {
         }
     }
 
-    /// One exchange; afterwards the column of the leaving variable's complement is in the dictionary.
-    pub(crate) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
+    /// Makes one exchange. Afterwards the column of the leaving variable's complement is in the
+    /// dictionary.
+    pub(super) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
         self.pivots += 1;
         self.age += 1;
         self.dictionary.pivot(entering, row, m, &self.scaling)
     }
 
-    /// The blocking row for the entering variable, from a dictionary that can be trusted: one that has drifted from
-    /// the data, or that offers only a doubtful pivot or none, is computed anew first.
-    pub(crate) fn blocking_row(
+    /// The blocking row for the entering variable, from a dictionary that can be trusted.
+    ///
+    /// A dictionary that has drifted from the data, or that offers only a doubtful pivot or none,
+    /// is computed anew first.
+    pub(super) fn blocking_row(
         &mut self,
         entering: Unknown,
         role: Covering,
@@ -115,7 +123,8 @@ impl Path {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // Small against the column, but perhaps not against the terms of its own row.
+                // The pivot is small against the column, but perhaps not against the terms of its
+                // own row.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

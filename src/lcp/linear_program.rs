@@ -1,4 +1,7 @@
 //! The least violation of linear constraints, by linear programming.
+//!
+//! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
+//! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::outcome::Outcome;
 use super::problem::Lcp;
@@ -8,34 +11,33 @@ use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
 /// A Farkas vector from the linear program, if the constraints cannot be met.
-pub(crate) fn farkas_vector(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<DVector<f64>> {
+pub(super) fn farkas_vector(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<DVector<f64>> {
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
     let program = least_violation(&a, &b, settings)?;
     let y = DVector::from_fn(lcp.len(), |i, _| program.y[i] * scaling.row[i]);
     lcp.proves_infeasible(&y).then_some(y)
 }
 
-/// The solution of min { t : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ 0, 1ᵀy ≤ 1, y ≥ 0 }.
-pub(crate) struct Program {
-    pub(crate) x: DVector<f64>,
-    pub(crate) y: DVector<f64>,
+/// The solution of min { t : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ 0,
+/// 1ᵀy ≤ 1, y ≥ 0 }.
+pub(super) struct Program {
+    pub(super) x: DVector<f64>,
+    pub(super) y: DVector<f64>,
 }
 
-/// Both solutions from one complementarity problem, whose matrix [0, −Aᵀ; A, 0] is copositive-plus: Lemke's method is
-/// guaranteed to solve it, since the program is feasible and bounded.
-pub(crate) fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, settings: &Settings) -> Option<Program> {
+/// Both solutions from one complementarity problem, whose matrix [0, −Aᵀ; A, 0] (with t as one more
+/// column of A) is copositive-plus.
+///
+/// Lemke's method is guaranteed to solve it, since the program is feasible and bounded.
+pub(super) fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, settings: &Settings) -> Option<Program> {
     let (rows, columns) = a.shape();
     let size = columns + 1 + rows;
     let mut m = DMatrix::zeros(size, size);
     let mut q = DVector::zeros(size);
-    for i in 0..rows {
-        for j in 0..=columns {
-            let entry = if j == columns { 1.0 } else { a[(i, j)] };
-            m[(columns + 1 + i, j)] = entry;
-            m[(j, columns + 1 + i)] = -entry;
-        }
-        q[columns + 1 + i] = b[i];
-    }
+    let a = a.clone().insert_column(columns, 1.0);
+    m.view_mut((columns + 1, 0), a.shape()).copy_from(&a);
+    m.view_mut((0, columns + 1), (columns + 1, rows)).copy_from(&-a.transpose());
+    q.rows_mut(columns + 1, rows).copy_from(b);
     q[columns] = 1.0;
     let settings =
         Settings { covering: None, max_pivots: None, retries: 0, enumerate_up_to: 0, ..settings.clone() };

@@ -1,6 +1,12 @@
-//! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for each entry.
+//! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for
+//! each entry.
 
-/// So many mantissas, each below 2, can be multiplied before the product must be put away.
+use super::memory::refill;
+use super::pattern::counts;
+
+/// So many mantissas, each below 2, are multiplied before their product is put away.
+///
+/// More than 1023 could overflow; fewer take more logarithms.
 const PRODUCT: usize = 512;
 const MANTISSA: u64 = (1 << 52) - 1;
 const ONE: u64 = 1023 << 52;
@@ -10,13 +16,14 @@ const ONE: u64 = 1023 << 52;
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// Exponents in the lower half, number of entries in the upper.
+    /// Exponents in the lower 32 bits, the number of entries in the upper ones.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
 
 impl Logarithms {
-    /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. A logarithm is taken of a product of mantissas only, not of each entry.
+    /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. A
+    /// logarithm is taken of a product of mantissas only, not of each entry.
     pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
         rows.reset(n);
         columns.reset(n);
@@ -40,15 +47,25 @@ impl Logarithms {
         columns.finish();
     }
 
-    fn reset(&mut self, n: usize) {
-        self.exponents.clear();
-        self.exponents.resize(n, 0);
-        self.mantissas.clear();
-        self.mantissas.resize(n, 1.0);
-        for vector in [&mut self.sum, &mut self.count] {
-            vector.clear();
-            vector.resize(n, 0.0);
+    /// Takes q in as one more column.
+    pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
+            let logarithm = q.abs().log2();
+            sum += logarithm;
+            count += 1.0;
+            rows.sum[i] += logarithm;
+            rows.count[i] += 1.0;
         }
+        columns.sum.push(sum);
+        columns.count.push(count);
+    }
+
+    fn reset(&mut self, n: usize) {
+        refill(&mut self.exponents, n, 0);
+        refill(&mut self.mantissas, n, 1.0);
+        refill(&mut self.sum, n, 0.0);
+        refill(&mut self.count, n, 0.0);
     }
 
     /// Turns a product of mantissas into its logarithm before it overflows.
@@ -67,7 +84,8 @@ impl Logarithms {
     }
 }
 
-/// Adds the exponents and multiplies the mantissas of a column to those of its rows; returns those of the column.
+/// Adds the exponents and multiplies the mantissas of a column to those of its rows. Returns the
+/// sum and the product over the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];
     let mut product = [1.0_f64; 4];

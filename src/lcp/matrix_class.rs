@@ -1,26 +1,29 @@
-//! To which classes a matrix belongs, and what that guarantees.
+//! The classes to which a matrix belongs, and what they guarantee.
 
 use super::error::LcpError;
 use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
 use nalgebra::DMatrix;
 
-/// For n up to this all principal minors are looked at when nothing else decides whether M is a P-matrix.
+/// For n up to this all principal minors are looked at when nothing else decides whether M is a
+/// P-matrix. Each further row doubles the work.
 const MINORS: usize = 12;
 
-/// What could be found out about a matrix M. The tests are exact up to rounding: a matrix closer to the boundary of a class
-/// than 32 n ε (ε = 2⁻⁵²) or 1e-14 relative to its diagonal may be put on either side.
+/// What could be found out about a matrix M (n × n), by [`MatrixClass::of`].
+///
+/// The tests are exact up to rounding. A matrix very close to the boundary of a class may be put on
+/// either side: closer than 32 n ε (ε = 2⁻⁵²) or 1e-14 of its diagonal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct MatrixClass {
     /// M = Mᵀ, entry by entry.
     pub symmetric: bool,
-    /// The sign of zᵀMz for all z; decided by the symmetric part (M + Mᵀ)/2.
+    /// The sign of zᵀMz for all z; the symmetric part (M + Mᵀ)/2 decides it.
     pub definiteness: Definiteness,
     /// The sign of zᵀMz for z ≥ 0, as far as the structure shows it.
     pub copositivity: Copositivity,
     /// No off-diagonal entry is positive.
     pub z_matrix: bool,
-    /// All principal minors are positive; `None` if undecided (then n > 12).
+    /// Whether all principal minors are positive; `None` if undecided (then n > 12).
     pub p_matrix: Option<bool>,
 }
 
@@ -35,15 +38,16 @@ pub enum Definiteness {
     Indefinite,
 }
 
-/// The sign of zᵀMz for z ≥ 0. Deciding it in general is as hard as the problem itself; this is what the structure shows.
+/// The sign of zᵀMz for z ≥ 0, as far as the structure shows it. Deciding it in general is as hard
+/// as the problem itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Copositivity {
     /// zᵀMz > 0 for 0 ≠ z ≥ 0: positive definite, or no negative entries and a positive diagonal.
     Strict,
     /// zᵀMz ≥ 0 for z ≥ 0, and z ≥ 0, zᵀMz = 0 imply (M + Mᵀ)z = 0: positive semidefinite.
     Plus,
-    /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and one without negative
-    /// entries.
+    /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and one
+    /// without negative entries.
     Plain,
     /// zᵀMz < 0 for some z ≥ 0: a diagonal entry is negative.
     Not,
@@ -51,22 +55,28 @@ pub enum Copositivity {
     Unknown,
 }
 
-/// What Lemke's method does on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone).
+/// The end of Lemke's method on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone,
+/// *The Linear Complementarity Problem*, 1992).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Guarantee {
-    /// Exactly one solution for every q (theorem 3.3.7), and it is found (4.4.1 with the remark on P-matrices).
+    /// Exactly one solution for every q (theorem 3.3.7), and it is found (4.4.1 with the remark on
+    /// P-matrices).
     UniqueSolution,
     /// A solution for every q (3.8.5), and one is found.
     Solution,
-    /// A solution if any z ≥ 0 has M z + q ≥ 0, and one is found; a ray proves that there is no such z (4.4.12).
+    /// A solution if any z ≥ 0 has M z + q ≥ 0, and it is found; a ray proves that there is no such
+    /// z (4.4.12).
     SolutionIfFeasible,
     /// Nothing: a ray proves nothing, and there may be several solutions.
     None,
 }
 
 impl MatrixClass {
-    /// Looks at M (n × n). The cost is that of up to three eliminations, about 2n³/3 flops each; where neither definiteness nor diagonal
-    /// dominance nor signs decide whether M is a P-matrix, and n ≤ 12, up to 2ⁿ Schur complements on top.
+    /// Looks at M (n × n), at the cost of up to three eliminations of about 2n³/3 flops each.
+    ///
+    /// Definiteness, diagonal dominance or signs mostly decide whether M is a P-matrix. Where they
+    /// do not, and n ≤ 12, up to 2ⁿ Schur complements come on top (M. J. Tsatsomeros and L. Li, *A
+    /// recursive test for P-matrices*, BIT 40, 2000).
     ///
     /// ```
     /// use grasp_lcp::lcp::{Definiteness, Guarantee, MatrixClass};
@@ -82,7 +92,8 @@ impl MatrixClass {
     ///
     /// # Errors
     ///
-    /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
+    /// [`LcpError::NotSquare`] for a matrix that is not square, [`LcpError::MatrixEntry`] for an
+    /// entry that is not finite.
     pub fn of(m: &DMatrix<f64>) -> Result<Self, LcpError> {
         LcpError::check_square("M", m)?;
         let n = m.nrows();
@@ -99,7 +110,8 @@ impl MatrixClass {
         })
     }
 
-    /// What the classes found guarantee: the strongest that applies, so a P-matrix comes before a strictly copositive one.
+    /// The strongest guarantee of the classes found: that of a P-matrix comes before that of a
+    /// strictly copositive one.
     #[must_use]
     pub fn guarantee(&self) -> Guarantee {
         if self.p_matrix == Some(true) {
@@ -118,7 +130,8 @@ fn symmetric_part(m: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.nrows(), |i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
 }
 
-/// Cholesky's factorisation with diagonal pivoting of the matrix scaled to a diagonal of ones and zeros.
+/// Decides by Cholesky's factorisation with diagonal pivoting, of s scaled to a diagonal of ones
+/// and zeros.
 fn definiteness(s: &DMatrix<f64>) -> Definiteness {
     let n = s.nrows();
     if (0..n).any(|i| s[(i, i)] < 0.0) {
@@ -170,7 +183,7 @@ fn copositivity(
     if !diagonal(&|x| x >= 0.0) {
         return Copositivity::Not;
     }
-    // Take the positive off-diagonal entries away; if the rest is semidefinite, putting them back keeps zᵀMz ≥ 0.
+    // Where s without its positive off-diagonal entries is semidefinite, they keep zᵀMz ≥ 0.
     let mut rest = symmetric_part(m);
     for j in 0..n {
         for i in 0..n {
@@ -195,7 +208,8 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         return Some(true);
     }
     if z_matrix {
-        // A Z-matrix is a P-matrix exactly if elimination without exchanges meets positive pivots only (3.11.10).
+        // A Z-matrix is a P-matrix exactly if elimination without exchanges meets positive pivots
+        // only (3.11.10).
         let mut a = m.clone();
         for k in 0..n {
             if a[(k, k)] <= elimination_rounding(n) * m[(k, k)] {
@@ -217,8 +231,10 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
     }
 }
 
-/// M is a P-matrix exactly if its first entry is positive, and both M without its first row and column and the Schur
-/// complement of that entry are P-matrices. `m` holds the original diagonal in the same order, as a measure.
+/// Whether a is a P-matrix: its first entry is positive, and both a without its first row and
+/// column and the Schur complement of that entry are P-matrices.
+///
+/// m holds the diagonal given, in the order of a, as a measure.
 fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

@@ -18,15 +18,19 @@ use nalgebra::{DMatrix, DVector};
 /// 0 ≤ z  ⟂  w = D u + M z + q ≥ 0
 /// ```
 ///
-/// The free variables are eliminated by pivoting. Where A is singular, as in problems of equilibrium with A = 0, a free
-/// variable is exchanged with a w_i and the z_i of the same pair with an equality row, which keeps the rest a
-/// complementarity problem: the pair i then changes its roles.
+/// The free variables are eliminated by pivoting. Where A is singular, as in problems of
+/// equilibrium with A = 0, a free variable is exchanged with a w_i. The z_i of that pair is then
+/// exchanged with an equality row. The rest is then still a complementarity problem, in which the
+/// pair i has changed its roles.
+///
+/// The form is that of Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapter 1.
 ///
 /// ```
 /// use grasp_lcp::lcp::{MixedLcp, MixedOutcome};
 /// use nalgebra::{DMatrix, DVector};
 ///
-/// // A weight of 3 N on a spring of 2 N/m sinks by u (free) to the floor 1 m below, which pushes back with z:
+/// // A weight of 3 N on a spring of 2 N/m sinks by u (free) to the floor 1 m below,
+/// // which pushes back with z:
 /// // 0 = 2u + z − 3,  0 ≤ z ⟂ w = 1 − u ≥ 0.
 /// let [a, c, d, m] = [2.0, 1.0, -1.0, 0.0].map(|entry| DMatrix::from_element(1, 1, entry));
 /// let [b, q] = [-3.0, 1.0].map(|entry| DVector::from_element(1, entry));
@@ -49,8 +53,11 @@ pub struct MixedLcp {
 pub enum MixedOutcome {
     /// A solution was found and checked against the data given.
     Solved(MixedSolution),
-    /// No solution was found; the outcome is that of [`MixedLcp::split`], which a proof of infeasibility refers to (its y has n + 2m
-    /// entries). `undetermined` and `dependent` name the free variables and equality rows that the elimination could not use.
+    /// No solution was found.
+    ///
+    /// The outcome is that of [`MixedLcp::split`]. A proof of infeasibility refers to that problem,
+    /// so its y has n + 2m entries. The elimination could not use the free variables and equality
+    /// rows named here.
     Unsolved {
         /// The outcome for the split problem, never [`Outcome::Solved`].
         outcome: Box<Outcome>,
@@ -77,7 +84,8 @@ pub struct MixedSolution {
     pub basis: Basis,
     /// The violations, recomputed from the data given.
     pub residuals: MixedResiduals,
-    /// Free variables which nothing determines (a singular block), counted from 0; they are 0 here, and could be moved along.
+    /// Free variables which nothing determines (a singular block), counted from 0. They are 0 here,
+    /// and could be moved along.
     pub undetermined: Vec<usize>,
     /// Equality rows which follow from the others, counted from 0.
     pub dependent: Vec<usize>,
@@ -89,9 +97,9 @@ pub struct MixedSolution {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MixedResiduals {
-    /// max_i |A u + C z + b|_i / a_i, with a_i the sum of the sizes of the terms of the row.
+    /// max_i |A u + C z + b|_i / a_i, with a_i the sum of the sizes of the terms of row i.
     pub equality: f64,
-    /// Those of z and w.
+    /// The violations of z and w.
     pub complementarity: Residuals,
 }
 
@@ -108,8 +116,8 @@ impl MixedLcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::BlockShape`] or [`LcpError::Length`] if a size does not match that of A and M, [`LcpError::MatrixEntry`] or
-    /// [`LcpError::VectorEntry`] for an entry that is not finite.
+    /// [`LcpError::BlockShape`] or [`LcpError::Length`] if a size does not match that of A and M.
+    /// [`LcpError::MatrixEntry`] or [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(
         a: &DMatrix<f64>,
         c: &DMatrix<f64>,
@@ -155,8 +163,11 @@ impl MixedLcp {
         self.len() == 0
     }
 
-    /// The same problem without free variables, u = u⁺ − u⁻ and each equality as two inequalities: the unknowns are (u⁺, u⁻, z),
-    /// n + 2m in number, the slacks (±(A u + C z + b), w). If xᵀ[A, C; D, M]x ≥ 0 for all free u and z ≥ 0, its matrix is copositive.
+    /// This problem without free variables, as one of n + 2m unknowns (u⁺, u⁻, z) with u = u⁺ − u⁻.
+    ///
+    /// Each equality becomes two inequalities: the slacks are (±(A u + C z + b), w). If xᵀ[A, C; D,
+    /// M]x ≥ 0 for all x = (u, z) with u free and z ≥ 0, the matrix of the split problem is
+    /// copositive.
     #[must_use]
     pub fn split(&self) -> Lcp {
         let m = self.free;
@@ -180,8 +191,8 @@ impl MixedLcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem: by elimination, and if that ends without a solution, in its split form. The covering vector
-    /// of the settings is not used.
+    /// Solves the problem by elimination and, if that ends without a solution, in its split form.
+    /// The covering vector of the settings is not used.
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> MixedOutcome {
         let settings = Settings { covering: None, ..settings.clone() };
@@ -216,7 +227,8 @@ impl MixedLcp {
         }
     }
 
-    /// The better of the point (u, z) given and the point of its basis computed from the data, if that is good enough.
+    /// The better of the point (u, z) given and the point of its basis computed from the data, if
+    /// that better one is good enough.
     fn conclude(
         &self,
         point: Vec<f64>,
@@ -257,7 +269,8 @@ impl MixedLcp {
         })
     }
 
-    /// How well u and z solve the problem; infinite for vectors of another length.
+    /// Measures how well u (m entries) and z (n entries) solve the problem. The residuals are
+    /// infinite for vectors of another length.
     #[must_use]
     pub fn residuals(&self, u: &DVector<f64>, z: &DVector<f64>) -> MixedResiduals {
         if u.len() != self.free || z.len() != self.len() {
@@ -275,7 +288,7 @@ impl MixedLcp {
                 equality = if miss.is_nan() { f64::INFINITY } else { equality.max(miss) };
             }
         }
-        // Without the free part, whose signs do not matter.
+        // The signs of the free part do not matter.
         let mut pairs = point.clone();
         pairs.z[..self.free].fill(0.0);
         pairs.w[..self.free].fill(0.0);

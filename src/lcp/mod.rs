@@ -29,8 +29,9 @@
 //!
 //! # What Lemke's method guarantees
 //!
-//! [`Lcp::solve`] follows Lemke's path. In exact arithmetic it ends after finitely many pivots in a solution or in
-//! a secondary ray, and (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapters 3 and 4):
+//! [`Lcp::solve`] follows Lemke's path. In exact arithmetic the path ends after finitely many
+//! pivots in a solution or in a secondary ray. Which of the two depends on M (Cottle, Pang & Stone,
+//! *The Linear Complementarity Problem*, 1992, chapters 3 and 4):
 //!
 //! | M | means | then |
 //! |---|---|---|
@@ -39,16 +40,29 @@
 //! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found, and a ray proves that there is none (4.4.12) |
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
-//! [`Outcome`] says which of these happened; "solved" is only said after the residuals have been recomputed
-//! from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`] tells what is tried next.
+//! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been
+//! recomputed from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`]
+//! tells what is tried next.
 //!
 //! # Units, ties, cost
 //!
-//! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by powers of two (A. R. Curtis and J. K. Reid, *On the automatic
-//! scaling of matrices for Gaussian elimination*, 1972), so that the path does not depend on units. Where several variables reach zero together,
-//! the one leaves that would be first with q + ε p in place of q, ε → 0+ and p fixed and without structure: the lexicographic rule (section 4.9),
-//! under which no path comes back to where it was. A pivot costs O(n²) flops and the path O(n²) memory besides M, which a [`Workspace`] or a
+//! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by
+//! powers of two, so the path does not depend on units (A. R. Curtis and J. K. Reid, *On the
+//! automatic scaling of matrices for Gaussian elimination*, 1972).
+//!
+//! Where several variables reach zero together, the lexicographic rule (section 4.9) decides which
+//! of them leaves. It takes the one that would be first with q + ε p in place of q, ε → 0+. The
+//! vector p is fixed and without structure. Under this rule no path comes back to an earlier basis.
+//!
+//! A pivot costs O(n²) flops. The path takes O(n²) memory besides M, which a [`Workspace`] or a
 //! [`Series`] keeps.
+
+// From the ground up: `tolerances` holds every number that a value is compared with.
+// `problem` is checked input, `scaling` balances it, and a `dictionary` stands for one basis of it.
+// `path`, `lemke` and `refactor` walk through dictionaries and compute them afresh.
+// `point` and `conclusion` check the end of a path against the data.
+// One `attempt` is one path with its end; the `ladder` goes from one attempt to the next.
+// The questions stand on top: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
 
 mod answer;
 mod attempt;

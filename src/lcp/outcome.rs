@@ -12,15 +12,17 @@ pub enum Outcome {
     Solved(Solution),
     /// The path ended in a secondary ray: along it z₀ never reaches zero.
     ///
-    /// [`Ray::proof`] says whether this proves that there is no solution. If it does not, nothing is known: every way
-    /// of going on that the [`Settings`](super::Settings) allow has been tried.
+    /// [`Ray::proof`] says whether this proves that there is no solution. If it proves nothing,
+    /// nothing is known: every way of going on that the [`Settings`](super::Settings) allow has
+    /// been tried.
     Ray(Ray),
     /// The pivot limit was reached first; nothing is known about the problem.
     PivotLimit {
         /// Pivots made.
         pivots: usize,
     },
-    /// The computation could not be carried through in double precision; nothing is known about the problem.
+    /// The computation could not be carried through in double precision. Nothing is known about the
+    /// problem.
     Breakdown {
         /// Pivots made until then.
         pivots: usize,
@@ -47,28 +49,33 @@ pub struct Solution {
     pub w: DVector<f64>,
     /// Which z_i are basic.
     pub basis: Basis,
-    /// The violations at z, recomputed from the M and q given with w = M z + q as it comes out, before zeros are set.
+    /// The violations at z, recomputed from the M and q given, before zeros are set in w = M z + q.
     pub residuals: Residuals,
     /// Pivots made, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero: then other bases stand for the same point, and the solution may be one of several.
+    /// Whether a basic variable is zero: other bases then stand for this point as well, and the
+    /// solution may be one of several.
     pub degenerate: bool,
 }
 
 /// The secondary ray on which the path ended.
 ///
-/// With ẑ, ŵ the direction and ẑ₀ the rate of the covering variable, ŵ = M ẑ + d ẑ₀, ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0, ẑᵀŵ = 0:
-/// the augmented problem has solutions for arbitrarily large steps along it. None of these is a solution of the problem.
-/// It is that of the first path, whose covering vector d is that of the settings or, by default, that of the balanced problem. The
-/// direction is zero if that path ended otherwise and the proof was found afterwards.
+/// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with
+/// ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented problem has solutions for arbitrarily large
+/// steps along this direction, none of which solves the problem itself (Cottle, Pang & Stone,
+/// section 4.4).
+///
+/// The ray is that of the first path. Its covering vector d is that of the settings or, by default,
+/// that of the balanced problem. The direction is zero if that path ended otherwise and the proof
+/// was found afterwards.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Ray {
     /// ẑ (n entries, none negative, the largest 1), in the caller's units.
     pub direction: DVector<f64>,
-    /// ẑ₀ ≥ 0, at the same scale.
+    /// ẑ₀ ≥ 0, at the scale of the direction.
     pub covering_rate: f64,
-    /// What is proved by it, or was found out afterwards.
+    /// The proof that the ray contains, or that was found after it.
     pub proof: Proof,
     /// Pivots made.
     pub pivots: usize,
@@ -78,17 +85,20 @@ pub struct Ray {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Proof {
-    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma: the vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0, whereas
-    /// z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks it.
+    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma.
+    ///
+    /// The vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0. But z ≥ 0 and M z + q ≥ 0 imply
+    /// yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y.
     Infeasible(DVector<f64>),
-    /// None of the 2ⁿ complementary bases stands for a solution (up to rounding); and no Farkas vector was found, so z ≥ 0 with
-    /// M z + q ≥ 0 should exist.
+    /// None of the 2ⁿ complementary bases stands for a solution, up to rounding. No Farkas vector
+    /// was found either, so z ≥ 0 with M z + q ≥ 0 should exist.
     NoComplementaryBasis,
     /// Nothing is proved.
     None,
 }
 
-/// Why a solve broke down: the first two for a covering vector of the settings that does not fit, the others in the arithmetic.
+/// Why a solve broke down. The first two causes are covering vectors of the settings that do not
+/// fit, the others lie in the arithmetic.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum BreakdownCause {
@@ -108,7 +118,8 @@ pub enum BreakdownCause {
     },
     /// A number left the range of double precision.
     Overflow,
-    /// The principal block of the final basis is singular, or so nearly that q is lost in the terms of M z.
+    /// The principal block of the final basis is singular, or so nearly that q is lost in the terms
+    /// of M z.
     SingularBasis,
     /// The final basis was reached, but its point misses the tolerance for these residuals.
     Residual(Residuals),

@@ -10,14 +10,15 @@ use super::settings::Settings;
 use super::workspace::Workspace;
 use nalgebra::DVector;
 
-/// Where τ goes on a piece of the path.
+/// The way τ goes on a piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ grows.
     Forward,
     /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
     Backward,
-    /// τ stands still while the solution moves: all points of the piece solve the problem at this τ.
+    /// τ stands still while the solution moves: all points of the piece solve the problem at this
+    /// τ.
     Still,
 }
 
@@ -35,7 +36,7 @@ pub struct Breakpoint {
     pub entering: Variable,
     /// The complementary basis of the next piece.
     pub basis: Basis,
-    /// Where τ goes on the next piece.
+    /// The way τ goes on the next piece.
     pub trend: Trend,
     /// dz/dτ on the next piece (n entries), whichever way τ goes there; zero if τ stands still.
     pub rate: DVector<f64>,
@@ -45,9 +46,10 @@ pub struct Breakpoint {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ (still).
+    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
+    /// (still).
     Unbounded(Trend),
-    /// As many breakpoints as the settings allow pivots.
+    /// There were as many breakpoints as the settings allow pivots.
     PivotLimit,
     /// The path could not be followed further in double precision.
     Breakdown(BreakdownCause),
@@ -55,14 +57,18 @@ pub enum PathEnd {
     NoStart,
 }
 
-/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one, starting at τ = 0 with τ growing.
+/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one. The path starts
+/// at τ = 0 with τ growing.
 ///
-/// On a complementary basis z is an affine function of τ; where a basic variable reaches zero it leaves, and its complement enters, as in Lemke's
-/// method with dq in the place of d (Cottle, Pang & Stone, section 4.5).
+/// On a complementary basis z is an affine function of τ. Where a basic variable reaches zero it
+/// leaves, and its complement enters. This is Lemke's method with dq in place of d (Cottle, Pang &
+/// Stone, section 4.5).
 ///
-/// An iterator: each call of `next` follows one piece. When it is exhausted, [`Parametric::end`] says why. Several
-/// breakpoints may have the same τ, when several variables reach zero together; pieces between them have no length. A breakpoint
-/// costs one pivot, and no more of them are given than the settings allow pivots.
+/// This is an iterator: each call of `next` follows one piece, at the cost of one pivot. When it is
+/// exhausted, [`Parametric::end`] says why.
+///
+/// Several breakpoints may have one τ, when several variables reach zero together; the pieces
+/// between them have no length. There are no more breakpoints than the settings allow pivots.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
@@ -91,17 +97,19 @@ pub struct Parametric<'a> {
 }
 
 impl<'a> Parametric<'a> {
-    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the solution that
-    /// [`Lcp::solve_with`] finds.
+    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the
+    /// solution that [`Lcp::solve_with`] finds.
     ///
     /// # Errors
     ///
-    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`] for an entry that is not finite.
+    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`]
+    /// for an entry that is not finite.
     pub fn new(lcp: &'a Lcp, dq: &DVector<f64>, settings: Settings) -> Result<Self, LcpError> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// The same from the solution that [`Lcp::solve_from`] finds, so that one of several solutions can be followed.
+    /// That path from the solution that [`Lcp::solve_from`] finds instead, so one of several
+    /// solutions can be followed.
     ///
     /// # Errors
     ///
@@ -131,28 +139,21 @@ impl<'a> Parametric<'a> {
             breakpoints: 0,
             end: None,
         };
-        let found = path.start.solution().map(|solution| solution.basis.clone());
-        match found {
-            None => path.end = Some(PathEnd::NoStart),
-            Some(basis) => {
-                path.basis = basis;
-                path.begin(dq);
-            }
-        }
+        path.end = path.begin(dq).err();
         Ok(path)
     }
 
-    fn begin(&mut self, dq: &DVector<f64>) {
-        let m = self.lcp.m.as_slice();
-        let basis = &self.basis;
+    /// Puts the dictionary of the solution at τ = 0 and the column of τ into the workspace.
+    fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
+        self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
+        let (m, basis) = (self.lcp.m.as_slice(), &self.basis);
         if !self.workspace.holds(basis) {
-            if let Err(cause) = self.workspace.path.install_basis(m, |i| basis.contains(i)) {
-                self.end = Some(PathEnd::Breakdown(cause));
-                return;
-            }
+            let installed = self.workspace.path.install_basis(m, |i| basis.contains(i));
+            installed.map_err(PathEnd::Breakdown)?;
             self.workspace.path.cover_violations(m);
         }
         self.workspace.path.start_parameter(dq.as_slice(), m);
+        Ok(())
     }
 
     /// The solution at τ = 0, or why there is none.
@@ -161,7 +162,8 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Where τ goes on the present piece, the one after the last breakpoint; forward before the first.
+    /// The way τ goes on the present piece, the one after the last breakpoint; forward before the
+    /// first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
@@ -184,6 +186,28 @@ impl<'a> Parametric<'a> {
         let tau = if self.entering == Unknown::Covering { 1.0 } else { covering.unwrap_or(0.0) };
         let noise = self.settings.pivot_tolerance * largest(&path.dictionary.u).max(1.0);
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
+    }
+
+    /// Follows one piece to the breakpoint at its end.
+    fn step(&mut self) -> Result<Breakpoint, PathEnd> {
+        if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
+            return Err(PathEnd::PivotLimit);
+        }
+        let m = self.lcp.m.as_slice();
+        let path = &mut self.workspace.path;
+        let row = path
+            .blocking_row(self.entering, Covering::Parameter, m, &self.settings)
+            .map_err(PathEnd::Breakdown)?
+            .ok_or(PathEnd::Unbounded(self.trend))?;
+        self.breakpoints += 1;
+        let leaving = path.pivot(self.entering, row, m);
+        self.entering = leaving.complement();
+        match leaving {
+            Unknown::W(i) => Ok(self.breakpoint(Variable::W(i))),
+            Unknown::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
+            // The parameter has no row to leave.
+            Unknown::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
+        }
     }
 
     fn breakpoint(&mut self, leaving: Variable) -> Breakpoint {
@@ -220,34 +244,6 @@ impl Iterator for Parametric<'_> {
         if self.end.is_some() {
             return None;
         }
-        if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
-            self.end = Some(PathEnd::PivotLimit);
-            return None;
-        }
-        let m = self.lcp.m.as_slice();
-        let path = &mut self.workspace.path;
-        let row = match path.blocking_row(self.entering, Covering::Parameter, m, &self.settings) {
-            Ok(Some(row)) => row,
-            Ok(None) => {
-                self.end = Some(PathEnd::Unbounded(self.trend));
-                return None;
-            }
-            Err(cause) => {
-                self.end = Some(PathEnd::Breakdown(cause));
-                return None;
-            }
-        };
-        self.breakpoints += 1;
-        let leaving = match path.pivot(self.entering, row, m) {
-            Unknown::W(i) => Variable::W(i),
-            Unknown::Z(i) => Variable::Z(i),
-            // A parameter never blocks.
-            Unknown::Covering => return None,
-        };
-        self.entering = match leaving.complement() {
-            Variable::W(i) => Unknown::W(i),
-            Variable::Z(i) => Unknown::Z(i),
-        };
-        Some(self.breakpoint(leaving))
+        self.step().map_err(|end| self.end = Some(end)).ok()
     }
 }

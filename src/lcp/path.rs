@@ -7,14 +7,14 @@ use crate::numerics::generic;
 
 /// A path through the dictionaries of one balanced problem.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Path {
-    pub(crate) scaling: Scaling,
-    pub(crate) dictionary: Dictionary,
+pub(super) struct Path {
+    pub(super) scaling: Scaling,
+    pub(super) dictionary: Dictionary,
     /// The balanced right-hand side, perturbation and covering vector.
-    pub(crate) q: Vec<f64>,
-    pub(crate) p: Vec<f64>,
-    pub(crate) d: Vec<f64>,
-    pub(crate) pivots: usize,
+    pub(super) q: Vec<f64>,
+    pub(super) p: Vec<f64>,
+    pub(super) d: Vec<f64>,
+    pub(super) pivots: usize,
     /// Pivots since the dictionary was last computed from the data.
     pub(super) age: usize,
     /// The perturbation of each basic variable while the dictionary is computed anew.
@@ -27,7 +27,7 @@ pub(crate) struct Path {
 
 impl Path {
     /// Balances M, and q and p with it. The dictionary still has to be started.
-    pub(crate) fn prepare(&mut self, m: &[f64], q: &[f64]) {
+    pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
         self.p.extend(self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)));
@@ -36,7 +36,8 @@ impl Path {
         self.reserve(q.len());
     }
 
-    /// Room for what only some problems need, so that no later problem of this size has to allocate.
+    /// Makes room for steps that only some problems need, so no later problem of this size has to
+    /// allocate.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);
@@ -46,18 +47,19 @@ impl Path {
         make_room(&mut self.active, n);
     }
 
-    pub(crate) fn set_right_hand_side(&mut self, q: &[f64]) {
+    pub(super) fn set_right_hand_side(&mut self, q: &[f64]) {
         self.q.clear();
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
     /// Starts from the slack basis with the present q, p and d.
-    pub(crate) fn start_from_slacks(&mut self) {
+    pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
     }
 
-    /// z in the caller's units, and z₀ where it is basic, from one number for the basic variable of each row.
+    /// Reads z in the caller's units, and z₀ where it is basic, from one number for the basic
+    /// variable of each row.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;
@@ -71,7 +73,7 @@ impl Path {
         covering
     }
 
-    /// The present z and z₀; noise below zero in z is cut off.
+    /// Reads the present z and z₀; noise below zero in z is cut off.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

@@ -12,8 +12,26 @@ pub(super) enum Column<'a> {
     InPlace(&'a [f64]),
 }
 
-impl Pattern<'_> {
-    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has any.
+impl<'a> Pattern<'a> {
+    /// The entries of [M, q], n rows stored by columns, of which so many take part in each column.
+    ///
+    /// Few entries are listed; many are faster to look at in place than to look up.
+    pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], counted: &[f64], list: &'a mut Vec<u32>) -> Self {
+        let total: f64 = counted.iter().sum();
+        if 4.0 * total >= (n * n) as f64 {
+            return Self::InPlace { n, m, q };
+        }
+        list.clear();
+        list.reserve(n * n / 4 + n);
+        for column in m.chunks_exact(n).chain(std::iter::once(q)) {
+            list.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
+        }
+        Self::Listed(list)
+    }
+
+    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has
+    /// any.
+    #[inline]
     pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
         match self {
             Self::Listed(list) => {

@@ -46,8 +46,8 @@ impl Point {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Sets w_i = 0 where z_i is basic, and cuts noise below zero off elsewhere. Returns whether a basic variable
-    /// is zero.
+    /// Sets w_i = 0 where z_i is basic, and cuts noise below zero off elsewhere. Returns whether a
+    /// basic variable is zero.
     pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
         let mut degenerate = false;
         for (i, w) in self.w.iter_mut().enumerate() {
@@ -66,7 +66,8 @@ impl Point {
 impl Lcp {
     /// Measures how well z (n entries) solves the problem, see [`Residuals`].
     ///
-    /// A z of another length, or with entries that are not finite, solves nothing: its residuals are infinite.
+    /// A z of another length, or with entries that are not finite, solves nothing: its residuals
+    /// are infinite.
     #[must_use]
     pub fn residuals(&self, z: &DVector<f64>) -> Residuals {
         if z.len() != self.len() {

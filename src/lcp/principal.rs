@@ -5,31 +5,34 @@ use super::scaling::Scaling;
 use super::tolerances::SINGULAR_BLOCK;
 use nalgebra::{DMatrix, DVector};
 
-/// Up to this size pivoting is complete, which tells singular blocks apart more surely. Beyond this size pivoting is
-/// partial, which is several times faster.
+/// Up to this size pivoting is complete, which tells singular blocks apart more surely.
+///
+/// Beyond this size pivoting is partial, which is several times faster.
 const COMPLETE: usize = 32;
-/// Steps of iterative refinement: the first takes the error of the factors away, the second what is left of it in badly
-/// conditioned blocks.
+/// Steps of iterative refinement.
+///
+/// The first takes away the error of the factors, the second the rest of it in badly conditioned
+/// blocks.
 const REFINEMENTS: usize = 2;
 
-/// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block and refinement; `None` if the block is singular
-/// to working precision.
+/// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, and refinement. `None` if the
+/// block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
-    let k = alpha.len();
-    if k == 0 {
+    let size = alpha.len();
+    if size == 0 {
         return Some(DVector::zeros(0));
     }
-    let mut block = DMatrix::from_fn(k, k, |i, j| lcp.m[(alpha[i], alpha[j])]);
-    let rhs = DVector::from_fn(k, |i, _| -lcp.q[alpha[i]]);
+    let mut block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
+    let rhs = DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]);
     let mut scaling = Scaling::default();
-    scaling.balance(k, block.as_slice(), rhs.as_slice());
-    for j in 0..k {
-        for i in 0..k {
+    scaling.balance(size, block.as_slice(), rhs.as_slice());
+    for j in 0..size {
+        for i in 0..size {
             block[(i, j)] *= scaling.row[i] * scaling.column[j];
         }
     }
-    let rhs = DVector::from_fn(k, |i, _| rhs[i] * scaling.row[i]);
-    let y = if k <= COMPLETE {
+    let rhs = DVector::from_fn(size, |i, _| rhs[i] * scaling.row[i]);
+    let y = if size <= COMPLETE {
         let lu = block.clone().full_piv_lu();
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
         refined(&block, &rhs, |b| lu.solve(b))
@@ -38,7 +41,7 @@ pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
         refined(&block, &rhs, |b| lu.solve(b))
     }?;
-    Some(DVector::from_fn(k, |j, _| y[j] * scaling.column[j]))
+    Some(DVector::from_fn(size, |j, _| y[j] * scaling.column[j]))
 }
 
 fn is_regular(diagonal: &DVector<f64>) -> bool {

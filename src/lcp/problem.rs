@@ -3,7 +3,8 @@
 use super::error::LcpError;
 use nalgebra::{DMatrix, DVector};
 
-/// A linear complementarity problem (M, q) with finite entries.
+/// A linear complementarity problem (M, q) with finite entries: find z with 0 ≤ z ⟂ w = M z + q ≥ 0
+/// (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lcp {
     pub(super) m: DMatrix<f64>,
@@ -15,21 +16,21 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows, [`LcpError::MatrixEntry`] and
-    /// [`LcpError::VectorEntry`] for an entry that is not finite.
+    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows.
+    /// [`LcpError::MatrixEntry`] and [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
         LcpError::check_square("M", &m)?;
         LcpError::check_vector("q", &q, m.nrows())?;
         Ok(Self { m, q })
     }
 
-    /// M.
+    /// The matrix M (n × n).
     #[must_use]
     pub fn matrix(&self) -> &DMatrix<f64> {
         &self.m
     }
 
-    /// q.
+    /// The vector q (n entries).
     #[must_use]
     pub fn vector(&self) -> &DVector<f64> {
         &self.q

@@ -1,27 +1,32 @@
-//! Which basic variable blocks the entering one, and who leaves when several do.
+//! The basic variable that blocks the entering one, and the one that leaves when several do.
 //!
-//! **Ties.** Symmetric problems tie all the time, and breaking ties by index or size can cycle. The rule here is the
-//! lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic vector p: think of q + ε p with
-//! ε → 0+. The perturbed problem has no ties, and its path is found by comparing, among rows that tie, the column of p next.
-//! Nothing is added to the data. If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
+//! **Ties.** Symmetric problems tie all the time, and breaking ties by index or size can cycle. The
+//! rule here is the lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic
+//! vector p: think of q + ε p with ε → 0+. The perturbed problem has no ties. Its path is found by
+//! comparing, among rows that tie, the column of p next; nothing is added to the data.
+//!
+//! If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
 use super::dictionary::{Dictionary, Unknown, largest};
 use super::settings::Settings;
 use super::tolerances::VALUE_ROUNDING;
 use crate::numerics::{Loop, wide};
 
-/// What z₀ is on the path that is followed.
+/// The role of z₀ on the path that is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Covering {
-    /// To be brought to zero: it leaves as soon as it can.
+pub(super) enum Covering {
+    /// z₀ is to be brought to zero: it leaves as soon as it can.
     Artificial,
-    /// The parameter of a family of problems, which may take any value.
+    /// z₀ is the parameter of a family of problems, and may take any value.
     Parameter,
 }
 
-/// The row in which a basic variable reaches zero first as the entering one grows; `None` if none ever does. Only rows
-/// with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are preferred.
-pub(crate) fn blocking_row(
+/// The row in which a basic variable reaches zero first as the entering one grows; `None` if none
+/// ever does.
+///
+/// Only rows with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are
+/// preferred.
+pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
     certain: f64,
@@ -50,7 +55,8 @@ pub(crate) fn blocking_row(
         let margin = settings.tie_tolerance * (u.abs() * step) + VALUE_ROUNDING * level;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
-    // Blocking rows are rare: eight rows at a time are first asked together, without a branch for each.
+    // Blocking rows are rare: eight rows at a time are first asked together, without a branch for
+    // each.
     let n = dictionary.u.len();
     let (x, u, level) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.level[..n]);
     for start in (0..n).step_by(8) {
@@ -82,10 +88,12 @@ pub(crate) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step to the row `firm` drives a row with −`certain` ≤ u_i < 0 below zero by more than the rounding error
-/// of its value, or of the largest one. If it does not, it makes no difference whether that row blocks first: its u_i may be
-/// noise.
-pub(crate) fn doubtful_row_breaks(
+/// Whether the step to the row `firm` breaks a doubtful row, one with −`certain` ≤ u_i < 0.
+///
+/// A row is broken if it falls below zero by more than the rounding error of its value, or of the
+/// largest one. If none is, it makes no difference whether a doubtful row blocks first: its u_i may
+/// be noise.
+pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
     firm: usize,
@@ -101,8 +109,9 @@ pub(crate) fn doubtful_row_breaks(
     })
 }
 
-/// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0. No branches, since half of them would be
-/// mispredicted.
+/// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0.
+///
+/// There are no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],
@@ -134,10 +143,11 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters an infeasible basis.
+/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters
+/// an infeasible basis.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive, so that no z₀ makes that row feasible.
-pub(crate) fn most_violated_row(
+pub(super) fn most_violated_row(
     dictionary: &Dictionary,
     settings: &Settings,
 ) -> Result<Option<usize>, usize> {

@@ -7,16 +7,16 @@ use super::tolerances::{DEPENDENT, FREE_PIVOT};
 use nalgebra::{DMatrix, DVector};
 
 /// The tableau after all free variables that can be were made basic.
-pub(crate) struct Reduction {
-    /// The complementarity problem that is left, in balanced units; `None` if its numbers are not finite or an equality
-    /// that depends on the others is not satisfied.
-    pub(crate) problem: Option<Lcp>,
+pub(super) struct Reduction {
+    /// The complementarity problem that is left, in balanced units. `None` if its numbers are not
+    /// finite or an equality that depends on the others is not satisfied.
+    pub(super) problem: Option<Lcp>,
     /// The pairs that changed their roles: there the problem's unknown is w_i.
-    pub(crate) swapped: Vec<bool>,
+    pub(super) swapped: Vec<bool>,
     /// Free variables without a pivot.
-    pub(crate) undetermined: Vec<usize>,
+    pub(super) undetermined: Vec<usize>,
     /// Equality rows without a pivot.
-    pub(crate) dependent: Vec<usize>,
+    pub(super) dependent: Vec<usize>,
     free: usize,
     tableau: DMatrix<f64>,
     constant: DVector<f64>,
@@ -28,7 +28,8 @@ pub(crate) struct Reduction {
 }
 
 impl Reduction {
-    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are equalities.
+    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are
+    /// equalities.
     pub(super) fn of(whole: &Lcp, free: usize) -> Self {
         let size = whole.len();
         let n = size - free;
@@ -74,19 +75,10 @@ impl Reduction {
 
     /// A free variable takes the place of an equality row.
     fn pivot_direct(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
-        let mut best = (0, 0, FREE_PIVOT);
-        for (a, r) in rows.iter().enumerate() {
-            for (b, c) in columns.iter().enumerate() {
-                let size = self.tableau[(*r, *c)].abs();
-                if size > best.2 {
-                    best = (a, b, size);
-                }
-            }
-        }
-        if best.2 <= FREE_PIVOT {
-            return false;
-        }
-        let (r, c) = (rows.swap_remove(best.0), columns.swap_remove(best.1));
+        let places = (0..rows.len()).flat_map(|a| (0..columns.len()).map(move |b| (a, b)));
+        let sizes = places.map(|(a, b)| ((a, b), self.tableau[(rows[a], columns[b])].abs()));
+        let Some((a, b)) = largest_pivot(sizes) else { return false };
+        let (r, c) = (rows.swap_remove(a), columns.swap_remove(b));
         self.exchange(r, c);
         self.row_of_free[c] = Some(r);
         self.tableau.column_mut(c).fill(0.0);
@@ -95,24 +87,19 @@ impl Reduction {
 
     /// A free variable takes the place of w_i, and z_i that of an equality row.
     fn pivot_pair(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
-        let mut best = (0, 0, 0, FREE_PIVOT);
-        for (pair, (r_pair, c_pair)) in self.row_of_pair.iter().zip(&self.column_of_pair).enumerate() {
-            for (a, r) in rows.iter().enumerate() {
-                for (b, c) in columns.iter().enumerate() {
-                    let size = self.tableau[(*r_pair, *c)].abs().min(self.tableau[(*r, *c_pair)].abs());
-                    if size > best.3 {
-                        best = (pair, a, b, size);
-                    }
-                }
-            }
-        }
-        if best.3 <= FREE_PIVOT {
-            return false;
-        }
-        let pair = best.0;
-        let (r, c) = (rows.swap_remove(best.1), columns.swap_remove(best.2));
+        let (height, width) = (rows.len(), columns.len());
+        let pairs = 0..self.swapped.len();
+        let places = pairs.flat_map(|p| (0..height).flat_map(move |a| (0..width).map(move |b| (p, a, b))));
+        let sizes = places.map(|(pair, a, b)| {
+            let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
+            let sizes = [(r_pair, columns[b]), (rows[a], c_pair)].map(|at| self.tableau[at].abs());
+            ((pair, a, b), sizes[0].min(sizes[1]))
+        });
+        let Some((pair, a, b)) = largest_pivot(sizes) else { return false };
+        let (r, c) = (rows.swap_remove(a), columns.swap_remove(b));
         let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
-        // First u for w_i: column c then belongs to w_i. Then z_i for the equality: row r belongs to z_i.
+        // First u for w_i: column c then belongs to w_i. Then z_i for the equality: row r belongs
+        // to z_i.
         self.exchange(r_pair, c);
         self.exchange(r, c_pair);
         self.tableau.column_mut(c_pair).fill(0.0);
@@ -149,7 +136,7 @@ impl Reduction {
     }
 
     /// (u, z) in the caller's units from a solution of the problem that is left.
-    pub(crate) fn point(&self, solution: &Solution) -> Vec<f64> {
+    pub(super) fn point(&self, solution: &Solution) -> Vec<f64> {
         let n = self.swapped.len();
         let mut point = vec![0.0; self.free + n];
         for (u, row) in self.row_of_free.iter().enumerate() {
@@ -165,4 +152,15 @@ impl Reduction {
         }
         point
     }
+}
+
+/// The first place of the largest size, if that is a pivot.
+fn largest_pivot<P>(sizes: impl Iterator<Item = (P, f64)>) -> Option<P> {
+    let mut best = (None, FREE_PIVOT);
+    for (place, size) in sizes {
+        if size > best.1 {
+            best = (Some(place), size);
+        }
+    }
+    best.0
 }

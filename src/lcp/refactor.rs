@@ -1,14 +1,16 @@
-//! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh, starting elsewhere.
+//! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh,
+//! starting elsewhere.
 
 use super::dictionary::{Unknown, largest};
+use super::memory::refill;
 use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS, ZERO};
 use crate::numerics::generic;
 
 impl Path {
-    /// How far the values of the basic variables are from solving w = q + M z + d z₀, as a fraction of the terms of a
-    /// row. A thousandth of the largest q_i is counted with the terms, or rows of nothing but noise would drift.
+    /// How far the basic values miss w = q + M z + d z₀, as a part of the terms of a row.
+    /// [`DRIFT_FLOOR`] of the largest q_i is counted with the terms.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -21,8 +23,7 @@ impl Path {
     /// r = q + M z + d z₀ − w at the present values, and the size of its terms, row by row.
     fn compute_defect(&mut self, m: &[f64]) {
         let n = self.q.len();
-        self.defect.clear();
-        self.defect.extend_from_slice(&self.q);
+        self.defect.clone_from(&self.q);
         self.terms.clear();
         self.terms.extend(self.q.iter().map(|q| q.abs()));
         for (basic, x) in self.dictionary.basic.iter().zip(&self.dictionary.x) {
@@ -36,20 +37,19 @@ impl Path {
                 }
                 Unknown::Z(j) => {
                     let factor = self.scaling.column[j] * x;
-                    let column =
-                        m[j * n..(j + 1) * n].iter().zip(&self.scaling.row).map(|(m, row)| m * row * factor);
+                    let column = m[j * n..(j + 1) * n].iter().zip(&self.scaling.row);
+                    let column = column.map(|(m, row)| m * row * factor);
                     add_with_terms(&mut self.defect, &mut self.terms, column);
                 }
             }
         }
     }
 
-    /// Computes the dictionary of the present basis anew from the data, by elimination with row pivoting, and puts
-    /// the column of the entering variable back.
-    pub(crate) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
+    /// Computes the dictionary of the present basis anew from the data, by elimination with row
+    /// pivoting, and puts the column of the entering variable back.
+    pub(super) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
-        self.saved.clear();
-        self.saved.resize(2 * self.q.len() + 1, 0.0);
+        refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
         for (row, basic) in self.dictionary.basic.iter().enumerate() {
             self.saved[index(*basic, self.q.len())] = self.dictionary.p[row];
             if !matches!(basic, Unknown::W(_)) {
@@ -91,7 +91,8 @@ impl Path {
         Ok(())
     }
 
-    /// Adds to the values the effect of the defect computed last, and measures anew what rounding they may carry.
+    /// Adds to the values the effect of the defect computed last, and measures anew the rounding
+    /// they may carry.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = std::mem::take(&mut self.terms);
@@ -103,21 +104,22 @@ impl Path {
     }
 
     /// The values for a new right-hand side in the present dictionary.
-    pub(crate) fn recompute_values(&mut self) {
+    pub(super) fn recompute_values(&mut self) {
         let mut x = std::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
         self.dictionary.x = x;
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the present complementary basis, covering only what is infeasible there: with c = 1 unit in these
-    /// rows of the dictionary and 0 in the others, d is the vector for which c is the column of z₀. Returns whether
-    /// anything is infeasible.
-    pub(crate) fn cover_violations(&mut self, m: &[f64]) -> bool {
+    /// Prepares z₀ to enter the present complementary basis, covering only the rows that are
+    /// infeasible there. Returns whether there are any.
+    ///
+    /// The column of z₀ has one unit in these rows of the dictionary and 0 in the others; d is the
+    /// vector for which it has.
+    pub(super) fn cover_violations(&mut self, m: &[f64]) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
-        self.d.clear();
-        self.d.resize(n, 0.0);
+        refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
             // One unit of the exactly balanced problem, as everywhere.
@@ -126,7 +128,7 @@ impl Path {
                 Unknown::Z(j) => self.scaling.column_unit(j),
                 Unknown::Covering => 1.0,
             };
-            // By the variable, since the order of rows depends on rounding.
+            // The perturbation goes by the variable, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -ZERO * dictionary.level[row] {
@@ -146,23 +148,21 @@ impl Path {
                 Unknown::Covering => {}
             }
         }
-        dictionary.d.clear();
-        dictionary.d.extend_from_slice(&self.d);
+        dictionary.d.clone_from(&self.d);
         violated
     }
 
-    /// Lets z₀ be the parameter of q + z₀ d from here on, d given in the caller's rows, and puts its column into the
-    /// dictionary.
-    pub(crate) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
+    /// Lets z₀ be the parameter of q + z₀ d from here on, and puts its column into the dictionary.
+    /// The vector d is given in the caller's rows.
+    pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
-        self.dictionary.d.clear();
-        self.dictionary.d.extend_from_slice(&self.d);
+        self.dictionary.d.clone_from(&self.d);
         self.dictionary.enter(Unknown::Covering, m, &self.scaling);
     }
 
     /// Installs the complementary basis in which z_i is basic where `active(i)`.
-    pub(crate) fn install_basis(
+    pub(super) fn install_basis(
         &mut self,
         m: &[f64],
         active: impl Fn(usize) -> bool,

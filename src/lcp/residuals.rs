@@ -1,13 +1,16 @@
-//! How well a point solves the problem, from the data as given.
+//! How well a point solves the problem, measured on the data as given.
 
 use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
 use nalgebra::DMatrix;
 
 /// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, as pure numbers.
 ///
-/// Row i is measured by the size of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j|, and z_j by the largest share it has
-/// in any row, s_j = max_i |M_ij| |z_j| / a_i. Both measures stay the same when rows, columns or
-/// the whole problem change their units. A row without terms (a_i = 0) is satisfied exactly.
+/// Row i is measured by the size of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j|, as in W. Oettli and
+/// W. Prager, Numer. Math. 6, 1964. An entry z_j is measured by the largest share it has in any
+/// row, s_j = max_i |M_ij| |z_j| / a_i.
+///
+/// Neither measure changes when rows, columns or the whole problem change their units. A row
+/// without terms (a_i = 0) is satisfied exactly.
 ///
 /// A z_j ≠ 0 whose column of M is zero counts as s_j = 1: no change of the rows can make up for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,14 +38,14 @@ impl Residuals {
         self.negative_z <= tolerance && self.negative_w <= tolerance && self.complementarity <= tolerance
     }
 
-    /// Residuals that no test accepts.
-    pub(crate) const UNUSABLE: Self =
+    /// These residuals are accepted by no test.
+    pub(super) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
 
-/// Whether a point with these residuals and terms says nothing about q, because another q of quite different entries
-/// would have passed as well. `row` balances the rows.
-pub(crate) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
+/// Whether a point with these residuals and terms says nothing about q, because another q of quite
+/// different entries would have passed as well. `row` balances the rows.
+pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
     if missed > residual_rounding(q.len()) && missed * balanced(terms) > BACKWARD_ERROR * balanced(q) {
@@ -52,7 +55,7 @@ pub(crate) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
 }
 
 /// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
-pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
+pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
     w.copy_from_slice(q);
     for (a, q) in terms.iter_mut().zip(q) {
         *a = q.abs();
@@ -61,7 +64,7 @@ pub(crate) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f
     if n == 0 {
         return;
     }
-    // Four columns at a time.
+    // Four columns are added at a time.
     let column = |j: usize| &m.as_slice()[j * n..(j + 1) * n];
     let mut support = z.iter().enumerate().filter(|(_, z)| **z != 0.0).map(|(j, z)| (j, *z));
     while let Some(first) = support.next() {
@@ -92,7 +95,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
 }
 
 /// The residuals at z, given w and the sizes a of its terms.
-pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
+pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
     let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
     if n == 0 {
@@ -123,11 +126,13 @@ pub(crate) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
     out
 }
 
-/// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is so too.
+/// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number
+/// that is at least `enough` too.
 fn share(column: &[f64], z: f64, terms: &[f64], enough: f64) -> f64 {
     let mut share = None;
     for (m, a) in column.iter().zip(terms) {
-        // An underflowed product leaves a_i = 0 although M_ij is not zero; such a row says nothing about z_j.
+        // An underflowed product leaves a_i = 0 although M_ij is not zero. Such a row says nothing
+        // about z_j.
         if *m != 0.0 && *a > 0.0 {
             let largest = share.unwrap_or(0.0_f64).max(m.abs() * z.abs() / a);
             if largest >= enough {

@@ -1,28 +1,35 @@
 //! Balancing rows and columns.
 //!
-//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the entries that are not zero
-//! (Curtis & Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972). Its scaled matrix
-//! 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M are multiplied by positive numbers, so neither does the path
-//! of a solver that works on it. Scaling by the largest entries has no such property: it depends on the start. If M has
-//! zeros, q takes part as one more column, since otherwise blocks of M that are not coupled would each keep a free factor.
+//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the entries
+//! that are not zero (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for
+//! Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or
+//! columns of M are multiplied by positive numbers. Neither, then, does the path of a solver that
+//! works on it.
 //!
-//! The data are multiplied by powers of two only, which adds no rounding error and leaves ties ties. The part of ρ_i
-//! lost in rounding it to an integer is kept in the covering vector, where it costs nothing. For the same reason
-//! the problem is solved to rounding: rows that are alike must get entries of d that are equal, not nearly equal, or ties
-//! would turn into badly conditioned near-ties.
+//! Scaling by the largest entries has no such property: it depends on the start. If M has zeros, q
+//! takes part as one more column. Otherwise blocks of M that are not coupled would each keep a free
+//! factor.
+//!
+//! The data are multiplied by powers of two only, which adds no rounding error and leaves ties
+//! ties. The part of ρ_i lost in rounding it to an integer is kept in the covering vector, where it
+//! costs nothing.
+//!
+//! For ties, too, the problem is solved to rounding: rows that are alike must get entries of d that
+//! are equal, not nearly equal, or ties would turn into badly conditioned near-ties.
 
 use super::logarithms::Logarithms;
-use super::pattern::{Pattern, counts};
+use super::memory::refill;
+use super::pattern::Pattern;
 use super::tolerances::SETTLED;
 use nalgebra::{DMatrix, DVector};
 
 /// Row and column factors: scaled M_ij = row_i M_ij column_j, all factors powers of two.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Scaling {
-    pub(crate) row: Vec<f64>,
-    pub(crate) column: Vec<f64>,
-    /// What one unit of the exactly balanced row i measures in the rounded one: row_i / 2^ρ_i.
-    pub(crate) row_unit: Vec<f64>,
+pub(super) struct Scaling {
+    pub(super) row: Vec<f64>,
+    pub(super) column: Vec<f64>,
+    /// What one unit of the exactly balanced row i measures in the rounded row: row_i / 2^ρ_i.
+    pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
     rows: Logarithms,
@@ -34,17 +41,18 @@ pub(crate) struct Scaling {
     image: Vec<f64>,
 }
 
-/// A bound on the conjugate-gradient steps for patterns with zeros: contact problems take about ten; on chains the ends
-/// are felt more slowly, but then no longer matter.
+/// A bound on the conjugate-gradient steps for patterns with zeros.
+///
+/// Contact problems take about ten. On chains the ends are felt more slowly, but then no longer
+/// matter.
 const STEPS: usize = 24;
+
 impl Scaling {
     /// Balances the n × n matrix m, stored by columns, and q.
-    pub(crate) fn balance(&mut self, n: usize, m: &[f64], q: &[f64]) {
+    pub(super) fn balance(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::of(n, m, &mut self.rows, &mut self.columns);
-        for vector in [&mut self.rho, &mut self.gamma] {
-            vector.clear();
-            vector.resize(n, 0.0);
-        }
+        refill(&mut self.rho, n, 0.0);
+        refill(&mut self.gamma, n, 0.0);
         if self.columns.count.iter().all(|count| *count == n as f64) {
             // Full: γ_j = −mean_i, then ρ_i = −mean_j of what is left.
             for (gamma, sum) in self.gamma.iter_mut().zip(&self.columns.sum) {
@@ -60,42 +68,31 @@ impl Scaling {
         self.round();
     }
 
-    /// The least-squares problem with γ eliminated, γ_j = −mean_i (log₂|M_ij| + ρ_i), by conjugate gradients for ρ.
+    /// Solves the least-squares problem over those entries of [M, q] that take part.
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
-        let mut q_sum = 0.0;
-        let mut q_count = 0.0;
-        for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
-            let logarithm = q.abs().log2();
-            q_sum += logarithm;
-            q_count += 1.0;
-            self.rows.sum[i] += logarithm;
-            self.rows.count[i] += 1.0;
-        }
-        self.columns.sum.push(q_sum);
-        self.columns.count.push(q_count);
-        let total: f64 = self.columns.count.iter().sum();
-        // Few entries are listed; many are faster to look at in place than to look up.
-        let listed = 4.0 * total < (n * n) as f64;
-        self.pattern.clear();
-        if listed {
-            self.pattern.reserve(n * n / 4 + n);
-            for column in m.chunks_exact(n).chain(std::iter::once(q)) {
-                self.pattern.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
+        Logarithms::append(q, &mut self.rows, &mut self.columns);
+        let mut list = std::mem::take(&mut self.pattern);
+        let pattern = Pattern::of(n, m, q, &self.columns.count, &mut list);
+        self.descend(&pattern);
+        pattern.for_each(&self.columns.count, |j, count, column| {
+            if j < n {
+                self.gamma[j] = -(self.columns.sum[j] + column.sum(&self.rho)) / count;
             }
-        }
-        let pattern = std::mem::take(&mut self.pattern);
-        let source = if listed { Pattern::Listed(&pattern) } else { Pattern::InPlace { n, m, q } };
+        });
+        self.pattern = list;
+    }
 
+    /// Conjugate gradients for ρ from 0, with γ eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
+    fn descend(&mut self, pattern: &Pattern) {
+        let n = self.rho.len();
         // The residual at ρ = 0.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
-        source.for_each(&self.columns.count, |j, count, column| {
+        pattern.for_each(&self.columns.count, |j, count, column| {
             column.add(self.columns.sum[j] / count, &mut self.residual);
         });
-        self.direction.clear();
-        self.direction.resize(n, 0.0);
-        self.image.clear();
-        self.image.resize(n, 0.0);
+        refill(&mut self.direction, n, 0.0);
+        refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
         for _ in 0..STEPS {
             // Preconditioned by the counts.
@@ -118,7 +115,7 @@ impl Scaling {
             for ((image, d), count) in self.image.iter_mut().zip(&self.direction).zip(&self.rows.count) {
                 *image = d * count;
             }
-            source.for_each(&self.columns.count, |_, count, column| {
+            pattern.for_each(&self.columns.count, |_, count, column| {
                 column.add(-column.sum(&self.direction) / count, &mut self.image);
             });
             let curvature: f64 = self.direction.iter().zip(&self.image).map(|(d, a)| d * a).sum();
@@ -131,16 +128,10 @@ impl Scaling {
                 self.residual[i] -= step * self.image[i];
             }
         }
-        source.for_each(&self.columns.count, |j, count, column| {
-            if j < n {
-                self.gamma[j] = -(self.columns.sum[j] + column.sum(&self.rho)) / count;
-            }
-        });
-        self.pattern = pattern;
     }
 
-    /// What one unit of the exactly balanced z_j measures in the rounded one: 2^γ_j / column_j.
-    pub(crate) fn column_unit(&self, j: usize) -> f64 {
+    /// What one unit of the exactly balanced z_j measures in the rounded z_j: 2^γ_j / column_j.
+    pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
 

@@ -7,10 +7,11 @@ use super::settings::Settings;
 use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
-/// A series of problems with the same M, each solved from the basis of the one before.
+/// A series of problems that share one M, each solved from the basis of the one before.
 ///
-/// The dictionary of the last basis is kept, so a new q costs about one pivot to look at and then the pivots in which its basis
-/// differs. Once two problems have been solved, nothing is allocated any more unless a path fails.
+/// The dictionary of the last basis is kept. A new q costs about one pivot to look at, and then the
+/// pivots in which its basis differs. Once two problems have been solved, nothing is allocated any
+/// more unless a path fails.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Answer, Series, Settings};
@@ -19,7 +20,8 @@ use nalgebra::{DMatrix, DVector};
 /// let m = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
 /// let mut series = Series::new(m, Settings::default())?;
 /// for (q, pivots) in [([-5.0, -6.0], 3), ([-5.0, -6.1], 0)] {
-///     let Answer::Solved(solution) = series.solve(&DVector::from_column_slice(&q))? else { panic!("M > 0") };
+///     let q = DVector::from_column_slice(&q);
+///     let Answer::Solved(solution) = series.solve(&q)? else { panic!("M > 0") };
 ///     assert_eq!(solution.pivots, pivots);
 /// }
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -38,7 +40,8 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// [`LcpError::NotSquare`]; [`LcpError::MatrixEntry`] for an entry that is not finite.
+    /// [`LcpError::NotSquare`] for a matrix that is not square, [`LcpError::MatrixEntry`] for an
+    /// entry that is not finite.
     pub fn new(m: DMatrix<f64>, settings: Settings) -> Result<Self, LcpError> {
         let q = DVector::zeros(m.nrows());
         Ok(Self { lcp: Lcp::new(m, q)?, settings, workspace: Workspace::new(), started: false })
@@ -48,7 +51,8 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for an entry that is not finite.
+    /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for
+    /// an entry that is not finite.
     pub fn solve(&mut self, q: &DVector<f64>) -> Result<Answer<'_>, LcpError> {
         LcpError::check_vector("q", q, self.lcp.len())?;
         self.lcp.q.copy_from(q);

@@ -1,17 +1,20 @@
-//! How a solve is carried out.
+//! Limits, tolerances and the covering vector of a solve.
 
 use nalgebra::DVector;
 
-/// Limits, tolerances and the covering vector of a solve. [`Settings::default`] is right for almost every problem.
+/// Limits, tolerances and the covering vector of a solve. [`Settings::default`] is right for almost
+/// every problem.
 ///
-/// Every tolerance is a pure number: the solver balances rows and columns of M first and compares each
-/// quantity with the largest terms it was computed from, so none of them has to follow the units of a problem.
+/// Every tolerance is a pure number. The solver balances rows and columns of M first and compares
+/// each quantity with the largest terms it was computed from. So no tolerance has to follow the
+/// units of a problem.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Outcome, Settings};
 /// use nalgebra::{DMatrix, DVector};
 ///
-/// // Two pairs on the diagonal, both negative at z = 0: both have to be exchanged, which takes three pivots with z₀.
+/// // Two pairs on the diagonal, both negative at z = 0: both have to be exchanged, which takes
+/// // three pivots with z₀.
 /// let problem = Lcp::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-1.0, -2.0]))?;
 /// let one_path = Settings::default().with_retries(0).with_enumerate_up_to(0);
 /// assert!(problem.solve_with(&one_path.clone().with_max_pivots(3)).solution().is_some());
@@ -22,56 +25,66 @@ use nalgebra::DVector;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the caller's units.
+    /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the
+    /// caller's units.
     ///
-    /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every
-    /// entry must be finite and not negative, and positive where q is negative; otherwise the solve ends in
-    /// [`Outcome::Breakdown`](super::Outcome::Breakdown). Another d is another path: it may end in another solution,
-    /// and on matrices without a guarantee in a ray where this one finds a solution.
-    /// `None` takes the vector of ones on the balanced problem, which makes the path independent of the units
-    /// of rows, columns and q.
+    /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches
+    /// zero. Every entry of d must be finite and not negative, and positive where q is negative;
+    /// otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
+    ///
+    /// Another d is another path. It may end in another solution and, on matrices without a
+    /// guarantee, in a ray where this one finds a solution. `None` takes the vector of ones on the
+    /// balanced problem, which makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
     /// The number of pivots after which the solve gives up with
     /// [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
-    /// It guards against the problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); cycling
-    /// is excluded by the tie rule. A number given here bounds all paths together.
-    /// `None` allows 10000 + 100 n for the first path, and 100 + 10 n for each retry: ordinary problems need one to three times n, and
-    /// the exponential families are still solved up to n = 13. Smaller values cut solvable problems
-    /// off, larger ones only make the exponential families run longer.
+    /// It guards against the problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi);
+    /// the tie rule excludes cycling. A number given here bounds all paths together.
+    ///
+    /// `None` allows 10000 + 100 n for the first path, and 100 + 10 n for each retry. Ordinary
+    /// problems need one to three times n, and the exponential families are still solved up to
+    /// n = 13. Smaller values cut solvable problems off, larger ones only make the exponential
+    /// families run longer.
     pub max_pivots: Option<usize>,
-    /// A coefficient of the entering column blocks the entering variable only if it exceeds this fraction of the
-    /// largest entry of the column (at least 1 in balanced units), or of the terms of its own row (default 1e-11).
+    /// A coefficient of the entering column blocks the entering variable only if it is no noise
+    /// (default 1e-11). It must exceed this part of the largest entry of the column, at least 1 in
+    /// balanced units, or of the terms of its own row.
     ///
-    /// It guards against pivots on rounding noise where the true coefficient is zero. Noise is some 1e-16 times the
-    /// growth of the elimination; a value below 1e-14 lets noise become a pivot and turns
-    /// rays into wrong bases, one above 1e-6 overlooks real blocking rows of badly conditioned problems.
+    /// It guards against pivots on rounding noise where the true coefficient is zero. Noise is some
+    /// 1e-16 times the growth of the elimination. A value below 1e-14 lets noise become a pivot and
+    /// turns rays into wrong bases; one above 1e-6 overlooks real blocking rows of badly
+    /// conditioned problems.
     pub pivot_tolerance: f64,
-    /// Two rows block at the same step if their values then differ by less than this fraction of what the step has taken
-    /// from them (default 1e-12), or by less than the rounding error which they may carry in any case.
+    /// Two rows block at one step if their values then differ by little: less than this part
+    /// (default 1e-12) of the amount that the step has taken from them. Less than the rounding
+    /// error which they may carry in any case is little, too.
     ///
-    /// It guards the tie rule: rows which tie in exact arithmetic must be seen to tie, although rounding
-    /// separated them. At 0 exact ties may be missed and z₀ lose one, so a solved problem
-    /// is carried on into a ray; above 1e-8 rows that do not tie are treated as if they did, and values of
-    /// that size become negative.
+    /// It guards the tie rule: rows which tie in exact arithmetic must be seen to tie, although
+    /// rounding separated them. At 0 exact ties may be missed and z₀ lose one, so a solved problem
+    /// is carried on into a ray. Above 1e-8 rows that do not tie are treated as if they did, and
+    /// values of that size become negative.
     pub tie_tolerance: f64,
-    /// A point is called a solution only if all its [`Residuals`](super::Residuals), recomputed from the M and q given,
-    /// are at most this (default 1e-10).
+    /// A point is called a solution only if all its [`Residuals`](super::Residuals), recomputed
+    /// from the M and q given, are at most this (default 1e-10).
     ///
-    /// It guards against wrong success. Solutions come out below 1e-14 unless the basis is nearly singular; a
-    /// value below 1e-15 would reject correctly rounded solutions, one above 1e-6 accept points that solve a
-    /// visibly different problem.
+    /// It guards against wrong success. Solutions come out below 1e-14 unless the basis is nearly
+    /// singular. A value below 1e-15 would reject correctly rounded solutions; one above 1e-6 would
+    /// accept points that solve a visibly different problem.
     pub residual_tolerance: f64,
-    /// How many other covering vectors, and as many other starting bases, are tried after a ray that proves nothing, a
-    /// breakdown, or a first path of its default length that reached no end (default 8).
+    /// How many other covering vectors, and as many other starting bases, are tried (default 8).
+    /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
+    /// that reached no end.
     ///
-    /// It guards against rays on solvable problems, which other paths often avoid. They are fixed, so the same
-    /// problem takes the same paths. 0 follows one path only; more than a few dozen hardly ever find more.
+    /// It guards against rays on solvable problems, which other paths often avoid. The retries are
+    /// fixed, so a problem takes the paths that it took before. 0 follows one path only; more than
+    /// a few dozen hardly ever find more.
     pub retries: usize,
-    /// For n up to this all 2ⁿ complementary bases are tried when no path has ended in a solution and no proof of
-    /// infeasibility was found (default 10).
+    /// For n up to this all 2ⁿ complementary bases are tried at last (default 10): when no path has
+    /// ended in a solution and no proof of infeasibility was found.
     ///
-    /// It guards against missing solutions that no path reaches. Each further row doubles its cost; no n above 20 is tried.
+    /// It guards against missing solutions that no path reaches. Each further row doubles the cost;
+    /// no n above 20 is tried.
     pub enumerate_up_to: usize,
 }
 
@@ -90,28 +103,31 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The same with another covering vector, see [`Settings::covering`].
+    /// These settings with another covering vector, see [`Settings::covering`].
     #[must_use]
     pub fn with_covering(mut self, covering: DVector<f64>) -> Self {
         self.covering = Some(covering);
         self
     }
 
-    /// The same with a limit on the pivots of all paths together.
+    /// These settings with a limit on the pivots of all paths together, see
+    /// [`Settings::max_pivots`].
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);
         self
     }
 
-    /// The same with another number of retries; 0 follows one path only.
+    /// These settings with another number of retries; 0 follows one path only. See
+    /// [`Settings::retries`].
     #[must_use]
     pub fn with_retries(mut self, retries: usize) -> Self {
         self.retries = retries;
         self
     }
 
-    /// The same with all complementary bases tried up to another n; 0 tries none.
+    /// These settings with all complementary bases tried up to another n; 0 tries none. See
+    /// [`Settings::enumerate_up_to`].
     #[must_use]
     pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
         self.enumerate_up_to = enumerate_up_to;
@@ -124,12 +140,13 @@ impl Settings {
     }
 
     /// The pivot limit for a problem of n rows.
-    pub(crate) fn pivot_limit(&self, n: usize) -> usize {
+    pub(super) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The limit for one more path of a problem of n rows on which so many pivots are made: a path of exponential
-    /// length is not followed again to its end.
+    /// The pivot limit of one more path for a problem of n rows on which so many pivots are made.
+    ///
+    /// A path of exponential length is not followed again to its end.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
     }

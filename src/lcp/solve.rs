@@ -1,8 +1,10 @@
-//! Where a solve starts: from the slacks, from a basis, or from the dictionary of the problem before.
+//! The starts of a solve: from the slacks, from a basis, or from the dictionary of the problem
+//! before.
 
 use super::answer::Answer;
 use super::basis::Basis;
 use super::lemke::End;
+use super::memory::refill;
 use super::outcome::Outcome;
 use super::problem::Lcp;
 use super::settings::Settings;
@@ -15,10 +17,11 @@ impl Lcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem by Lemke's method; an ordinary path has one to three times n pivots.
+    /// Solves the problem by Lemke's method. An ordinary path has one to three times n pivots.
     ///
-    /// Where the first path ends without a solution, but not at a limit on pivots or a wrong covering vector that the caller has set, these
-    /// follow, each only if those before have settled nothing:
+    /// The first path may end without a solution. A limit on pivots or a wrong covering vector that
+    /// the caller has set is then the answer. Otherwise these follow, each only if those before
+    /// have settled nothing:
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 };
@@ -31,7 +34,8 @@ impl Lcp {
     ///
     /// // w = −z − 1 is negative for every z ≥ 0: y = 1 has Mᵀy = −1 ≤ 0 and qᵀy = −1 < 0.
     /// let problem = Lcp::new(DMatrix::from_element(1, 1, -1.0), DVector::from_element(1, -1.0))?;
-    /// let Outcome::Ray(ray) = problem.solve_with(&Settings::default().with_retries(0)) else { panic!("w < 0") };
+    /// let one_path = Settings::default().with_retries(0);
+    /// let Outcome::Ray(ray) = problem.solve_with(&one_path) else { panic!("w < 0") };
     /// let Proof::Infeasible(y) = ray.proof else { panic!("no z ≥ 0 has w ≥ 0") };
     /// assert!(problem.proves_infeasible(&y));
     /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -41,11 +45,14 @@ impl Lcp {
         Workspace::new().solve(self, settings).into_outcome()
     }
 
-    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such as that of a
-    /// neighbouring problem: only what is infeasible there is covered by z₀, so the path is as short as the bases are close.
+    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such
+    /// as that of a neighbouring problem.
     ///
-    /// A singular basis, a basis of another length, or a path that does not end in a solution lead back to
-    /// [`Lcp::solve_with`]. For many q with the same M use a [`Series`].
+    /// Only rows that are infeasible there are covered by z₀, so the path is as short as the bases
+    /// are close.
+    ///
+    /// A singular basis, a basis of another length, or a path that does not end in a solution lead
+    /// back to [`Lcp::solve_with`]. For many q with one M use a [`Series`](super::Series).
     ///
     /// ```
     /// use grasp_lcp::lcp::{Basis, Lcp, Settings};
@@ -80,8 +87,7 @@ impl Workspace {
     /// Solves a problem like [`Lcp::solve_from`].
     pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
         self.prepare(lcp);
-        self.path.d.clear();
-        self.path.d.resize(lcp.len(), 0.0);
+        refill(&mut self.path.d, lcp.len(), 0.0);
         let fits = basis.len() == lcp.len()
             && self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok();
         let failure = if fits { self.resume(lcp, settings) } else { self.climb(lcp, settings) };
@@ -103,7 +109,8 @@ impl Workspace {
         self.resume(lcp, settings)
     }
 
-    /// Follows the path from the present complementary basis; a failure starts again from the slacks.
+    /// Follows the path from the present complementary basis. A failure starts again from the
+    /// slacks.
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();

@@ -1,67 +1,78 @@
-//! What the solver takes for zero, for noise or for rounding: every such number of this room.
+//! The numbers below which the solver takes a value for zero, for noise or for rounding.
 //!
-//! All of them are pure numbers. Rows and columns of M are balanced first, so entries of M lie near 1; every other
-//! quantity is compared with the terms it was computed from. ε = 2⁻⁵². The tolerances that a caller may move are
-//! fields of [`Settings`](super::Settings), each with its reason there.
+//! All of them are pure numbers. Rows and columns of M are balanced first, so entries of M lie near
+//! 1; every other quantity is compared with the terms it was computed from. ε = 2⁻⁵².
+//!
+//! The tolerances that a caller may move are fields of [`Settings`](super::Settings), each with its
+//! reason there.
 
 /// A value is zero below this part of its largest term, or of the largest value of its kind.
 ///
-/// Sums of n terms carry some nε, and a few pivots a few times that. Smaller, noise is kept in the basis and solutions
-/// miss their `degenerate`; from 1e-10 on values are cut off that the residuals miss.
+/// Sums of n terms carry some nε, and a few pivots a few times that. Smaller, noise is kept in the
+/// basis and solutions miss their `degenerate`; from 1e-10 on values are cut off that the residuals
+/// miss.
 pub(super) const ZERO: f64 = 1e-13;
 
-/// Residuals above this are worth a fresh factorisation of the basis, which costs n³/3 flops.
+/// Residuals above this are worth a fresh factorisation of the basis, at up to 2n³/3 flops.
 ///
-/// Refined points stay below it unless the basis is nearly singular. Smaller, ordinary problems pay for
-/// factorisations; larger, digits are given away that the data still hold.
+/// Refined points stay below it unless the basis is nearly singular. Smaller, ordinary problems pay
+/// for factorisations; larger, digits are given away that the data still hold.
 pub(super) const SOUND: f64 = 1e-13;
 
 /// The value of a basic variable may carry this part of the largest term that has gone into it.
 ///
-/// It is the rounding of some sixteen operations on that term. Smaller, exact ties come apart and the tie rule fails;
-/// larger, rows that block one after the other count as ties, and values of that size become negative.
+/// It is the rounding of some sixteen operations on that term. Smaller, exact ties come apart and
+/// the tie rule fails. Larger, rows that block one after the other count as ties, and values of
+/// that size become negative.
 pub(super) const VALUE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A coefficient below this part of its column is noise, whatever the terms of its row.
 ///
-/// One addition to an entry of the column's size leaves this much. Larger, true coefficients of badly scaled columns
-/// are lost before anyone looks at their rows; at 0, noise is looked at in every column.
+/// One addition to an entry of the column's size leaves this much. Larger, true coefficients of
+/// badly scaled columns are lost before anyone looks at their rows; at 0, noise is looked at in
+/// every column.
 pub(super) const COLUMN_NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// Entries of the column of a slack below this part of its largest are rounding.
 ///
-/// Such a column is carried from pivot to pivot instead of summed, so no terms are known for it; the updates of some
-/// dozen pivots leave this much. Smaller, noise of it becomes a pivot; larger, true small pivots are overlooked.
+/// Such a column is carried from pivot to pivot instead of summed, so no terms are known for it;
+/// the updates of some dozen pivots leave this much. Smaller, noise of it becomes a pivot; larger,
+/// true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A pivot below this part of its column is made only in a dictionary computed afresh.
 ///
-/// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be gone. Larger,
-/// dictionaries are computed afresh, at O(n³), where nothing was lost; smaller, pivots are made on noise.
+/// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits
+/// would be gone. Larger, dictionaries are computed afresh, at O(n³), where nothing was lost;
+/// smaller, pivots are made on noise.
 pub(super) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
 /// A dictionary whose values miss the data by more than this part of their terms is computed anew.
 ///
-/// It leaves a path its sense of sign down to 1e-10 of the terms. Smaller, long paths are factorised
-/// again and again; larger, the path may turn where the problem does not.
+/// It leaves a path its sense of sign down to 1e-10 of the terms. Smaller, long paths are
+/// factorised again and again; larger, the path may turn where the problem does not.
 pub(super) const DRIFT: f64 = 1e-10;
 
 /// This part of the largest q_i is counted with the terms of every row when drift is measured.
 ///
-/// A row of nothing but noise has no terms that its noise could be small against. Smaller, such rows
-/// ask for fresh dictionaries that are no better; larger, drift in rows of small terms goes unseen.
+/// A row of nothing but noise has no terms that its noise could be small against. Smaller, such
+/// rows ask for fresh dictionaries that are no better; larger, drift in rows of small terms goes
+/// unseen.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
-/// A z that is zero is taken out of the basis only over a pivot of at least this part of its column.
+/// A z that is zero is taken out of the basis only over a pivot of at least this part of its
+/// column.
 ///
-/// The exchange serves the digits of the other values, which a smaller pivot would cost more than it saves. At 1 hardly
-/// any such z leaves.
+/// The exchange serves the digits of the other values, which a smaller pivot would cost more than
+/// it saves. At 1 hardly any such z leaves.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// Where a dictionary is computed anew, a basis is singular if a pivot is below this part of its column before elimination.
+/// Where a dictionary is computed anew, a basis is singular if a pivot is below this part of its
+/// column before elimination.
 ///
-/// Row pivoting only, so some fifty roundings are allowed for. Smaller, singular bases pass and give values of
-/// 1e15; larger, bases of condition 1e14 are refused that refinement would still save.
+/// Rows only are pivoted, so some fifty roundings are allowed for. Smaller, singular bases pass and
+/// give values of 1e15; larger, bases of condition 1e14 are refused that refinement would still
+/// save.
 pub(super) const SINGULAR_BASIS: f64 = 1e-14;
 
 /// A block with a pivot below this is singular, the entries of the balanced block being near 1.
@@ -70,69 +81,83 @@ pub(super) const SINGULAR_BASIS: f64 = 1e-14;
 /// blocks pass; larger, solutions of badly conditioned blocks are lost to `all_solutions`.
 pub(super) const SINGULAR_BLOCK: f64 = 1e-15;
 
-/// An entry of the tableau of a mixed problem below this is zero, the balanced entries being near 1.
+/// An entry of the tableau of a mixed problem below this is zero, the balanced entries being near
+/// 1.
 ///
-/// Whole rows and columns are eliminated without refinement, so thousands of roundings are allowed for. Smaller, a free
-/// variable is eliminated by noise; larger, variables that are determined are called undetermined.
+/// Whole rows and columns are eliminated without refinement, so thousands of roundings are allowed
+/// for. Smaller, a free variable is eliminated by noise; larger, variables that are determined are
+/// called undetermined.
 pub(super) const FREE_PIVOT: f64 = 1e-12;
 
-/// A dependent equality is satisfied if its constant is below this part of 1 plus the largest constant.
+/// A dependent equality is satisfied if its constant is below this part of 1 plus the largest
+/// constant.
 ///
-/// Constants have been through all eliminations. Smaller, consistent equalities are sent to the split form, which is
-/// larger; larger, contradictions pass here and are found by the residuals only.
+/// Constants have been through all eliminations. Smaller, consistent equalities are sent to the
+/// split form, which is larger; larger, contradictions pass here and are found by the residuals
+/// only.
 pub(super) const DEPENDENT: f64 = 1e-10;
 
-/// The rates of a ray below this part of their column are noise (of columns of largest entry below 1: below this).
+/// The rates of a ray are noise below this part of the largest rate, or of 1 if that is larger.
 ///
-/// A negative rate of that size would spoil a proof, a positive one adds noise to it. Larger, true small rates are
-/// missing from the proof, which then fails its check and is looked for by linear programming.
+/// A negative rate of that size would spoil a proof, a positive one adds noise to it. Larger, true
+/// small rates are missing from the proof. It then fails its check, and linear programming must
+/// find another.
 pub(super) const RAY_NOISE: f64 = 1e-12;
 
-/// Two solutions are one point if each pair of entries differs by at most this part of the larger one.
+/// Two solutions are one point if each pair of entries differs by at most this part of the larger
+/// one.
 ///
-/// Two bases of condition 1e7 leave so much. Smaller, a degenerate point is listed twice; larger, two close
-/// solutions are listed once. Entries that are zero but for rounding pass by [`SAME_POINT`].
+/// Two bases of condition 1e7 leave so much. Smaller, a degenerate point is listed twice; larger,
+/// two close solutions are listed once. Entries that are zero but for rounding pass by
+/// [`SAME_POINT`].
 pub(super) const SAME_ENTRY: f64 = 1e-9;
 
-/// A pair of entries of two solutions also counts as equal if it differs by at most this part of the largest entry.
+/// A pair of entries of two solutions also counts as equal if it differs by at most this part of
+/// the largest entry.
 ///
-/// It takes in entries that are zero but for rounding. Smaller, their noise makes two points of one; larger, two
-/// solutions of entries of very different size are listed once.
+/// It takes in entries that are zero but for rounding. Smaller, their noise makes two points of
+/// one. Larger, two solutions that differ in small entries only are listed once.
 pub(super) const SAME_POINT: f64 = 1e-12;
 
-/// A principal minor is positive if its last pivot exceeds this part of the entry it was computed from.
+/// A principal minor is positive if its last pivot exceeds this part of the entry it was computed
+/// from.
 ///
-/// Nested Schur complements of at most twelve rows leave some fifty roundings. Smaller, singular matrices are called
-/// P-matrices; larger, P-matrices close to singular are refused.
+/// Nested Schur complements of at most twelve rows leave some fifty roundings. Smaller, singular
+/// matrices are called P-matrices; larger, P-matrices close to singular are refused.
 pub(super) const POSITIVE_MINOR: f64 = 1e-14;
 
-/// A point whose residuals exceed rounding must solve the problem for a q that differs by at most this part of its
-/// largest entry, in balanced rows.
+/// A point whose residuals exceed rounding must solve the problem for a q close to the one given.
+/// In balanced rows, the two may differ by this part of the largest entry.
 ///
-/// Residuals measure against the terms of M z. Where those cancel down to a q that is 1e-10 of them, a tolerance of
-/// 1e-10 says nothing about q any more. Smaller, good points of badly conditioned problems are refused.
+/// Residuals measure against the terms of M z. Where those cancel down to a q that is 1e-10 of
+/// them, a tolerance of 1e-10 says nothing about q any more. Smaller, good points of badly
+/// conditioned problems are refused; larger, points pass that ignore q.
 pub(super) const BACKWARD_ERROR: f64 = 1e-6;
 
-/// q is lost in the terms of M z where it is below this part of them in every row: some hundred thousand roundings.
+/// q is lost in the terms of M z where it is below this part of them in every row: some hundred
+/// thousand roundings.
 ///
-/// A singular basis whose determinant came out as 1e-16 gives a z of 1e14 that satisfies 0 ≤ z ⟂ M z ≥ 0 and, to
-/// rounding, any q. Problems of condition 1e10 stay clear of this; larger, they are refused.
+/// A singular basis whose determinant came out as 1e-16 gives a z of 1e14. That z satisfies 0 ≤ z ⟂
+/// M z ≥ 0 and, to rounding, any q. Problems of condition 1e10 stay clear of this; larger, they are
+/// refused.
 pub(super) const LOST: f64 = 1e-11;
 
 /// The exponents of the balance, in powers of two, are settled when their equations hold to this.
 ///
-/// Rows that are alike must get equal factors, or ties turn into near-ties. Smaller, the iteration never sees itself
-/// end; larger, ties come apart.
+/// Rows that are alike must get equal factors, or ties turn into near-ties. Smaller, the iteration
+/// never sees itself end; larger, ties come apart.
 pub(super) const SETTLED: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two more operations, as a part of Σ|terms|: 8 (n + 2) ε.
 ///
-/// The worst case is (n + 2) ε/2; a Farkas vector has been rounded itself. Larger, vectors pass that prove nothing.
+/// The worst case is (n + 2) ε/2; a Farkas vector has been rounded itself. Larger, vectors pass
+/// that prove nothing.
 pub(super) fn sum_rounding(n: usize) -> f64 {
     8.0 * (n as f64 + 2.0) * f64::EPSILON
 }
 
-/// Residuals of a point of n rows up to (8 + n/8) ε are rounding: a row of so many terms cannot be summed much better.
+/// Residuals of a point of n rows up to (8 + n/8) ε are rounding: a row of so many terms cannot be
+/// summed much better.
 ///
 /// Smaller, points are refined without gain; larger, refinement stops a digit early.
 pub(super) fn residual_rounding(n: usize) -> f64 {
@@ -141,12 +166,15 @@ pub(super) fn residual_rounding(n: usize) -> f64 {
 
 /// What n eliminations leave of a diagonal entry that vanishes, as a part of that entry: 8 n ε.
 ///
-/// Smaller, semidefinite matrices are called definite or indefinite by their noise; larger, definite ones of condition
-/// 1/(8 n ε) are called semidefinite.
+/// Smaller, semidefinite matrices are called definite or indefinite by their noise; larger,
+/// definite ones of condition 1/(8 n ε) are called semidefinite.
 pub(super) fn elimination_rounding(n: usize) -> f64 {
     8.0 * n as f64 * f64::EPSILON
 }
 
-/// The off-diagonal entries of what elimination leaves of a semidefinite matrix vanish up to so many times
-/// [`elimination_rounding`], since they are not pivoted to the front.
+/// The rest that elimination leaves of a semidefinite matrix vanishes up to so many times
+/// [`elimination_rounding`] in all its entries.
+///
+/// Its off-diagonal entries are not pivoted to the front, so they may carry more than the diagonal.
+/// Smaller, semidefinite matrices are called indefinite; larger, slightly indefinite ones pass.
 pub(super) const OFF_DIAGONAL: f64 = 4.0;

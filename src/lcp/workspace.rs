@@ -3,13 +3,16 @@
 use super::answer::{Answer, SolutionView};
 use super::basis::Basis;
 use super::dictionary::Unknown;
+use super::memory::make_room;
 use super::outcome::{BreakdownCause, Outcome};
 use super::path::Path;
 use super::point::Point;
 use super::residuals::Residuals;
 
-/// Memory that is kept between problems: once it has held a problem of some size, solving further problems of at most
-/// that size allocates nothing, as long as they are solved by the first path.
+/// Memory that is kept between problems.
+///
+/// Once a workspace has held a problem, it allocates nothing for others that are no larger, as long
+/// as the first path solves them.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Answer, Lcp, Settings, Workspace};
@@ -17,15 +20,17 @@ use super::residuals::Residuals;
 ///
 /// let mut workspace = Workspace::new();
 /// for load in 1..4 {
-///     let problem = Lcp::new(DMatrix::from_element(1, 1, 2.0), DVector::from_element(1, -f64::from(load)))?;
-///     let Answer::Solved(solution) = workspace.solve(&problem, &Settings::default()) else { panic!("2 > 0") };
+///     let q = DVector::from_element(1, -f64::from(load));
+///     let problem = Lcp::new(DMatrix::from_element(1, 1, 2.0), q)?;
+///     let answer = workspace.solve(&problem, &Settings::default());
+///     let Answer::Solved(solution) = answer else { panic!("2 > 0") };
 ///     assert_eq!(solution.z, [f64::from(load) / 2.0]);
 /// }
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
-    pub(crate) path: Path,
+    pub(super) path: Path,
     /// Where the last path ended, and another point to compare it with.
     pub(super) point: Point,
     pub(super) spare: Point,
@@ -34,7 +39,7 @@ pub struct Workspace {
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,
     pub(super) basis: Basis,
-    /// Of the point, once it has passed as a solution.
+    /// The residuals of the point, once it has passed as a solution.
     pub(super) residuals: Option<Residuals>,
     pub(super) degenerate: bool,
 }
@@ -46,7 +51,7 @@ impl Workspace {
         Self::default()
     }
 
-    pub(crate) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {
+    pub(super) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {
         match (failure, self.residuals) {
             (None, Some(residuals)) => Answer::Solved(SolutionView {
                 z: &self.point.z,
@@ -63,21 +68,16 @@ impl Workspace {
         }
     }
 
-    /// Room for the steps that only some problems need.
+    /// Makes room for steps that only some problems need.
     pub(super) fn reserve(&mut self, n: usize) {
-        for scratch in [
-            &mut self.correction,
-            &mut self.defect,
-            &mut self.spare.z,
-            &mut self.spare.w,
-            &mut self.spare.terms,
-        ] {
-            scratch.reserve(n.saturating_sub(scratch.len()));
+        let Point { z, w, terms } = &mut self.spare;
+        for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {
+            make_room(scratch, n);
         }
     }
 
     /// Whether the dictionary is that of a complementary basis.
-    pub(crate) fn is_complementary(&self) -> bool {
+    pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
             Unknown::W(i) => !dictionary.is_active(i),
@@ -87,7 +87,7 @@ impl Workspace {
     }
 
     /// Whether the dictionary is that of this complementary basis.
-    pub(crate) fn holds(&self, basis: &Basis) -> bool {
+    pub(super) fn holds(&self, basis: &Basis) -> bool {
         self.is_complementary()
             && (0..basis.len()).all(|i| self.path.dictionary.is_active(i) == basis.contains(i))
     }

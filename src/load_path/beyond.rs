@@ -69,7 +69,7 @@ pub(crate) fn just_beyond<const D: usize, const C: usize>(
     cone: Cone,
 ) -> Beyond<D, C> {
     if let Settled::Found(found, rule) = settled {
-        let states = (0..grasp.len()).map(|i| grasp.contact_answer(rates, &found, cone, i).state).collect();
+        let states = (0..grasp.len()).map(|i| grasp.contact_answer(rates, &found, i).state).collect();
         let twist_rate = grasp.outside(&found.twist);
         return Beyond::Continues(Box::new(Continuation {
             states,

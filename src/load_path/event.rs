@@ -109,6 +109,28 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
         }
     }
 
+    /// The leg on which the path ended, from 0; `None` where it was completed or had no start.
+    #[must_use]
+    pub fn leg(&self) -> Option<usize> {
+        self.place().map(|(leg, _)| leg)
+    }
+
+    /// The fraction of [`Self::leg`] at which the path ended, from 0 to 1.
+    #[must_use]
+    pub fn fraction(&self) -> Option<f64> {
+        self.place().map(|(_, fraction)| fraction)
+    }
+
+    fn place(&self) -> Option<(usize, f64)> {
+        match self {
+            Self::Completed | Self::NoStart(_) => None,
+            Self::LimitLoad(loss) | Self::Snap(loss) | Self::Ends(loss) => Some((loss.leg, loss.fraction)),
+            Self::GivesWay { leg, fraction, .. } | Self::Undecided { leg, fraction } => {
+                Some((*leg, *fraction))
+            }
+        }
+    }
+
     pub(super) fn from_beyond(beyond: &Beyond<D, C>, loss: Loss<D>) -> Self {
         match beyond {
             Beyond::LimitLoad { .. } => Self::LimitLoad(loss),

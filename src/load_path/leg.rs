@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::ramp::vectors;
 use crate::error::{Error, Field};
 use crate::grasp::{Grasp, Wrench};
 
@@ -19,7 +20,7 @@ use crate::grasp::{Grasp, Wrench};
 /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 ///
 /// // Squeeze by 5 mm more, hang 12 N on, let go of half the squeeze while the load goes back to nothing.
-/// let press = |by: f64| vec![[by, 0.0].into(); 2];
+/// let press = |by: f64| [[by, 0.0]; 2];
 /// let legs = [
 ///     Leg::commands_by(press(0.005)),
 ///     Leg::load_to(Wrench::force([0.0, -12.0])),
@@ -63,14 +64,14 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
     /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
     #[must_use]
-    pub fn commands_by(change: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        Self { commands: Goal::By(change.into()), ..Self::STAY }
+    pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        Self { commands: Goal::By(vectors(change)), ..Self::STAY }
     }
 
     /// The finger commands change to these: one displacement a contact, each in its contact frame (m).
     #[must_use]
-    pub fn commands_to(commands: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        Self { commands: Goal::To(commands.into()), ..Self::STAY }
+    pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        Self { commands: Goal::To(vectors(commands)), ..Self::STAY }
     }
 
     /// Meanwhile the load changes by this much.
@@ -87,14 +88,14 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
     /// Meanwhile the finger commands change by this much.
     #[must_use]
-    pub fn and_commands_by(self, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        Self { commands: Goal::By(change.into()), ..self }
+    pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        Self { commands: Goal::By(vectors(change)), ..self }
     }
 
     /// Meanwhile the finger commands change to these.
     #[must_use]
-    pub fn and_commands_to(self, commands: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        Self { commands: Goal::To(commands.into()), ..self }
+    pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        Self { commands: Goal::To(vectors(commands)), ..self }
     }
 
     fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::beyond::{Beyond, just_beyond, whole_way};
 use super::event::{Loss, PathEnd};
 use super::segment::Segment;
-use crate::contact::{State, ZERO_SLACK};
+use crate::contact::{LocalLaw, State, ZERO_SLACK};
 use crate::forms::kinematic_form;
 use crate::lcp::{self, Outcome, Proof};
 use crate::object::{Piece, Problem};
@@ -69,7 +69,7 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
-    let few = here.locals().filter(|local| local.may_slide()).count() <= FEW_CONTACTS;
+    let few = here.locals().filter(LocalLaw::may_slide).count() <= FEW_CONTACTS;
     for part in PARTS_BEYOND.into_iter().filter(|_| few) {
         match settle(&past(part), settings).0 {
             Settled::FreeMotion(_) | Settled::Separating(_) | Settled::NoneOf(_) => {

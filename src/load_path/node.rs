@@ -191,7 +191,7 @@ pub(super) fn directions<const D: usize, const C: usize>(
     found: &Found<D, C>,
 ) -> Vec<Option<SVector<f64, C>>> {
     (0..problem.len())
-        .map(|i| match segment.grasp.contact_answer(problem, found, segment.cone, i).state {
+        .map(|i| match segment.grasp.contact_answer(problem, found, i).state {
             ContactState::Sliding { direction } => Some(direction),
             _ => None,
         })

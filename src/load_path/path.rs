@@ -5,8 +5,6 @@
 //! At an event the contacts that stand on an edge of their cone, at its apex or at a closed gap form a small
 //! complementarity problem in rates; its solution is the next straight piece, and its failure the end of the path.
 
-use std::sync::Arc;
-
 use nalgebra::SVector;
 
 use super::arc::{Poised, Rule};
@@ -94,7 +92,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         legs: &[Leg<D, C>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {
-        let polygon = Arc::new(Polygon::new(&settings.cone));
+        let polygon = Polygon::shared(&settings.cone);
         let (round, wrench) = (settings.is_round::<C>(), self.inside(&start, "start load")?);
         let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, start);
@@ -112,7 +110,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let mut segment = Segment { grasp: self, cone, problem, change, direction };
         let mut path = LoadPath {
             grasp: self,
-            settings: settings.clone(),
+            settings: *settings,
             program,
             factor: 0.0,
             node: Node::at_start(&mut segment, start_state),

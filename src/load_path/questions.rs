@@ -69,11 +69,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn reserve(&self, ramp: &Ramp<D, C>, most: f64, settings: &Settings) -> Result<Reserve<D, C>, Error> {
-        let onset = if settings.is_round::<C>() {
-            self.onset(ramp, settings)?
-        } else {
-            self.onset_on_polygon(ramp, settings)?
-        };
+        let onset = self.onset_with(ramp, settings)?;
         let mut leg = Leg::load_by(ramp.direction * most);
         if let Some(change) = &ramp.command_change {
             leg = leg.and_commands_by(change.iter().map(|a| a * most).collect::<Vec<_>>());
@@ -120,7 +116,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             direction: -ramp.direction,
             command_change: ramp.command_change.as_ref().map(|change| change.iter().map(|a| -a).collect()),
         };
-        let (to, from) = (self.onset(ramp, settings)?.factor(), self.onset(&back, settings)?.factor());
+        let (to, from) =
+            (self.onset_with(ramp, settings)?.factor(), self.onset_with(&back, settings)?.factor());
         Ok(to.zip(from).map(|(to, from)| RollingRange { from: -from, to }))
     }
 }

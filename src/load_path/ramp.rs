@@ -11,7 +11,7 @@ use crate::grasp::Wrench;
 /// use grasp_lcp::planar::{Ramp, Wrench};
 ///
 /// // The weight grows by 2 N while two fingers each press 1 mm further, for each unit of τ.
-/// let ramp = Ramp::load(Wrench::force([1.0, 0.0]), Wrench::force([0.0, -2.0])).with_commands(vec![[1e-3, 0.0].into(); 2]);
+/// let ramp = Ramp::load(Wrench::force([1.0, 0.0]), Wrench::force([0.0, -2.0])).with_commands([[1e-3, 0.0]; 2]);
 /// assert_eq!(ramp.load_at(3.0), Wrench::force([1.0, -6.0]));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -31,14 +31,14 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
     /// The load stays, the finger commands change: one displacement a contact for each unit of the factor, each in its contact frame (m),
     /// the normal part positive into the object.
     #[must_use]
-    pub fn commands(load: Wrench<D>, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        Self { base: load, direction: Wrench::ZERO, command_change: Some(change.into()) }
+    pub fn commands(load: Wrench<D>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        Self { base: load, direction: Wrench::ZERO, command_change: Some(vectors(change)) }
     }
 
     /// Finger commands change along with the load, as for [`Self::commands`].
     #[must_use]
-    pub fn with_commands(mut self, change: impl Into<Vec<SVector<f64, C>>>) -> Self {
-        self.command_change = Some(change.into());
+    pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        self.command_change = Some(vectors(change));
         self
     }
 
@@ -47,4 +47,11 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
     pub fn load_at(&self, factor: f64) -> Wrench<D> {
         self.base + self.direction * factor
     }
+}
+
+/// A list of vectors from whatever turns into arrays.
+pub(super) fn vectors<const C: usize>(
+    list: impl IntoIterator<Item = impl Into<[f64; C]>>,
+) -> Vec<SVector<f64, C>> {
+    list.into_iter().map(|vector| SVector::from(vector.into())).collect()
 }

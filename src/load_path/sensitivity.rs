@@ -174,7 +174,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let onset = grasp.onset(&ramp, &Settings::default())?;
+    /// let onset = grasp.onset(&ramp)?;
     /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
     /// let gradient = &grasp.onset_gradients(&ramp, onset.event().expect("slides"))[0];
     /// assert!((gradient.friction[gradient.contact] - 20.0).abs() < 1e-12);
@@ -182,10 +182,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn onset_gradients(&self, ramp: &Ramp<D, C>, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
-        let Some(local) = Local::new(self, &event.state) else { return Vec::new() };
+        let Some(state) = self.state_at_onset(event) else { return Vec::new() };
+        let Some(local) = Local::new(self, &state) else { return Vec::new() };
         let has_slipped = |i: usize| {
             let sticks = local.states[i].is_rolling() && !local.problem.local(i).is_frictionless();
-            sticks && event.state.contacts[i].slip.norm() != 0.0
+            sticks && state.contacts[i].slip.norm() != 0.0
         };
         if (0..self.len()).any(has_slipped) {
             return Vec::new();
@@ -198,7 +199,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         else {
             return Vec::new();
         };
-        let one = |contact| self.onset_gradient(&local, event.state.cone, contact, &rates.forces[contact]);
+        let one = |contact| self.onset_gradient(&local, event.cone, contact, &rates.forces[contact]);
         event.leaving.iter().filter_map(|leaving| one(leaving.contact)).collect()
     }
 
@@ -283,7 +284,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         };
         let nothing = Load::from(&SVector::zeros());
         let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), false, grasp.drives(), &nothing);
-        let states = equilibrium.states.clone();
+        let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.contacts.iter().map(|c| c.force).collect();
         Some(Self { grasp, problem, states, forces, piece })

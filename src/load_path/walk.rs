@@ -2,14 +2,13 @@
 
 use nalgebra::SVector;
 
-use super::beyond::{Beyond, just_beyond};
-use super::onset::{Departure, Leaving, Onset, OnsetEvent};
+use super::onset::{Departure, Leaving, Onset, OnsetEvent, RollingState};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
 use crate::contact::{Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone};
 use crate::object::Problem;
-use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
+use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along the ramp while nothing slides.
 pub(super) struct Walk<'a, const D: usize, const C: usize> {
@@ -34,7 +33,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             if !standing.is_empty() {
                 let stands = stands(&states, &here, &standing);
                 let rates = self.segment.rates(self.segment.laws_of_rates(&stands, &states));
-                let (settled, effort) = settle(&rates, self.settings);
+                let (settled, _) = settle(&rates, self.settings);
                 let stays = |found: &Found<D, C>| {
                     standing.iter().all(|&(i, _)| {
                         let state = &found.states[i];
@@ -56,7 +55,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                             Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
                         };
                     }
-                    settled => return self.event(states, &here, &stands, &rates, settled, &effort),
+                    settled => return self.event(states, &here, stands, &rates, settled),
                 }
             }
             match self.segment.first_exits(&states, &here) {
@@ -92,62 +91,55 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         &self,
         states: Vec<State<C>>,
         here: &Here<D, C>,
-        stands: &[Stand<C>],
+        stands: Vec<Stand<C>>,
         rates: &Problem<D, C>,
         settled: Settled<D, C>,
-        effort: &Effort,
     ) -> Onset<D, C> {
-        let problem = self.segment.problem_at(self.factor);
-        let beyond = just_beyond(
-            self.segment.grasp,
-            &problem,
-            rates,
-            settled,
-            effort,
-            self.settings,
-            self.segment.cone,
-        );
+        let segment = &self.segment;
+        let slid = if let Settled::Found(found, _) = settled { Some(found) } else { None };
+        let state_next = |contact: usize| {
+            slid.as_ref().map(|found| segment.grasp.contact_answer(rates, found, contact).state)
+        };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
-        let leaving = match &beyond {
-            Beyond::Continues(continuation) => standing
-                .filter_map(|contact| match continuation.states[contact] {
-                    ContactState::Sliding { direction } => {
-                        Some(Leaving { contact, how: Departure::Slides { direction } })
-                    }
-                    ContactState::Separated if states[contact].is_rolling() => {
-                        Some(Leaving { contact, how: Departure::Opens })
-                    }
-                    _ => None,
-                })
-                .collect(),
-            _ => standing.map(|contact| self.driven_out(contact, &stands[contact])).collect(),
+        let leaves = |contact: usize| match state_next(contact) {
+            None => Some(self.driven_out(contact, &stands[contact])),
+            Some(ContactState::Sliding { direction }) => {
+                Some(Leaving { contact, how: Departure::Slides { direction } })
+            }
+            Some(ContactState::Separated) if states[contact].is_rolling() => {
+                Some(Leaving { contact, how: Departure::Opens })
+            }
+            Some(_) => None,
         };
+        let leaving = standing.filter_map(leaves).collect();
         let load = self.ramp.load_at(self.factor);
-        let forces = here.lines.iter().map(|line| line.force).collect();
-        let found = Found {
-            free_motions: here.free_motions.clone(),
-            sizes: here.sizes,
-            ..Found::new(states, forces, here.twist)
-        };
-        let state = self.segment.grasp.equilibrium(
-            &problem,
-            &load,
-            &found,
-            self.rule,
-            &Effort::default(),
-            self.segment.cone,
-        );
-        if state.residuals.worst() > ACCURATE {
-            return Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work });
-        }
-        Onset::At(Box::new(OnsetEvent {
+        let problem = segment.problem_at(self.factor);
+        let event = OnsetEvent {
             factor: self.factor,
             load,
             leaving,
-            state,
-            beyond,
-            polygon_factor: None,
-        }))
+            cone: segment.cone,
+            local: RollingState {
+                rule: self.rule,
+                states,
+                forces: here.lines.iter().map(|line| line.force).collect(),
+                stands,
+                twist: here.twist,
+                free_motions: here.free_motions.clone(),
+                wrench: problem.wrench,
+                wrench_rate: segment.direction,
+                drives: problem.drives,
+                drive_rates: segment.change.clone(),
+                slips: problem.slips,
+                sizes: here.sizes,
+            },
+        };
+        match segment.grasp.state_at_onset(&event) {
+            Some(state) if state.residuals.worst() > ACCURATE => {
+                Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })
+            }
+            _ => Onset::At(Box::new(event)),
+        }
     }
 
     /// How the load drives a contact out of its cone when there is no equilibrium to show where it would go.

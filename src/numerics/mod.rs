@@ -9,6 +9,7 @@
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `double_double` | sums in twice the working precision |
 //! | `pairwise` | sums made of halves, on several threads |
+//! | `unit_vector` | unit vectors along an axis |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 
@@ -20,6 +21,7 @@ mod orthogonal;
 mod pairwise;
 mod partial_pivoting;
 mod pseudo_random;
+mod unit_vector;
 mod vector_dispatch;
 
 pub(crate) use bordered::Bordered;
@@ -30,4 +32,5 @@ pub(crate) use orthogonal::{Orthogonal, orthonormalise_against};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both};
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
+pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Loop, wide};

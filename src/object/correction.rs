@@ -71,10 +71,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 exact.value()
             })
         };
-        let mut way = twist.less(from);
-        for v in self.free_motions() {
-            way -= v * v.dot(&way);
-        }
+        let way = self.without_free_motions(twist.less(from));
         Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
     }
 

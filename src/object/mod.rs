@@ -20,7 +20,7 @@ mod sizes;
 mod tangent;
 
 pub(crate) use load::Load;
-pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
+pub(crate) use piece::{Piece, PieceState, Unbalanced, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::Problem;
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};

@@ -66,23 +66,30 @@ pub(crate) struct Unbalanced<const D: usize> {
 
 impl<const D: usize, const C: usize> Piece<D, C> {
     pub(crate) fn new(problem: &Problem<D, C>, states: &[State<C>]) -> Self {
-        let mut springs = Vec::with_capacity(C * states.len());
-        let mut first = Vec::with_capacity(states.len() + 1);
+        Self::of_springs(problem.sites, |contact, springs| {
+            problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
+        })
+    }
+
+    /// The piece in which every contact has the springs, at most C, that `add` adds to the list for it.
+    pub(crate) fn of_springs(sites: &[Site<D, C>], add: impl Fn(usize, &mut Vec<Spring<C>>)) -> Self {
+        let mut springs = Vec::with_capacity(C * sites.len());
+        let mut first = Vec::with_capacity(sites.len() + 1);
         first.push(0);
-        for (local, state) in problem.locals().zip(states) {
-            local.for_each_spring(state, |spring| springs.push(spring));
+        for contact in 0..sites.len() {
+            add(contact, &mut springs);
             first.push(springs.len());
         }
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::with_capacity(springs.len());
-            for (site, range) in problem.sites.iter().zip(first.windows(2)) {
+            for (site, range) in sites.iter().zip(first.windows(2)) {
                 rows.extend(springs[range[0]..range[1]].iter().map(|spring| site.map * side(spring)));
             }
             rows
         };
         let right = Orthogonal::new(rows(|s| &s.right));
         let free = right.null_space();
-        if !states.iter().any(State::slides) {
+        if springs.iter().all(|spring| spring.left == spring.right) {
             return Self { springs, first, right, left: None, unbalanced: free.clone(), free, growth: 1.0 };
         }
         let left = Orthogonal::new(rows(|s| &s.left));
@@ -101,9 +108,27 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         &self.right
     }
 
-    /// How many springs a contact has in this piece.
-    pub(crate) fn springs_of(&self, contact: usize) -> usize {
-        self.first[contact + 1] - self.first[contact]
+    /// The rows of Q of a contact whose springs stand along the axes of its frame: a column for each axis,
+    /// zero along axes without a spring.
+    pub(crate) fn seen(&self, contact: usize) -> SMatrix<f64, D, C> {
+        let mut seen = SMatrix::<f64, D, C>::zeros();
+        for spring in self.first[contact]..self.first[contact + 1] {
+            seen.set_column(self.springs[spring].right.iamax(), self.right.row(spring));
+        }
+        seen
+    }
+
+    /// The least motion with these coordinates R q.
+    pub(crate) fn motion(&self, coordinates: &SVector<f64, D>) -> SVector<f64, D> {
+        self.without_free_motions(self.right.preimage(coordinates))
+    }
+
+    /// What of a motion is at right angles to all free ones.
+    pub(super) fn without_free_motions(&self, mut motion: SVector<f64, D>) -> SVector<f64, D> {
+        for v in &self.free {
+            motion -= v * v.dot(&motion);
+        }
+        motion
     }
 
     /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
@@ -173,11 +198,26 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 break;
             }
         }
-        let mut twist = twist.value();
-        for v in &self.free {
-            twist -= v * v.dot(&twist);
-        }
+        let twist = self.without_free_motions(twist.value());
         Ok(PieceState { forces: self.forces(&x, drives.len()), twist })
+    }
+
+    /// Forces and the twist of least norm where everything sticks and every motion is resisted, without the steps in twice the precision:
+    /// the projection is applied twice, which leaves a few roundings of the largest force.
+    pub(crate) fn solve_roughly(
+        &self,
+        drives: &[SVector<f64, C>],
+        wrench: &SVector<f64, D>,
+    ) -> PieceState<D, C> {
+        let mut x = self.stretched(|contact| drives[contact]);
+        let load = self.right.load_coordinates(wrench);
+        let mut travelled = SVector::zeros();
+        for _ in 0..2 {
+            let step = self.right.coordinates(&x) + load;
+            self.right.subtract(&mut x, &step);
+            travelled += step;
+        }
+        PieceState { forces: self.forces(&x, drives.len()), twist: self.right.preimage(&travelled) }
     }
 
     /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.

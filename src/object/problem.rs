@@ -12,8 +12,9 @@ use nalgebra::SVector;
 
 use super::load::Load;
 use super::precise::PreciseTwist;
-use crate::contact::{Law, LocalLaw, Mode, Polygon, Slide, State, tangential};
-use crate::grasp::Site;
+use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
+use crate::error::Error;
+use crate::grasp::{Grasp, Site, Wrench};
 use crate::numerics::DoubleDouble;
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
@@ -36,6 +37,22 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: rolling contacts are held by the round cone; the polygon only proposes.
     pub(crate) round: bool,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The problem at rest under a load of the caller's, with polygons in place of round cones.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub(crate) fn on_polygons(
+        &self,
+        load: &Wrench<D>,
+        cone: &PolygonCone,
+    ) -> Result<Problem<'_, D, C>, Error> {
+        let polygon = Polygon::shared(cone);
+        let wrench = self.inside(load, "load")?;
+        Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench)))
+    }
 }
 
 impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {

@@ -5,7 +5,8 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
-/// Levels between which a map has one colour each: round numbers, evenly spaced, or in ratios where the largest value is several times the smallest.
+/// Levels between which a map has one colour each: round numbers, evenly spaced, or in ratios where
+/// the largest value is several times the smallest.
 pub(super) struct Bands {
     /// Lower ends, and the upper end of the last.
     pub(super) levels: Vec<f64>,
@@ -15,7 +16,8 @@ pub(super) struct Bands {
 
 /// From this ratio of the largest to the smallest value on.
 const IN_RATIOS: f64 = 4.0;
-/// Levels in ratios that are written without an exponent: six digits behind the point show all of a preferred number.
+/// Levels in ratios that are written without an exponent: six digits behind the point show all of a
+/// preferred number.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// About how many bands.
 const MOST: f64 = 12.0;
@@ -68,7 +70,8 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// A value so that levels between two others are met where they are drawn: its logarithm, where levels go in ratios.
+    /// A value so that levels between two others are met where they are drawn: its logarithm, where
+    /// levels go in ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

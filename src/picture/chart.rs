@@ -12,7 +12,8 @@ use super::palette::{FONT, GREY, PALETTE};
 use super::series::{Series, Stroke};
 use super::sheet::pixels;
 
-/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are not finite are left out.
+/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are
+/// not finite are left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     title: String,
@@ -46,7 +47,8 @@ impl Chart {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }
     }
 
-    /// Adds a series of points (x, y), with its name in the legend; lines go from point to point in their order.
+    /// Adds a series of points (x, y), with its name in the legend; lines go from point to point in
+    /// their order.
     #[must_use]
     pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.series.push(Series { name: name.into(), points, stroke });
@@ -77,15 +79,18 @@ impl Chart {
     /// Draws it, 860 by 540 pixels.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no finite point to draw, or points and marks are so far apart that their distance is not finite.
+    /// [`PictureError`] if there is no finite point to draw, or points and marks are so far apart
+    /// that their distance is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         Self::sheet(std::slice::from_ref(self), 1)
     }
 
-    /// Draws several charts on one sheet, row by row, with so many columns or as many as there are charts.
+    /// Draws several charts on one sheet, row by row, with so many columns or as many as there are
+    /// charts.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no chart or no column, or one cannot be drawn by [`Chart::to_svg`].
+    /// [`PictureError`] if there is no chart or no column, or one cannot be drawn by
+    /// [`Chart::to_svg`].
     pub fn sheet(charts: &[Self], columns: usize) -> Result<String, PictureError> {
         if charts.is_empty() || columns == 0 {
             return Err(PictureError("no chart".into()));
@@ -127,7 +132,7 @@ impl Chart {
         chart.draw(area, window).map_err(PictureError::from_backend)
     }
 
-    /// The same with decimal logarithms for numbers.
+    /// This chart with decimal logarithms for numbers.
     fn in_decades(&self) -> Self {
         let mut chart = self.clone();
         for (x, y) in chart.series.iter_mut().flat_map(|s| &mut s.points) {

@@ -6,11 +6,12 @@ use super::palette::{BLUE, GREEN, GREY, ORANGE, VERMILION};
 use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
 
-/// Friction in reserve, as a part of the normal force, that is rounding: answers are good to some 1e-15 of it, and a
-/// contact that really has a reserve has far more. With 0 a contact at its onset would be called rolling.
+/// Friction in reserve, as a part of the normal force, that is rounding: answers are good to some
+/// 1e-15 of it, and a contact that really has a reserve has far more. With 0 a contact at its onset
+/// would be called rolling.
 const NO_RESERVE: f64 = 1e-12;
-/// A cone with a larger coefficient of friction is drawn with this one: its edges then lie across the normal to less
-/// than a pixel, while an infinite one could not be drawn.
+/// A cone with a larger coefficient of friction is drawn with this one: its edges then lie across
+/// the normal to less than a pixel, while an infinite one could not be drawn.
 const STEEPEST: f64 = 1e3;
 
 /// Whether nothing but rounding is left of the friction in reserve.
@@ -34,7 +35,8 @@ pub(super) fn ink<const C: usize>(answer: &ContactAnswer<C>) -> RGBColor {
     }
 }
 
-/// What a contact does, for a picture: a contact on the edge of its cone that has not slipped yet is told apart.
+/// What a contact does, for a picture: a contact on the edge of its cone that has not slipped yet
+/// is told apart.
 pub(super) fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {
     match answer.state {
         ContactState::Separated => "separated",

@@ -10,14 +10,16 @@ use super::error::PictureError;
 use super::palette::{BLUE, FONT, GREEN, GREY, VERMILION};
 use crate::planar::{Equilibrium, Grasp};
 
-/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is only drawn.
+/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is
+/// only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 560;
 
-/// Draws a grasp with its contact forces inside their friction cones. Arrows are forces on the object, the largest of them or of the load a third as
-/// long as contacts and outline extend; cones are a little longer than the normal forces in them. The load's force is drawn at the origin, its
+/// Draws a grasp with its contact forces inside their friction cones. Arrows are forces on the
+/// object, the largest of them or of the load a third as long as contacts and outline extend; cones
+/// are a little longer than the normal forces in them. The load's force is drawn at the origin, its
 /// moment is not drawn.
 ///
 /// ```
@@ -37,7 +39,8 @@ const HEIGHT: u32 = 560;
 /// ```
 ///
 /// # Errors
-/// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the outline is not finite, or if the back end fails.
+/// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
+/// outline is not finite, or if the back end fails.
 pub fn draw_grasp(
     grasp: &Grasp,
     state: &Equilibrium,

@@ -1,6 +1,8 @@
-//! Grasps, load curves and maps over all directions as SVG, spatial grasps also as pages to turn (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG, spatial grasps also as pages to turn
+//! (feature `plot`).
 //!
-//! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's business.
+//! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's
+//! business.
 
 mod bands;
 mod canvas;

@@ -12,10 +12,11 @@ use super::round_numbers::{in_steps, round_up, whole_above};
 use super::series::{Series, Stroke};
 use super::sheet::{Sheet, sheet};
 
-/// A polar chart: radius over direction, angles from x towards y; build it up, then [`Polar::to_svg`].
+/// A polar chart: radius over direction, angles from x towards y; build it up, then
+/// [`Polar::to_svg`].
 ///
-/// Radii that are infinite, or beyond the rim, are shown as an arc along the rim, which is how far the picture goes; where a radius is not a
-/// number the curve has a gap.
+/// Radii that are infinite, or beyond the rim, are shown as an arc along the rim, which is how far
+/// the picture goes; where a radius is not a number the curve has a gap.
 ///
 /// ```
 /// use grasp_lcp::picture::{Polar, Stroke};
@@ -40,7 +41,8 @@ const SIZE: (u32, u32) = (860, 640);
 /// Left edge of the legend, and the length of its lines.
 const LEGEND: f64 = 630.0;
 const SAMPLE: f64 = 22.0;
-/// Directions closer than this, rad, have no room for two texts: beside each other, or outside the rim.
+/// Directions closer than this, rad, have no room for two texts: beside each other, or outside the
+/// rim.
 const BESIDE: f64 = 0.12;
 const MEET: f64 = 0.06;
 /// A ring beyond this part of the rim is the rim itself, but for rounding.
@@ -55,16 +57,16 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] are spokes from the
-    /// middle.
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined
+    /// to the first. [`Stroke::Bars`] are spokes from the middle.
     #[must_use]
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(Series { name: name.into(), points, stroke });
         self
     }
 
-    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the label stands in the legend. A radius beyond the rim
-    /// is drawn on it.
+    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the
+    /// label stands in the legend. A radius beyond the rim is drawn on it.
     #[must_use]
     pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
         self.marks.push((points, label.into()));
@@ -85,7 +87,8 @@ impl Polar {
         self
     }
 
-    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the next ring at or outside it.
+    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the
+    /// next ring at or outside it.
     #[must_use]
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);
@@ -152,7 +155,8 @@ impl Polar {
         Ok(())
     }
 
-    /// Small arrows outside the arcs, with their names, or with letters for the legend where names are long or meet.
+    /// Small arrows outside the arcs, with their names, or with letters for the legend where names
+    /// are long or meet.
     fn draw_rays(&self, paper: &Sheet) -> Drawn {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {

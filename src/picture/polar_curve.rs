@@ -63,7 +63,8 @@ pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) 
     draw(&line)
 }
 
-/// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite radii have, too.
+/// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite
+/// radii have, too.
 fn crossing(from: f64, to: f64, rim: f64) -> f64 {
     let part = (1.0 / from - 1.0 / rim) / (1.0 / from - 1.0 / to);
     if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }

@@ -1,7 +1,8 @@
 //! Where a function on a net of triangles is at least some level, as one area.
 //!
-//! Linear on each triangle, the function cuts a piece off each. Edges that two pieces share cancel, so that what is left runs around the whole region and
-//! no renderer shows seams; lines to and from the first corner, which enclose nothing, join its parts.
+//! Linear on each triangle, the function cuts a piece off each. Edges that two pieces share cancel,
+//! so that what is left runs around the whole region and no renderer shows seams; lines to and from
+//! the first corner, which enclose nothing, join its parts.
 
 use std::collections::BTreeMap;
 

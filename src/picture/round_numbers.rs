@@ -1,7 +1,8 @@
 //! Round numbers for rings, levels and labels.
 
-/// A number this close to a round one is that round one: steps are quotients and powers with errors of some 1e-15, and
-/// nobody sees a billionth of a step. Without it a ring or a level more would be drawn for rounding alone.
+/// A number this close to a round one is that round one: steps are quotients and powers with errors
+/// of some 1e-15, and nobody sees a billionth of a step. Without it a ring or a level more would be
+/// drawn for rounding alone.
 const NEARLY: f64 = 1e-9;
 /// Steps that are written without an exponent, and the most digits that are written for one.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;

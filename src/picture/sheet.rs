@@ -8,11 +8,13 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::error::{Drawn, PictureError};
 use super::palette::FONT;
 
-/// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a picture has smooth curves.
+/// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a
+/// picture has smooth curves.
 const FINE: u32 = 4;
 
-/// Fine pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred times the paper, and
-/// differences of squares of it stay far below the largest integer, which plotters would run over.
+/// Fine pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred
+/// times the paper, and differences of squares of it stay far below the largest integer, which
+/// plotters would run over.
 const FARTHEST: f64 = 1e6;
 
 /// A colour, with or without its opacity.
@@ -87,7 +89,7 @@ impl Sheet<'_> {
         self.fill(corners.into_iter().map(pixel).collect(), ink)
     }
 
-    /// The same of corners that have been rounded to pixels.
+    /// A filled area whose corners have been rounded to pixels.
     pub(super) fn fill(&self, corners: Vec<(i32, i32)>, ink: impl Ink) -> Drawn {
         self.root.draw(&Polygon::new(corners, ink.into())).map_err(PictureError::from_backend)
     }
@@ -103,7 +105,8 @@ impl Sheet<'_> {
         self.root.draw(&Circle::new(pixel(middle), fine(radius), style)).map_err(PictureError::from_backend)
     }
 
-    /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of its height above.
+    /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of
+    /// its height above.
     pub(super) fn text(&self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) -> Drawn {
         let side = match left {
             l if l < 0.25 => HPos::Left,
@@ -117,7 +120,7 @@ impl Sheet<'_> {
         self.root.draw(&Text::new(words, pixel(place), style)).map_err(PictureError::from_backend)
     }
 
-    /// The same on a light ground, so that it can be read on anything.
+    /// A line of text on a light ground, so that it can be read on anything.
     pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Drawn {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);

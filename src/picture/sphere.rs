@@ -11,8 +11,9 @@ use super::regions::{Corner, joined, outlines};
 use super::sheet::{Place, Sheet, pixels, sheet};
 use super::sphere_grid::SphereGrid;
 
-/// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) on the left and downwards
-/// on the right, both seen from above, x to the right and y up. A disc's middle is ±z, its rim the directions across z.
+/// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that
+/// point upwards (z > 0) on the left and downwards on the right, both seen from above, x to the
+/// right and y up. A disc's middle is ±z, its rim the directions across z.
 ///
 /// ```
 /// use grasp_lcp::picture::{SphereGrid, SphereMap};
@@ -45,18 +46,22 @@ const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
 const FOOT: f64 = 510.0;
 /// Right edge of the colour scale, and its height.
 const BAR: (f64, f64) = (848.0, 320.0);
-/// A direction that rises or falls by less than this part of its length lies across z, on the rims of both discs. It is
-/// a ten-millionth of a pixel away from them; without it rounding would choose one of the discs.
+/// A direction that rises or falls by less than this part of its length lies across z, on the rims
+/// of both discs. It is a ten-millionth of a pixel away from them; without it rounding would choose
+/// one of the discs.
 const LEVEL: f64 = 1e-9;
 const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
 const MISSING: RGBColor = RGBColor(190, 190, 190);
 
 impl SphereMap {
-    /// A map of one value for each of the grid's [directions](SphereGrid::directions), in their order; `quantity` stands at the scale of colours (say the unit).
-    /// An infinite value means that there is no bound that way, a value that is not a number that none is known; both get colours of their own.
+    /// A map of one value for each of the grid's [directions](SphereGrid::directions), in their
+    /// order; `quantity` stands at the scale of colours (say the unit). An infinite value means
+    /// that there is no bound that way. A value that is not a number means that no bound is known.
+    /// Both get colours of their own.
     ///
     /// # Errors
-    /// [`PictureError`] if there are more or fewer values than directions, or none of them is finite.
+    /// [`PictureError`] if there are more or fewer values than directions, or none of them is
+    /// finite.
     pub fn new(
         title: impl Into<String>,
         quantity: impl Into<String>,
@@ -90,7 +95,8 @@ impl SphereMap {
         self
     }
 
-    /// Marks a direction, of any length but zero, with a cross and a label, for what the map is about: a contact normal.
+    /// Marks a direction, of any length but zero, with a cross and a label, for what the map is
+    /// about: a contact normal.
     #[must_use]
     pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.rays.push((direction.into(), label.into()));
@@ -104,7 +110,8 @@ impl SphereMap {
         self
     }
 
-    /// What infinite values, and values that are not numbers, mean, for the legend; "no bound" and "not known" unless said otherwise.
+    /// What infinite values, and values that are not numbers, mean, for the legend; "no bound" and
+    /// "not known" unless said otherwise.
     #[must_use]
     pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
         (self.unbounded, self.missing) = (unbounded.into(), missing.into());
@@ -114,7 +121,8 @@ impl SphereMap {
     /// Draws it.
     ///
     /// # Errors
-    /// [`PictureError`] if a direction that is marked has no length or is not finite, or the back end fails.
+    /// [`PictureError`] if a direction that is marked has no length or is not finite, or the back
+    /// end fails.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
         let (low, high) =
@@ -184,7 +192,8 @@ impl SphereMap {
         paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK)
     }
 
-    /// The values, with the mean of their neighbours for those that are not finite: what is painted over must not bend contours beside it.
+    /// The values, with the mean of their neighbours for those that are not finite: what is painted
+    /// over must not bend contours beside it.
     fn filled(&self) -> Vec<f64> {
         let SphereGrid { rings, around } = self.grid;
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
@@ -212,7 +221,8 @@ impl SphereMap {
         filled
     }
 
-    /// Triangles of one hemisphere, all turning the same way, with a function of the directions at their corners.
+    /// Triangles of one hemisphere, all turning the same way, with a function of the directions at
+    /// their corners.
     fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {

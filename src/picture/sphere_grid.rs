@@ -10,13 +10,15 @@ pub struct SphereGrid {
 }
 
 impl SphereGrid {
-    /// `rings` steps from the pole to the equator and `around` steps along each circle; smaller numbers than 2 and 8 count as these.
+    /// `rings` steps from the pole to the equator and `around` steps along each circle; smaller
+    /// numbers than 2 and 8 count as these.
     #[must_use]
     pub fn new(rings: usize, around: usize) -> Self {
         Self { rings: rings.max(2), around: around.max(8) }
     }
 
-    /// Unit vectors, ring by ring: +z, the rings below it with growing azimuth from x towards y, −z. They are 2 + (2 rings − 1) around in number.
+    /// Unit vectors, ring by ring: +z, the rings below it with growing azimuth from x towards y,
+    /// −z. They are 2 + (2 rings − 1) around in number.
     #[must_use]
     pub fn directions(&self) -> Vec<[f64; 3]> {
         let mut directions = vec![[0.0, 0.0, 1.0]];

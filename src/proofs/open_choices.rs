@@ -8,9 +8,9 @@
 //! n·u(q) - a_n >= 0                                                                        open
 //! ```
 //!
-//! which forgets where friction points. It is linear, Γ x + w = 0 with x >= 0; the residual y of the nearest x >= 0 has y·γ >= 0 for all columns γ
-//! of Γ and proves that there is none if y·w > 0 (Farkas). As w is linear in the load, y·w >= 0 at the load and y·w > 0 a little
-//! further on prove it for all loads in between.
+//! These conditions forget where friction points. They are linear, Γ x + w = 0 with x >= 0. The residual y of the nearest
+//! x >= 0 has y·γ >= 0 for all columns γ of Γ, and proves that no x solves them if y·w > 0 (Farkas). As w is linear in the
+//! load, y·w >= 0 at the load and y·w > 0 a little further on prove it for all loads in between.
 
 use std::f64::consts::PI;
 
@@ -18,6 +18,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::contact::{Fit, LocalLaw, Polygon, PolygonCone};
 use crate::lcp::{Lcp, Outcome, Settings};
+use crate::numerics::unit;
 use crate::object::Problem;
 
 /// Of the polygons around round cones.
@@ -78,26 +79,34 @@ fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// What the drives and the load contribute.
-fn constant<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+/// What stretches of the contacts and a load contribute.
+fn response<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    open: &[bool],
+    stretch: impl Fn(usize) -> SVector<f64, C>,
+    mut wrench: SVector<f64, D>,
+) -> DVector<f64> {
     let mut w = DVector::zeros(rows(problem));
     let mut row = D;
-    let mut sum = problem.wrench;
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
-        let pushed = site.springs.force(&problem.drives[i]);
-        let push = pushed[0];
+        let pushed = site.springs.force(&stretch(i));
         if has_row(&local) {
-            w[row] = if open[i] { -push } else { push };
+            w[row] = if open[i] { -pushed[0] } else { pushed[0] };
             row += 1;
         }
         if !open[i] {
             for axis in 0..springs(&local) {
-                sum += site.map.column(axis) * pushed[axis];
+                wrench += site.map.column(axis) * pushed[axis];
             }
         }
     }
-    w.rows_mut(0, D).copy_from(&sum);
+    w.rows_mut(0, D).copy_from(&wrench);
     w
+}
+
+/// What the drives and the load contribute.
+fn constant<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+    response(problem, open, |i| problem.drives[i], problem.wrench)
 }
 
 /// Unit columns: motions both ways, friction, slacks.
@@ -114,25 +123,8 @@ fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool
         }
     };
     for axis in 0..D {
-        let mut unit = SVector::<f64, D>::zeros();
-        unit[axis] = 1.0;
-        let mut column = DVector::zeros(count);
-        let mut row = D;
-        for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
-            let pulled = site.springs.force(&site.map.tr_mul(&unit));
-            if has_row(&local) {
-                column[row] = if open[i] { pulled[0] } else { -pulled[0] };
-                row += 1;
-            }
-            if !open[i] {
-                for axis in 0..springs(&local) {
-                    for d in 0..D {
-                        column[d] -= site.map[(d, axis)] * pulled[axis];
-                    }
-                }
-            }
-        }
-        push(column, true);
+        let stretch = |i: usize| -problem.sites[i].map.tr_mul(&unit(axis));
+        push(response(problem, open, stretch, SVector::zeros()), true);
     }
     let mut row = D;
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
@@ -147,7 +139,7 @@ fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool
         };
         if !open[i] && local.never_slides() && !local.is_bonded() {
             for axis in 1..local.springs.axes() {
-                push(force(&SVector::from_fn(|a, _| if a == axis { 1.0 } else { 0.0 }), 0.0), true);
+                push(force(&unit(axis), 0.0), true);
             }
         } else if !open[i] && !local.facets().is_empty() {
             for corner in &local.polygon.corners {

@@ -20,6 +20,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::contact::{Law, LocalLaw, Polygon};
 use crate::lcp::{self, Lcp, Outcome};
+use crate::numerics::unit;
 use crate::object::Problem;
 
 /// Above this the dense least-squares problem costs more than the proof is worth, and generators are taken in a few at a time.
@@ -28,6 +29,10 @@ const MOST_GENERATORS: usize = 400;
 const CLEAR: f64 = 1e-9;
 /// Generators may work against the motion by this much (relative): rounding of the residual.
 const ROUNDING: f64 = 1e-13;
+
+/// Work of a unit wrench on a unit motion (no unit) that counts as none: rounding of motions that come from a solved
+/// piece. A smaller part would refuse proofs at limit loads.
+const NO_WORK: f64 = 1e-12;
 
 /// Part of the work of the load that a force of a round cone may do against a motion.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -157,19 +162,20 @@ fn corners_around<const D: usize, const C: usize>(
     (list, corners)
 }
 
-/// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more, by any forces in any state:
-/// no admissible contact force works against the motion, the load does not work against it and its rate works along it.
+/// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
+///
+/// It does, for any forces in any state, if no admissible contact force works against the motion, the load does not work
+/// against it, and the rate of the load works along it.
 pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     motion: &SVector<f64, D>,
     rate: &SVector<f64, D>,
 ) -> bool {
-    let slack = 1e-12;
     // Of a round cone no polygon inside, but the one generator that does most against the motion.
-    !works_against_round_cones(problem, motion, slack)
+    !works_against_round_cones(problem, motion, NO_WORK)
         && straight_generators(problem).is_some_and(|generators| {
-            generators.iter().all(|g| g.dot(motion) >= -slack)
-                && problem.wrench.dot(motion) >= -slack * problem.wrench.norm()
+            generators.iter().all(|g| g.dot(motion) >= -NO_WORK)
+                && problem.wrench.dot(motion) >= -NO_WORK * problem.wrench.norm()
                 && rate.dot(motion) > CLEAR * rate.norm()
         })
 }
@@ -192,7 +198,6 @@ fn straight_generators<const D: usize, const C: usize>(
     let mut list = Vec::new();
     for (local, site) in problem.locals().zip(problem.sites).filter(|(local, _)| !local.is_round()) {
         let mut push = |force: SVector<f64, C>| list.push((site.map * force).normalize());
-        let axis = |a: usize, size: f64| SVector::<f64, C>::from_fn(|b, _| if a == b { size } else { 0.0 });
         match local.law {
             Law::Absent => continue,
             Law::Edge(_) => return None,
@@ -203,13 +208,13 @@ fn straight_generators<const D: usize, const C: usize>(
             local.polygon.corners.iter().for_each(|corner| push(cone.generator(corner)));
             continue;
         }
-        push(axis(0, 1.0));
+        push(unit(0));
         if local.is_bonded() || (cone.is_frictionless() && !local.may_open()) {
-            push(axis(0, -1.0));
+            push(-unit::<C>(0));
         }
         for a in 1..local.springs.axes() {
-            push(axis(a, 1.0));
-            push(axis(a, -1.0));
+            push(unit(a));
+            push(-unit::<C>(a));
         }
     }
     Some(list)

@@ -6,7 +6,7 @@ use super::fields::found;
 use super::place::{Places, Touch};
 use crate::contact::PolygonCone;
 use crate::equilibrium::{self as state, Doubt, NoEquilibrium, Outcome, Rung};
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::{Grasp, Twist, Wrench};
 
 /// How a question for an equilibrium ends; see [`Outcome`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -74,7 +74,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub contacts: Vec<Touch<C>>,
     /// How well it satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
-    /// How far it is from the exact answer; none on a load path with sliding on the round cone.
+    /// How far it is from the exact answer: of the answer to `solve`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
     /// The friction cone it is for.
@@ -84,14 +84,15 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Energy stored in the springs, J.
     #[serde(with = "found")]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts as one unit says
-    /// [`state::Equilibrium::free_motions`].
+    /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
+    /// as one unit says [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_motions: Vec<Twist<D>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub neutral_motions: Vec<Twist<D>>,
-    /// The largest change of a contact force, N, from the answer of the polygon that the search started from, if it did.
+    /// The largest change of a contact force, N, from the answer of the polygon that the search
+    /// started from, if it did.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub change_from_polygon: Option<f64>,
     /// Pivots of Lemke's method.
@@ -166,6 +167,18 @@ impl From<state::Accuracy> for Accuracy {
 }
 
 impl Places {
+    /// An outcome with all that is known of an equilibrium.
+    pub(super) fn solved<const D: usize, const C: usize>(
+        &self,
+        grasp: &Grasp<D, C>,
+        outcome: &Outcome<D, C>,
+    ) -> SolveAnswer<D, C> {
+        match outcome {
+            Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.measured(grasp, state))),
+            _ => self.outcome(outcome),
+        }
+    }
+
     pub(super) fn outcome<const D: usize, const C: usize>(
         &self,
         outcome: &Outcome<D, C>,
@@ -177,6 +190,20 @@ impl Places {
         }
     }
 
+    /// An equilibrium with its accuracy, and with the states that are told from their neighbours.
+    fn measured<const D: usize, const C: usize>(
+        &self,
+        grasp: &Grasp<D, C>,
+        state: &state::Equilibrium<D, C>,
+    ) -> Equilibrium<D, C> {
+        let mut told = self.equilibrium(state);
+        told.accuracy = grasp.accuracy(state).map(Accuracy::from);
+        for (touch, distinct) in told.contacts.iter_mut().zip(grasp.distinct(state).into_iter().flatten()) {
+            touch.distinct = Some(distinct);
+        }
+        told
+    }
+
     pub(super) fn equilibrium<const D: usize, const C: usize>(
         &self,
         state: &state::Equilibrium<D, C>,
@@ -186,7 +213,7 @@ impl Places {
             twist: state.twist,
             contacts: state.contacts.iter().enumerate().map(|(i, c)| self.touch(i, c)).collect(),
             residuals: state.residuals.into(),
-            accuracy: state.accuracy.map(Accuracy::from),
+            accuracy: None,
             cone: match state.cone {
                 state::Cone::Planar => Cone::Planar,
                 state::Cone::Polygon(polygon) => Cone::Polygon(polygon),

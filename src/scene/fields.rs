@@ -1,5 +1,5 @@
-//! Fields that are numbers, rows of numbers or lists of rows: their form in a file, by `#[serde(with = "given")]` in
-//! questions and `#[serde(with = "found")]` in answers.
+//! Fields that are numbers, rows of numbers or lists of rows: their form in a file, by
+//! `#[serde(with = "given")]` in questions and `#[serde(with = "found")]` in answers.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, DeserializeOwned, Deserializer};

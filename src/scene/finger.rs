@@ -43,7 +43,8 @@ impl<const C: usize> From<Contact<C>> for Finger<C> {
 }
 
 impl<const C: usize> Finger<C> {
-    /// The same, spread over a patch: a ring or a disc in space, a pair or a pad in the plane; another one is an error of [`Setup::grasp`](super::Setup::grasp).
+    /// This contact spread over a patch: a ring or a disc in space, a pair or a pad in the plane.
+    /// Another patch is an error of [`Setup::grasp`](super::Setup::grasp).
     #[must_use]
     pub fn soft(self, tip: Tip) -> Self {
         Self { soft: Some(tip), ..self }

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::grasp::{Pressure, SoftFingertip};
 
-/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane. `{"disc": {"radius": 0.006, …}}`. Which
-/// numbers are allowed say the functions named.
+/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane.
+/// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -51,7 +51,8 @@ impl Tip {
     /// The patch.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] if a number is out of range, or if the patch is not one for this many axes.
+    /// [`Error::Fingertip`] if a number is out of range, or if the patch is not one for this many
+    /// axes.
     pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
         let patch = match *self {
             Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),

@@ -1,7 +1,8 @@
 //! Scenes: grasps, and what is asked of them, as text (feature `serde`).
 //!
-//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes itself; its [answers](Scene::answers) are
-//! written the same way. What cannot be read unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers
+//! A [`Scene`] is read and written by serde, from JSON or from any other format that describes
+//! itself; its [answers](Scene::answers) are written the same way. What cannot be read
+//! unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers
 //! out of range. Units are those of the crate: SI, or any consistent ones.
 //!
 //! # The format, version `grasp-lcp/1`
@@ -25,8 +26,8 @@
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
-//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and at most 1e50 in size; besides
-//! them friction may be `"infinite"` and a spring `"rigid"`:
+//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and
+//! at most 1e50 in size; besides them friction may be `"infinite"` and a spring `"rigid"`:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -44,13 +45,15 @@
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
 //!
-//! The patch shares stiffness and has friction, command, clearance and hold of the contact (see [`SoftFingertip`](crate::grasp::SoftFingertip)). In
-//! space `{"ring": {"radius": …, "points": …}}` or `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}`, in the plane
-//! `{"pair": {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the pressure is `"uniform"` (if left out),
-//! `"parabolic"` or `"hertz"`.
+//! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
+//! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`
+//! or `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}`, in the plane `{"pair":
+//! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
+//! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!
-//! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space, N and N m about
-//! the origin; what is left out is zero. `"at": [0.1, 0]` lets the force act there (m): its moment is added.
+//! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
+//! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; what is left out is zero. `"at":
+//! [0.1, 0]` lets the force act there (m): its moment is added.
 //!
 //! A question is an object with one field:
 //!
@@ -60,9 +63,10 @@
 //! | `onset` | `base`, `direction` (wrenches), `command_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //!
-//! Wrenches that are left out are zero. `command_change` and all other commands are one row for each contact of the scene (m, in its contact
-//! frame); all points of a soft fingertip follow it. A leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), or one of each;
-//! what it does not mention stays.
+//! Wrenches that are left out are zero. `command_change` and all other commands are one row for
+//! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
+//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), or one of
+//! each; what it does not mention stays.
 //!
 //! The settings (see [`Settings`](crate::Settings)):
 //!
@@ -103,7 +107,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A block in space on a bonded foot and a soft fingertip that presses from above and is dragged sideways:
+//! A block in space on a bonded foot and a soft fingertip that presses from above and is dragged
+//! sideways:
 //!
 //! ```
 //! use grasp_lcp::scene::Scene;
@@ -141,8 +146,9 @@
 //!
 //! # Answers
 //!
-//! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome": "equilibrium", …}}`. The outcome comes first, and
-//! only an equilibrium has forces, with its residuals:
+//! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome":
+//! "equilibrium", …}}`. The outcome comes first, and only an equilibrium has forces, with its
+//! residuals:
 //!
 //! | question | outcomes | type |
 //! |---|---|---|
@@ -150,17 +156,20 @@
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `follow` | `completed`, `limit_load`, `snap`, `ends`, `gives_way`, `no_start`, `undecided` | [`PathAnswer`] |
 //!
-//! The names in the text are those of the fields and variants of these types, in lower case with underscores. Contacts are named by
-//! their place in the scene and, for a soft fingertip, the point of its patch. A number that is not finite is written in words: `"infinite"`,
-//! `"-infinite"`, `"not a number"`. Fields may be added to answers without a new version.
+//! The names in the text are those of the fields and variants of these types, in lower case with
+//! underscores. Contacts are named by their place in the scene and, for a soft fingertip, the point
+//! of its patch. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
+//! `"not a number"`. Fields may be added to answers without a new version.
 //!
-//! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature `float_roundtrip`.
+//! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature
+//! `float_roundtrip`.
 //!
 //! # Errors
 //!
-//! A scene that can be read has numbers in range and lists of matching length. Messages name the contact's data, the value and what is allowed;
-//! line and column are added by `serde_json`, the path of the field (`planar.contacts[1].friction`) by `serde_path_to_error`, as in the
-//! example `predict_sliding`.
+//! A scene that can be read has numbers in range and lists of matching length. Messages name the
+//! contact's data, the value and what is allowed; line and column are added by `serde_json`, the
+//! path of the field (`planar.contacts[1].friction`) by `serde_path_to_error`, as in the example
+//! `predict_sliding`.
 
 mod answer;
 mod equilibrium;

@@ -1,7 +1,8 @@
 //! Numbers, with words for those that JSON cannot write.
 //!
-//! A format that has no infinity turns one into `null` without a word. Here it is said: a rigid spring is "rigid", friction
-//! without limit "infinite", and an answer that is not finite "infinite", "-infinite" or "not a number".
+//! A format that has no infinity turns one into `null` without a word. Here it is said: a rigid
+//! spring is "rigid", friction without limit "infinite", and an answer that is not finite
+//! "infinite", "-infinite" or "not a number".
 
 use std::fmt;
 use std::marker::PhantomData;

@@ -6,8 +6,9 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// Reads an object as `W` and makes a `T` of it. What is wrong is said before the object is left: a format that knows lines and columns adds
-/// those of its end. Said later, they would be those of whatever comes next.
+/// Reads an object as `W` and makes a `T` of it. What is wrong is said before the object is left: a
+/// format that knows lines and columns adds those of its end. Said later, they would be those of
+/// whatever comes next.
 pub(super) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,

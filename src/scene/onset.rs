@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::equilibrium::{Equilibrium, Proof};
 use super::fields::found;
 use super::place::{Doing, Place, Places};
-use crate::equilibrium::{Doubt, Rung};
-use crate::grasp::{Twist, Wrench};
+use crate::equilibrium::{Doubt, Rung, Settings};
+use crate::grasp::{Grasp, Twist, Wrench};
 use crate::load_path as path;
 
 /// When the first contact leaves rolling; see [`path::Onset`].
@@ -56,9 +56,6 @@ pub struct Onset<const D: usize, const C: usize> {
     pub beyond: Beyond<D, C>,
     /// The equilibrium there.
     pub state: Equilibrium<D, C>,
-    /// On the round cone: the onset on the polygon, for comparison; "infinite" for never.
-    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
-    pub polygon_factor: Option<f64>,
 }
 
 /// A contact that leaves rolling.
@@ -147,17 +144,25 @@ impl<const D: usize, const C: usize> From<&path::Beyond<D, C>> for Beyond<D, C> 
 impl Places {
     pub(super) fn onset<const D: usize, const C: usize>(
         &self,
+        grasp: &Grasp<D, C>,
+        settings: &Settings,
         onset: &path::Onset<D, C>,
     ) -> OnsetAnswer<D, C> {
         match onset {
-            path::Onset::At(event) => OnsetAnswer::At(Box::new(Onset {
-                factor: event.factor,
-                load: event.load,
-                leaving: event.leaving.iter().map(|leaving| self.leaving(leaving)).collect(),
-                beyond: (&event.beyond).into(),
-                state: self.equilibrium(&event.state),
-                polygon_factor: event.polygon_factor,
-            })),
+            path::Onset::At(event) => {
+                let (beyond, state) = (grasp.beyond_with(event, settings), grasp.state_at_onset(event));
+                // Both are there: the event is one of this grasp.
+                let (Some(beyond), Some(state)) = (beyond, state) else {
+                    return OnsetAnswer::Undecided { doubt: Doubt::Inaccurate };
+                };
+                OnsetAnswer::At(Box::new(Onset {
+                    factor: event.factor,
+                    load: event.load,
+                    leaving: event.leaving.iter().map(|leaving| self.leaving(leaving)).collect(),
+                    beyond: (&beyond).into(),
+                    state: self.equilibrium(&state),
+                }))
+            }
             path::Onset::Never => OnsetAnswer::Never,
             path::Onset::AlreadySliding(state) => {
                 OnsetAnswer::AlreadySliding { state: Box::new(self.equilibrium(state)) }

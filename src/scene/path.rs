@@ -33,7 +33,8 @@ pub struct PathAnswer<const D: usize, const C: usize> {
 pub enum PathEnd<const D: usize, const C: usize> {
     /// All legs were followed to their end.
     Completed {
-        /// The equilibrium there; left out where rounding does not allow it to be written down, and where there was no way to go.
+        /// The equilibrium there; left out where rounding does not allow it to be written down, and
+        /// where there was no way to go.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<D, C>>>,
     },
@@ -102,7 +103,8 @@ pub struct Event<const D: usize, const C: usize> {
     /// Unit motions that nothing resists from here on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_motions: Vec<Twist<D>>,
-    /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that is not known.
+    /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that
+    /// is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event.
@@ -188,7 +190,8 @@ pub struct Energy {
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
     #[serde(with = "found")]
     pub dissipated: f64,
-    /// What does not balance, over the sum of the sizes of all contributions: zero in exact arithmetic.
+    /// What does not balance, over the sum of the sizes of all contributions: zero in exact
+    /// arithmetic.
     #[serde(with = "found")]
     pub residual: f64,
 }

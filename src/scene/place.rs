@@ -78,15 +78,18 @@ pub struct Touch<const C: usize> {
     /// Friction in reserve, N; "infinite" with infinite friction.
     #[serde(with = "found")]
     pub margin: f64,
-    /// Whether working precision tells the state from its neighbours.
-    pub distinct: bool,
+    /// Whether working precision tells the state from its neighbours: of the answer to `solve`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distinct: Option<bool>,
     /// Displacement of the body's core, coordinate axes, m.
     #[serde(with = "found")]
     pub body_core: SVector<f64, C>,
-    /// Displacement of the body's surface, coordinate axes, m; left out if only the series stiffness is known.
+    /// Displacement of the body's surface, coordinate axes, m; left out if only the series
+    /// stiffness is known.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement of the finger's surface, coordinate axes, m; left out if only the series stiffness is known.
+    /// Displacement of the finger's surface, coordinate axes, m; left out if only the series
+    /// stiffness is known.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
     pub finger_surface: Option<SVector<f64, C>>,
 }
@@ -101,7 +104,7 @@ impl Places {
             gap: answer.gap,
             slip: answer.slip,
             margin: answer.margin,
-            distinct: answer.distinct,
+            distinct: None,
             body_core: answer.body_core,
             body_surface: answer.body_surface,
             finger_surface: answer.finger_surface,

@@ -31,8 +31,8 @@ pub enum Question<const D: usize, const C: usize> {
     },
 }
 
-/// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ times their change; see
-/// [`Ramp`](crate::load_path::Ramp).
+/// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ
+/// times their change; see [`Ramp`](crate::load_path::Ramp).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RampAsked<const D: usize, const C: usize> {
@@ -51,14 +51,15 @@ fn no_load<const D: usize>() -> Wrench<D> {
     Wrench::ZERO
 }
 
-/// Finger commands or changes of them: one for each contact of the scene in its contact frame, normal part first, m. The points of a soft
-/// fingertip have that of their contact. Another number of them is an error where the question is read or answered.
+/// Finger commands or changes of them: one for each contact of the scene in its contact frame,
+/// normal part first, m. The points of a soft fingertip have that of their contact. Another number
+/// of them is an error where the question is read or answered.
 ///
 /// ```
 /// use grasp_lcp::scene::Commands;
 ///
 /// let squeeze: Commands<2> = [[0.002, 0.0]; 3].into_iter().collect();
-/// assert_eq!(squeeze.0[2], [0.002, 0.0].into());
+/// assert_eq!(squeeze.0[2].as_slice(), [0.002, 0.0]);
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
@@ -79,8 +80,8 @@ pub enum Goal<T> {
     To(T),
 }
 
-/// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by` or `commands_to`, or one of each; what
-/// is not mentioned stays.
+/// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
+/// or `commands_to`, or one of each; what is not mentioned stays.
 ///
 /// ```
 /// use grasp_lcp::planar::Wrench;

@@ -14,7 +14,8 @@ impl Serialize for PolygonCone {
     }
 }
 
-/// `{"facets": 8, "fit": "inscribed"}`, both optional (feature `serde`), see [`crate::scene`]. Refuses what [`PolygonCone::new`] refuses.
+/// `{"facets": 8, "fit": "inscribed"}`, both optional (feature `serde`), see [`crate::scene`].
+/// Refuses what [`PolygonCone::new`] refuses.
 impl<'de> Deserialize<'de> for PolygonCone {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a polygon", |WrittenPolygon { facets, fit }| {
@@ -74,7 +75,8 @@ impl From<&Settings> for WrittenSettings {
     }
 }
 
-/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …}` (feature `serde`), see [`crate::scene`].
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …}` (feature
+/// `serde`), see [`crate::scene`].
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         WrittenSettings::from(self).serialize(serializer)

@@ -14,7 +14,8 @@ use crate::error::{ContactLabel, Error};
 use crate::grasp::Grasp;
 use crate::load_path::{self, Ramp};
 
-/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact, 3 and 2 in the plane, 6 and 3 in space.
+/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact, 3 and 2 in the
+/// plane, 6 and 3 in space.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -47,7 +48,8 @@ pub struct Setup<const D: usize, const C: usize> {
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<D, C>>,
-    /// For all questions. Where they are for the polygon, so are onsets ([`Grasp::onset_on_polygon`]).
+    /// For all questions. Where they are for the polygon, so are onsets
+    /// ([`Grasp::onset_with`]).
     #[serde(skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -91,8 +93,8 @@ impl<const D: usize, const C: usize> From<&Grasp<D, C>> for Setup<D, C> {
 }
 
 impl<const D: usize, const C: usize> Setup<D, C> {
-    /// Contacts of which nothing is asked yet, without an outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a
-    /// [`Finger`].
+    /// Contacts of which nothing is asked yet, without an outline, with default settings. A
+    /// [`Contact`](crate::grasp::Contact) is turned `into` a [`Finger`].
     pub fn new(contacts: impl IntoIterator<Item = Finger<C>>) -> Self {
         Self {
             contacts: contacts.into_iter().collect(),
@@ -102,14 +104,14 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         }
     }
 
-    /// The same with one more question.
+    /// This setup with one more question.
     #[must_use]
     pub fn ask(mut self, question: Question<D, C>) -> Self {
         self.questions.push(question);
         self
     }
 
-    /// The same with other settings.
+    /// This setup with other settings.
     #[must_use]
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
@@ -119,7 +121,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// The grasp: soft fingertips are spread, so that it may have more contacts than the scene.
     ///
     /// # Errors
-    /// As for [`Grasp::new`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index that the contact has in the scene.
+    /// As for [`Grasp::new`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
+    /// that the contact has in the scene.
     pub fn grasp(&self) -> Result<Grasp<D, C>, Error> {
         let mut points = Vec::with_capacity(self.contacts.len());
         let mut of = Vec::with_capacity(self.contacts.len());
@@ -136,7 +139,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         })
     }
 
-    /// The ramp of a question as the grasp has it: with command changes for every point of a soft fingertip.
+    /// The ramp of a question as the grasp has it: with command changes for every point of a soft
+    /// fingertip.
     ///
     /// # Errors
     /// [`Error::Size`] if the command changes are not one for each contact of the scene.
@@ -148,7 +152,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         })
     }
 
-    /// The legs of a load program as the grasp has them: with commands for every point of a soft fingertip.
+    /// The legs of a load program as the grasp has them: with commands for every point of a soft
+    /// fingertip.
     ///
     /// # Errors
     /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene.
@@ -208,8 +213,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// The answer to every question, in order.
     ///
     /// # Errors
-    /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that answer: a malformed question is an error,
-    /// "no equilibrium" is an answer.
+    /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
+    /// answer: a malformed question is an error, "no equilibrium" is an answer.
     pub fn answers(&self) -> Result<Vec<Answer<D, C>>, Error> {
         let (grasp, places) = (self.grasp()?, self.places()?);
         self.questions.iter().map(|question| self.answer(&grasp, &places, question)).collect()
@@ -223,15 +228,13 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     ) -> Result<Answer<D, C>, Error> {
         let settings = &self.settings;
         Ok(match question {
-            Question::Solve { load } => Answer::Solve(places.outcome(&grasp.solve_with(load, settings)?)),
+            Question::Solve { load } => {
+                Answer::Solve(places.solved(grasp, &grasp.solve_with(load, settings)?))
+            }
             Question::Onset(asked) => {
                 let ramp = self.ramp(asked)?;
-                let onset = if settings.round {
-                    grasp.onset(&ramp, settings)?
-                } else {
-                    grasp.onset_on_polygon(&ramp, settings)?
-                };
-                Answer::Onset(places.onset(&onset))
+                let onset = grasp.onset_with(&ramp, settings)?;
+                Answer::Onset(places.onset(grasp, settings, &onset))
             }
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow_with(*start, &self.legs(legs)?, settings)?;

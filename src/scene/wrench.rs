@@ -1,7 +1,8 @@
 //! Wrenches and twists as they are written: linear and angular part by name.
 //!
-//! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space. What is left out is zero.
-//! A force that acts elsewhere than at the origin may say where, `"at": [0.1, 0]`; its moment is added.
+//! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
+//! in space. What is left out is zero. A force that acts elsewhere than at the origin may say
+//! where, `"at": [0.1, 0]`; its moment is added.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -80,7 +81,8 @@ impl<const D: usize> Serialize for Wrench<D> {
     }
 }
 
-/// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`]. Refuses numbers that a grasp would refuse.
+/// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`].
+/// Refuses numbers that a grasp would refuse.
 impl<'de, const D: usize> Deserialize<'de> for Wrench<D> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {

@@ -12,8 +12,9 @@ use crate::{planar, spatial};
 /// The version of the format that is written and read.
 pub const FORMAT: &str = "grasp-lcp/1";
 
-/// A grasp in the plane or in space, with what is asked of it; see [the format](crate::scene). It is read from JSON or another format that describes
-/// itself, or made `from` a grasp or a [`Setup`].
+/// A grasp in the plane or in space, with what is asked of it; see [the format](crate::scene). It
+/// is read from JSON or another format that describes itself, or made `from` a grasp or a
+/// [`Setup`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Scene {

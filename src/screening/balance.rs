@@ -6,7 +6,9 @@ use super::block::Block;
 use super::finger::{Finger, Force, moment, world};
 use super::lanes::{Lanes, dot};
 
-/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring.
+/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
+/// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
+/// motions beside very soft ones would be called free.
 pub(super) const NOTHING: f64 = 1e-13;
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
@@ -28,28 +30,29 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
     pub(super) fn new(block: &Block<C, N, L>) -> Self {
         let share = Lanes::all(1.0 / N as f64);
         let none = [Lanes::ZERO; C];
+        let mut fingers = [Finger { normal: none, springs: [Lanes::ZERO; 2] }; N];
+        for i in 0..N {
+            for axis in 0..C {
+                fingers[i].normal[axis] = block.normal[axis][i];
+            }
+            fingers[i].springs = [block.springs[0][i], block.springs[1][i]];
+        }
         let mut centre = none;
-        let mut arms = block.points;
+        let mut arms = [centre; N];
         let mut reach = Lanes::ZERO;
         for axis in 0..C {
-            for point in &block.points {
-                centre[axis] += point[axis] * share;
+            for i in 0..N {
+                centre[axis] += block.point[axis][i] * share;
             }
-            for arm in &mut arms {
-                arm[axis] -= centre[axis];
-                reach = reach.max(arm[axis].abs());
+            for i in 0..N {
+                arms[i][axis] = block.point[axis][i] - centre[axis];
+                reach = reach.max(arms[i][axis].abs());
             }
         }
-        let mut body = Self {
-            fingers: block.fingers,
-            centre,
-            arms,
-            reach,
-            factors: [[Lanes::ZERO; D]; D],
-            free: Lanes::ZERO,
-        };
+        let mut body =
+            Self { fingers, centre, arms, reach, factors: [[Lanes::ZERO; D]; D], free: Lanes::ZERO };
         for i in 0..N {
-            body.add(&block.fingers[i], &arms[i]);
+            body.add(&fingers[i], &arms[i]);
         }
         body.factor();
         body

@@ -10,10 +10,12 @@ use crate::numerics::{Loop, wide};
 /// Scenes side by side.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
+/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C`
+/// are 3 and 2 in the plane, 6 and 3 in space.
 ///
-/// Numbers of eight grasps lie side by side, so that one instruction works on several of them. A grasp gets the same answer,
-/// to the last bit, as from [`Fingers::onset`] on its own, whatever the batch, the processor and the number of threads.
+/// Numbers of eight grasps lie side by side, so that one instruction works on several of them. A
+/// grasp gets the same answer, to the last bit, as from [`Fingers::onset`] on its own, whatever the
+/// batch, the processor and the number of threads.
 ///
 /// ```
 /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -81,10 +83,11 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.len = 0;
     }
 
-    /// When the first contact of each grasp leaves rolling as each of the loads grows, on one thread; for all cores there is
-    /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch). The answers come grasp by grasp, for each in the order of the loads: what does
-    /// not depend on the load is done once. `answers` is cleared first and then holds the one of grasp g and pull p at
-    /// `g * pulls.len() + p`; with room for all of them nothing is allocated.
+    /// When the first contact of each grasp leaves rolling as each of the loads grows, on one
+    /// thread; for all cores there is [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch).
+    /// The answers come grasp by grasp, for each in the order of the loads: what does not depend on
+    /// the load is done once. `answers` is cleared first and then holds the one of grasp g and pull
+    /// p at `g * pulls.len() + p`; with room for all of them nothing is allocated.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};

@@ -1,25 +1,33 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
-use super::finger::Force;
 use super::lanes::{Lanes, dot};
 use super::screened::{GIVES_WAY, NOT_ROLLING, Screened, UNCLEAR};
 
-/// A contact this close to the edge of its cone at factor zero, relative to the forces there, may be on it.
+/// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
+/// be on it. With a smaller part rounding would decide whether it rolls; with a larger one more
+/// grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
-/// Contacts that leave at factors less than this part apart leave together.
+/// Contacts that leave at factors less than this part apart leave together, as those of symmetric
+/// grasps do up to rounding.
 const TOGETHER: f64 = 1e-12;
-/// Forces that leave more than this part of the load unbalanced are not accurate enough.
+/// Forces that leave more than this part of the load unbalanced are not accurate enough: the factor
+/// would have fewer than twelve digits.
 const BALANCED: f64 = 1e-12;
-/// A margin that closes at less than so many times what of the rate may be rounding closes at a factor that is not known well enough.
+/// A margin that closes at less than so many times the rounding of its rate closes at a factor of
+/// fewer than six digits, which is no answer.
 const SHARP: f64 = 1e6;
-/// A force times a rate outside of these bounds, squared, loses its digits to underflow or overflows.
+/// A force times a rate outside of these bounds, squared, loses its digits to underflow or
+/// overflows.
 const LEAST: f64 = 1e-140;
 const MOST: f64 = 1e150;
 
 /// The forces of all contacts, or their rates; arrays run over the contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
-    pub(super) contacts: [Force<C, L>; N],
+    pub(super) normal: [Lanes<L>; N],
+    /// In space a vector across the normal, axis by axis; in the plane the first entry is that
+    /// along (n_y, -n_x).
+    pub(super) tangential: [[Lanes<L>; N]; C],
     /// What of them may be rounding.
     pub(super) rounding: [Lanes<L>; N],
     /// What part of the load they leave unbalanced; not a number if there are no such forces.
@@ -30,25 +38,42 @@ pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
 
 impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
     /// No forces.
-    pub(super) const NONE: Self = Self {
-        contacts: [Force::NONE; N],
-        rounding: [Lanes::ZERO; N],
-        unbalanced: Lanes::ZERO,
-        free: Lanes::ZERO,
-    };
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = Lanes::ZERO;
+        Self {
+            normal: [zero; N],
+            tangential: [[zero; N]; C],
+            rounding: [zero; N],
+            unbalanced: zero,
+            free: zero,
+        }
+    }
+
+    /// The tangential part at one contact.
+    #[inline(always)]
+    pub(super) fn friction(&self, contact: usize) -> [Lanes<L>; C] {
+        let mut friction = [Lanes::ZERO; C];
+        for axis in 0..C {
+            friction[axis] = self.tangential[axis][contact];
+        }
+        friction
+    }
 }
 
-/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and one, 1 and 0 if it can only open, both zero if it
-/// never leaves.
+/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and
+/// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
 struct Cone<const L: usize> {
     alpha: Lanes<L>,
     beta: Lanes<L>,
 }
 
-/// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no friction, or infinite friction.
+/// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no
+/// friction, or infinite friction.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed without or with infinite friction.
+/// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed
+/// without or with infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<const L: usize> Cone<L> {
@@ -64,22 +89,24 @@ impl<const L: usize> Cone<L> {
 struct Exit<const L: usize> {
     /// Infinite if there is none, a code if it is not known.
     factor: Lanes<L>,
-    /// The margin to the edge at factor zero, and what is left of it without rounding.
+    /// The margin to the edge at factor zero, and the margin less its rounding.
     margin: Lanes<L>,
     sure: Lanes<L>,
 }
 
 /// Where `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
 ///
-/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the long run it closes at the rate `|t'| - n'`: whether that is more
-/// than rounding decides whether the line leaves at all. In the plane it is two straight lines. In space the first root of a quadratic is wanted,
+/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the
+/// long run it closes at the rate `|t'| - n'`: whether that is more than rounding decides whether
+/// the line leaves at all. In the plane it is two straight lines. In space the first root of a
+/// quadratic is wanted,
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
 /// ```
 ///
-/// and of `c / (√Δ - b)` and `(√Δ + b) / a` that one is taken in which nothing cancels. In its second form Δ keeps its digits where the line passes
-/// close to the apex.
+/// and of `c / (√Δ - b)` and `(√Δ + b) / a` that one is taken in which nothing cancels. In its
+/// second form Δ keeps its digits where the line passes close to the apex.
 #[inline(always)]
 fn exit<const C: usize, const N: usize, const L: usize>(
     cone: &Cone<L>,
@@ -90,20 +117,19 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     let zero = Lanes::ZERO;
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
-    let (force, rate) = (&base.contacts[contact], &rates.contacts[contact]);
-    let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
+    let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
     let (factor, margin);
     // Minus infinity where nothing is sure.
     let mut lost = zero;
     if C == 2 {
-        let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
+        let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
         margin = one.min(two);
         factor =
             known(one / closing_one, closing_one, noise).min(known(two / closing_two, closing_two, noise));
     } else {
-        let (mut t, mut dt) = (force.tangential, rate.tangential);
+        let (mut t, mut dt) = (base.friction(contact), rates.friction(contact));
         for axis in 0..C {
             t[axis] = cone.beta * t[axis];
             dt[axis] = cone.beta * dt[axis];
@@ -132,7 +158,8 @@ fn exit<const C: usize, const N: usize, const L: usize>(
     Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
 }
 
-/// A factor as far as it is known from the rate at which the margin closes there: infinite if that is rounding, a code if it is close to it.
+/// A factor as far as it is known from the rate at which the margin closes there: infinite if that
+/// is rounding, a code if it is close to it.
 #[inline(always)]
 fn known<const L: usize>(factor: Lanes<L>, closing: Lanes<L>, noise: Lanes<L>) -> Lanes<L> {
     let factor = closing.above(Lanes::all(SHARP) * noise, factor, Lanes::all(UNCLEAR));
@@ -162,7 +189,8 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     for i in 0..N {
         leaving += factors[i].above(until, zero, Lanes::all(f64::from(1 << i)));
     }
-    // Where there are no forces this is not a number; what never leaves has a margin of zero, as exactly as it should.
+    // Where there are no forces this is not a number; what never leaves has a margin of zero, as
+    // exactly as it should.
     let code = first + Lanes::ZERO * sure;
     let code = (-sure).above(zero, Lanes::all(UNCLEAR), code);
     let code = Lanes::all(BALANCED).above(base.unbalanced + rates.unbalanced, code, Lanes::all(UNCLEAR));

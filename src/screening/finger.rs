@@ -1,7 +1,5 @@
 //! One contact: its springs, and what forces and motions do at the end of its arm.
 
-use std::ops::{AddAssign, SubAssign};
-
 use super::lanes::{Lanes, dot};
 
 /// One contact.
@@ -11,48 +9,13 @@ pub(super) struct Finger<const C: usize, const L: usize> {
     pub(super) springs: [Lanes<L>; 2],
 }
 
-/// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the plane the first entry, that along (n_y, -n_x).
+/// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the
+/// plane the first entry, that along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force<const C: usize, const L: usize> {
     pub(super) normal: Lanes<L>,
     pub(super) tangential: [Lanes<L>; C],
 }
-
-impl<const C: usize, const L: usize> Finger<C, L> {
-    pub(super) const NONE: Self = Self { normal: [Lanes::ZERO; C], springs: [Lanes::ZERO; 2] };
-
-    /// The force of the contact whose springs are stretched so, along the normal and across it.
-    #[inline(always)]
-    pub(super) fn force(&self, stretch: &Force<C, L>) -> Force<C, L> {
-        let [normal, tangential] = self.springs;
-        let mut force = Force { normal: normal * stretch.normal, tangential: stretch.tangential };
-        for axis in 0..C {
-            force.tangential[axis] = tangential * stretch.tangential[axis];
-        }
-        force
-    }
-}
-
-impl<const C: usize, const L: usize> Force<C, L> {
-    pub(super) const NONE: Self = Self { normal: Lanes::ZERO, tangential: [Lanes::ZERO; C] };
-}
-
-macro_rules! in_place {
-    ($operator:ident, $operate:ident, $symbol:tt) => {
-        impl<const C: usize, const L: usize> $operator for Force<C, L> {
-            #[inline(always)]
-            fn $operate(&mut self, other: Self) {
-                self.normal $symbol other.normal;
-                for axis in 0..C {
-                    self.tangential[axis] $symbol other.tangential[axis];
-                }
-            }
-        }
-    };
-}
-
-in_place!(AddAssign, add_assign, +=);
-in_place!(SubAssign, sub_assign, -=);
 
 /// The moment of a force at an arm, in the first entries.
 #[inline(always)]
@@ -110,21 +73,22 @@ pub(super) fn world<const C: usize, const L: usize>(
     world
 }
 
-/// The force of a contact whose springs are stretched so, in coordinate axes.
+/// The force of a contact whose springs are stretched so.
 #[inline(always)]
 pub(super) fn stretched<const C: usize, const L: usize>(
     finger: &Finger<C, L>,
     s: &[Lanes<L>; C],
 ) -> Force<C, L> {
+    let [normal, tangential] = finger.springs;
     let n = &finger.normal;
     let along = dot(n, s);
     let mut across = [Lanes::ZERO; C];
     if C == 2 {
-        across[0] = n[1] * s[0] - n[0] * s[1];
+        across[0] = tangential * (n[1] * s[0] - n[0] * s[1]);
     } else {
         for axis in 0..C {
-            across[axis] = s[axis] - n[axis] * along;
+            across[axis] = tangential * (s[axis] - n[axis] * along);
         }
     }
-    finger.force(&Force { normal: along, tangential: across })
+    Force { normal: normal * along, tangential: across }
 }

@@ -1,10 +1,7 @@
 //! The contacts of one grasp, checked once and made ready.
 
-use nalgebra::SVector;
-
 use super::block::Block;
 use super::exit::{OPENS_ONLY, STAYS};
-use super::finger::{Finger, Force};
 use super::lanes::Lanes;
 use super::pull::Pull;
 use super::ready::Ready;
@@ -12,11 +9,11 @@ use super::screened::Screened;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
-/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of them leaves rolling:
-/// what does not depend on the load is done once.
+/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of
+/// them leaves rolling: what does not depend on the load is done once.
 ///
-/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see [`planar::Fingers`](crate::planar::Fingers) and
-/// [`spatial::Fingers`](crate::spatial::Fingers).
+/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see
+/// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -38,11 +35,12 @@ pub struct Fingers<const D: usize, const C: usize, const N: usize> {
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
-    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not compile.
+    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not
+    /// compile.
     ///
     /// # Errors
-    /// [`Error::Contact`] naming the first contact, field and value that is out of range; in space also if a contact's tangential stiffness
-    /// differs from one tangent to the other.
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space
+    /// a contact's stiffness must be equal along both tangents.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
@@ -62,7 +60,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 });
             }
             let mut a = contact.commanded();
-            let pressed = a[0] - contact.clearance;
+            block.pressed[index] = Lanes([a[0] - contact.clearance]);
             a[0] = 0.0;
             if C == 3 {
                 a = frame * a;
@@ -72,12 +70,13 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
                 a.swap_rows(0, 1);
                 a[0] *= turned.signum();
             }
-            block.points[index] = lanes(&contact.point);
-            block.fingers[index] = Finger {
-                normal: lanes(&frame.column(0).into_owned()),
-                springs: [Lanes([k[0]]), Lanes([tangential])],
-            };
-            block.commands[index] = Force { normal: Lanes([pressed]), tangential: lanes(&a) };
+            for axis in 0..C {
+                block.point[axis][index] = Lanes([contact.point[axis]]);
+                block.normal[axis][index] = Lanes([frame[(axis, 0)]]);
+                block.sheared[axis][index] = Lanes([a[axis]]);
+            }
+            block.springs[0][index] = Lanes([k[0]]);
+            block.springs[1][index] = Lanes([tangential]);
             let slides = contact.friction > 0.0 && contact.friction.is_finite();
             block.friction[index] = Lanes([match contact.hold {
                 Hold::Bonded => STAYS,
@@ -92,15 +91,12 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         Ok(Self { ready: Ready::new(&block), block })
     }
 
-    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening does not know.
+    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening
+    /// does not know.
     #[must_use]
     #[inline(never)]
     pub fn onset(&self, pull: &Pull<D>) -> Screened {
         let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }
-}
-
-fn lanes<const C: usize>(v: &SVector<f64, C>) -> [Lanes<1>; C] {
-    std::array::from_fn(|axis| Lanes([v[axis]]))
 }

@@ -1,9 +1,9 @@
-//! The same number of several scenes, side by side.
+//! One number of each of several scenes, side by side.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// One number of each of `L` scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions;
-/// each lane is computed as if it stood alone.
+/// One number of each of `L` scenes. Every operation is a loop over the lanes, which the compiler
+/// turns into vector instructions; each lane is computed as if it stood alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lanes<const L: usize>(pub(super) [f64; L]);
 

@@ -1,9 +1,15 @@
-//! At which load does the first contact leave rolling, for millions of grasps of two to five contacts?
+//! At which load does the first contact leave rolling, for millions of grasps of two to five
+//! contacts?
 //!
-//! The commonest question of a planner, answered without memory of its own and without a branch: all springs are stretched as if every
-//! contact rolled, once at factor zero of the load and once for its rate, and a ratio test on the exact cone says where the first contact
-//! leaves. This is what [`Grasp::onset`](crate::grasp::Grasp::onset) finds, too, wherever every contact rolls at factor zero and the numbers
-//! are not extreme; where they are, screening says so ([`Verdict`]) and leaves the answer to it. It does not ask what comes beyond the onset.
+//! This is the commonest question of a planner. Screening answers it without memory of its own and
+//! without a branch: it stretches all springs as if every contact rolled, once at factor zero of
+//! the load and once for its rate. A ratio test on the exact cone then says where the first contact
+//! leaves.
+//!
+//! [`Grasp::onset`](crate::grasp::Grasp::onset) finds this factor, too, wherever every contact
+//! rolls at factor zero and the numbers are not extreme. Elsewhere screening says why it has no
+//! answer ([`Verdict`]) and leaves the question to `Grasp::onset`. Screening does not ask what
+//! comes beyond the onset.
 //!
 //! ```text
 //! F_i(τ) = F_i(W₀) + τ F_i',   W = W₀ + τ W',   onset: the least τ > 0 beyond which |F_t| > μ F_n (if μ is 0 or infinite: F_n < 0) at some contact

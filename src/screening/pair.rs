@@ -1,13 +1,14 @@
 //! Two contacts in the plane: forces in closed form, in compliances.
 //!
-//! With p the way from contact 1 to contact 2, `p_1 = p` and `p_2 = -p`, `p_i⊥` a quarter turn further, m the midpoint and `C_i = K_i⁻¹` in coordinate axes, balance
-//! of forces and moments leaves one unknown λ, the force along the line through both,
+//! The way from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`; `p_i⊥` is a quarter
+//! turn further and m the midpoint. The compliances are `C_i = K_i⁻¹` in coordinate axes. Balance
+//! of forces and moments leaves one unknown λ, the force along the line through both:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! and that the object does not change its length fixes it:
+//! The object does not change its length, which fixes λ:
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0
@@ -18,31 +19,36 @@
 use super::balance::NOTHING;
 use super::block::{Block, Sizes};
 use super::exit::{Forces, ON_THE_EDGE};
-use super::finger::Force;
 use super::lanes::Lanes;
 use crate::contact::ZERO_SLACK as ROUNDING;
 
-/// Turns stiffnesses into compliances. A contact without friction has none along its tangent to speak of, an infinite one: then the condition on λ
-/// reads `F_t = 0` there, and all other terms of it vanish. Two such contacts do not hold anything together, nor does one whose normal points along
-/// the line: the object turns about the other contact. Their compliances are not numbers.
+/// Turns stiffnesses into compliances.
+///
+/// A contact without friction has an infinite compliance along its tangent: the condition on λ
+/// reads `F_t = 0` there, and all its other terms vanish. Two such contacts do not hold anything
+/// together. Nor does one whose normal points along the line: the object turns about the other
+/// contact. The compliances of both are then not numbers.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
-    let slippery = scene.fingers.map(|finger| finger.springs[1].0[0] == 0.0);
-    let [x, y] = [0, 1].map(|axis| scene.points[1][axis].0[0] - scene.points[0][axis].0[0]);
+    let slippery = scene.springs[1].map(|k| k.0[0] == 0.0);
+    let [x, y] = [0, 1].map(|axis| scene.point[axis][1].0[0] - scene.point[axis][0].0[0]);
     let along = |i: usize| {
-        let normal = scene.fingers[i].normal;
-        let t = normal[1].0[0] * x - normal[0].0[0] * y;
+        let t = scene.normal[1][i].0[0] * x - scene.normal[0][i].0[0] * y;
         t * t <= NOTHING * (x * x + y * y)
     };
     let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
     for i in 0..N {
-        let [normal, tangential] = scene.fingers[i].springs;
-        scene.fingers[i].springs = match count {
+        let [normal, tangential] = [scene.springs[0][i], scene.springs[1][i]];
+        let compliances = match count {
             0 => [Lanes::all(1.0) / normal, Lanes::all(1.0) / tangential],
             1 => [Lanes::ZERO, Lanes::all(f64::from(u8::from(slippery[i])))],
             _ => [Lanes::all(f64::NAN); 2],
         };
+        for (axis, compliance) in compliances.into_iter().enumerate() {
+            scene.springs[axis][i] = compliance;
+        }
         if count > 0 {
-            scene.commands[i] = Force::NONE;
+            scene.pressed[i] = Lanes::ZERO;
+            scene.sheared[0][i] = Lanes::ZERO;
         }
     }
     scene.sizes = sizes(scene);
@@ -52,12 +58,12 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C
 fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
     let pair = Pair::new(scene);
     let one = Lanes::all(1.0);
-    let [x, y] = [0, 1].map(|axis| scene.points[1][axis] - scene.points[0][axis]);
+    let [x, y] = [0, 1].map(|axis| scene.point[axis][1] - scene.point[axis][0]);
     let length = x.abs() + y.abs();
     let (mut gives, mut commands) = (Lanes::ZERO, Lanes::ZERO);
     for i in 0..2 {
         gives += pair.u[i].abs() + pair.v[i].abs();
-        commands += scene.commands[i].normal.abs() + scene.commands[i].tangential[0].abs();
+        commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
     }
     let scale = length * pair.one_over_give;
     let gives = one + scale * gives;
@@ -79,7 +85,8 @@ pub(super) struct Pair<const L: usize> {
     v: [Lanes<L>; 2],
     one_over_give: Lanes<L>,
     one_over_square: Lanes<L>,
-    /// How much the line would have to give if s were one, and what the fingers take from it by going where they are told.
+    /// How much the line would have to give if s were one, and what the fingers take from it by
+    /// going where they are told.
     sheared: Lanes<L>,
     commanded: Lanes<L>,
     sizes: Sizes<L>,
@@ -89,7 +96,7 @@ impl<const L: usize> Pair<L> {
     #[inline(always)]
     pub(super) fn new<const C: usize, const N: usize>(block: &Block<C, N, L>) -> Self {
         let zero = [Lanes::ZERO; 2];
-        let [px, py] = [0, 1].map(|axis| [block.points[0][axis], block.points[1][axis]]);
+        let [px, py] = [block.point[0], block.point[1]];
         let x = [px[1] - px[0], px[0] - px[1]];
         let y = [py[1] - py[0], py[0] - py[1]];
         let half = Lanes::all(0.5);
@@ -97,16 +104,15 @@ impl<const L: usize> Pair<L> {
         let (mut normal, mut n, mut t, mut u, mut v) = ([zero; 2], zero, zero, zero, zero);
         let (mut give, mut sheared, mut commanded) = (zero, zero, zero);
         for i in 0..2 {
-            let (finger, command) = (&block.fingers[i], &block.commands[i]);
-            normal[0][i] = finger.normal[0];
-            normal[1][i] = finger.normal[1];
+            normal[0][i] = block.normal[0][i];
+            normal[1][i] = block.normal[1][i];
             n[i] = normal[0][i] * x[i] + normal[1][i] * y[i];
             t[i] = normal[1][i] * x[i] - normal[0][i] * y[i];
-            u[i] = finger.springs[0] * n[i];
-            v[i] = finger.springs[1] * t[i];
+            u[i] = block.springs[0][i] * n[i];
+            v[i] = block.springs[1][i] * t[i];
             give[i] = u[i] * n[i] + v[i] * t[i];
             sheared[i] = u[i] * t[i] - v[i] * n[i];
-            commanded[i] = command.normal * n[i] + command.tangential[0] * t[i];
+            commanded[i] = block.pressed[i] * n[i] + block.sheared[0][i] * t[i];
         }
         let one_over_give = Lanes::all(1.0) / (give[0] + give[1]);
         let one_over_square = Lanes::all(1.0) / (x[0] * x[0] + y[0] * y[0]);
@@ -143,10 +149,10 @@ impl<const L: usize> Pair<L> {
         }
         let lambda = -((s * self.sheared + (given[0] + given[1])) * self.one_over_give);
         let size = self.sizes.moment * load[2].abs() + self.sizes.force * (load[0].abs() + load[1].abs());
-        let mut forces = Forces::NONE;
+        let mut forces = Forces::none();
         for i in 0..2 {
-            forces.contacts[i].normal = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
-            forces.contacts[i].tangential[0] = lambda * self.t[i] + (halves[1][i] - s * self.n[i]);
+            forces.normal[i] = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
+            forces.tangential[0][i] = lambda * self.t[i] + (halves[1][i] - s * self.n[i]);
             forces.rounding[i] = Lanes::all(ROUNDING) * size;
         }
         forces
@@ -156,10 +162,10 @@ impl<const L: usize> Pair<L> {
     #[inline(always)]
     pub(super) fn squeeze<const C: usize, const N: usize>(&self) -> Forces<C, N, L> {
         let lambda = self.commanded * self.one_over_give;
-        let mut forces = Forces::NONE;
+        let mut forces = Forces::none();
         for i in 0..2 {
-            forces.contacts[i].normal = lambda * self.n[i];
-            forces.contacts[i].tangential[0] = lambda * self.t[i];
+            forces.normal[i] = lambda * self.n[i];
+            forces.tangential[0][i] = lambda * self.t[i];
             forces.rounding[i] = Lanes::all(ON_THE_EDGE) * self.sizes.commands;
         }
         forces

@@ -3,7 +3,8 @@
 use crate::error::Error;
 use crate::grasp::Wrench;
 
-/// What pulls on a grasp in screening: a load, and the direction in which it grows from there.
+/// The load on a grasp in screening: where it begins, and the direction in which it grows from
+/// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull<const D: usize> {
     pub(super) base: [f64; D],
@@ -13,8 +14,9 @@ pub struct Pull<const D: usize> {
 }
 
 impl<const D: usize> Pull<D> {
-    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
-    /// grasp. The factor has no unit, and no length is asked of the direction.
+    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m
+    /// about the origin of the coordinates of each grasp. The factor has no unit, and no length is
+    /// asked of the direction.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.

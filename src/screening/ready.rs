@@ -1,4 +1,4 @@
-//! What is known of a scene before anything pulls.
+//! What is known of a scene before any load acts.
 
 use super::balance::Body;
 use super::block::Block;
@@ -60,8 +60,11 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         let mut base = self.squeezed;
         let more = self.under(&pull.base);
         for i in 0..N {
-            base.contacts[i] += more.contacts[i];
+            base.normal[i] += more.normal[i];
             base.rounding[i] += Lanes::all(ON_THE_EDGE / ROUNDING) * more.rounding[i];
+            for axis in 0..C {
+                base.tangential[axis][i] += more.tangential[axis][i];
+            }
         }
         base.unbalanced += more.unbalanced;
         base.free += more.free;

@@ -1,11 +1,8 @@
 //! What a search for an equilibrium ends with, and what it took.
 
-use std::sync::Arc;
-
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::object::Piece;
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -63,8 +60,6 @@ pub(crate) struct Found<const D: usize, const C: usize> {
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the polygon's answer.
     pub(crate) from_polygon: Option<f64>,
-    /// The piece that it solves, where that is at hand.
-    pub(crate) piece: Option<Arc<Piece<D, C>>>,
 }
 
 impl<const D: usize, const C: usize> Found<D, C> {
@@ -78,7 +73,6 @@ impl<const D: usize, const C: usize> Found<D, C> {
             neutral_motions: Vec::new(),
             sizes: [0.0; 2],
             from_polygon: None,
-            piece: None,
         }
     }
 }

@@ -1,7 +1,5 @@
 //! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
 
-use std::sync::Arc;
-
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use super::answer::Found;
@@ -47,10 +45,7 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
     }
     let piece = Piece::new(problem, &states);
     match piece.solve(problem.sites, &problem.drives, problem.load()) {
-        Ok(state) => match admit(problem, states, &piece, state) {
-            Verdict::Holds(found) => Verdict::Holds(Found { piece: Some(Arc::new(piece)), ..found }),
-            other => other,
-        },
+        Ok(state) => admit(problem, states, &piece, state),
         Err(_) => Verdict::Unbalanced,
     }
 }

@@ -1,8 +1,6 @@
 //! The rungs of the ladder, each a way to find an equilibrium or to prove that there is none.
 
-use std::sync::Arc;
-
-use super::answer::{Doubt, Found, Rung, Settled};
+use super::answer::{Doubt, Rung, Settled};
 use super::candidate::{Verdict, admit};
 use super::enumerate::search;
 use super::ladder::{Attempt, Log, Scene};
@@ -37,10 +35,7 @@ pub(super) fn everything_rolls<const D: usize, const C: usize>(
     _: &mut Log,
 ) -> Attempt<D, C> {
     match admit(scene.problem, scene.unjumped.clone(), &scene.trial, scene.state.clone()) {
-        Verdict::Holds(found) => {
-            let piece = Some(Arc::new(scene.trial.clone()));
-            Attempt::Found(Found { piece, ..found }, Rung::EverythingRolls)
-        }
+        Verdict::Holds(found) => Attempt::Found(found, Rung::EverythingRolls),
         _ => Attempt::Nothing,
     }
 }

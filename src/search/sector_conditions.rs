@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::contact::LocalLaw;
+use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
 use crate::object::{PieceState, Problem};
 
@@ -25,12 +26,14 @@ pub(super) enum Label {
     Sector(f64, f64),
 }
 
-/// The conditions `row·y >= right` and `row·y = right` on y = (twist in its unit, forces of their own).
+/// Linear conditions on y = (twist in its unit, forces of their own).
 pub(super) struct Conditions<const D: usize, const C: usize> {
     columns: usize,
     twist_unit: f64,
-    inequalities: Vec<(Vec<f64>, f64)>,
-    equalities: Vec<(Vec<f64>, f64)>,
+    /// Not negative.
+    inequalities: Vec<Affine>,
+    /// Zero.
+    equalities: Vec<Affine>,
     /// Force of each contact as an affine function of y, axis by axis.
     forces: Vec<Vec<Affine>>,
 }
@@ -38,23 +41,23 @@ pub(super) struct Conditions<const D: usize, const C: usize> {
 /// `row·y + constant`.
 #[derive(Debug, Clone)]
 struct Affine {
-    row: Vec<f64>,
+    row: DVector<f64>,
     constant: f64,
 }
 
 impl Affine {
-    fn zero(columns: usize) -> Self {
-        Self { row: vec![0.0; columns], constant: 0.0 }
+    fn constant(columns: usize, constant: f64) -> Self {
+        Self { row: DVector::zeros(columns), constant }
     }
 
     fn plus(mut self, factor: f64, other: &Self) -> Self {
-        self.row.iter_mut().zip(&other.row).for_each(|(x, y)| *x += factor * y);
+        self.row.axpy(factor, &other.row, 1.0);
         self.constant += factor * other.constant;
         self
     }
 
     fn times(&self, factor: f64) -> Self {
-        Self::zero(self.row.len()).plus(factor, self)
+        Self { row: &self.row * factor, constant: self.constant * factor }
     }
 }
 
@@ -76,66 +79,61 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
             forces: Vec::new(),
         };
         let mut next = D;
-        for (i, label) in labels.iter().enumerate() {
-            c.add_contact(problem, i, label, &tangents[i], &mut next);
+        let tangents = labels.iter().zip(tangents);
+        let contacts = problem.locals().zip(problem.sites).zip(&problem.drives).zip(tangents);
+        for (((local, site), drive), (label, tangents)) in contacts {
+            let spring = c.spring_forces(site, drive);
+            c.add_contact(&local, &spring, label, tangents, &mut next);
         }
         for d in 0..D {
-            let mut sum = Affine { constant: problem.wrench[d], ..Affine::zero(columns) };
+            let mut sum = Affine::constant(columns, problem.wrench[d]);
             for (site, force) in problem.sites.iter().zip(&c.forces) {
                 for (a, f) in force.iter().enumerate() {
                     sum = sum.plus(site.map[(d, a)], f);
                 }
             }
-            c.equalities.push((sum.row, -sum.constant));
+            c.equalities.push(sum);
         }
         c
     }
 
-    fn at_least_zero(&mut self, value: Affine) {
-        self.inequalities.push((value.row, -value.constant));
-    }
-
-    /// The conditions of contact i; `next` is the first column that no contact has taken.
+    /// The conditions of a contact; `next` is the first column that no contact has taken.
     fn add_contact(
         &mut self,
-        problem: &Problem<D, C>,
-        i: usize,
+        local: &LocalLaw<'_, C>,
+        spring: &[Affine; C],
         label: &Label,
         tangents: &[f64],
         next: &mut usize,
     ) {
-        let local = problem.local(i);
-        let spring = self.full_forces(problem, i);
         let columns = self.columns;
         let mut own = || {
-            let mut x = Affine::zero(columns);
+            let mut x = Affine::constant(columns, 0.0);
             x.row[*next] = 1.0;
             *next += 1;
             x
         };
         let force: Vec<Affine> = match *label {
-            Label::Open => vec![Affine::zero(columns); C],
+            Label::Open => vec![Affine::constant(columns, 0.0); C],
             Label::Rolling => spring[..local.springs.axes()].to_vec(),
             Label::Undecided => (0..local.springs.axes()).map(|_| own()).collect(),
             Label::Sector(from, to) => {
                 let weights = [own(), own()];
-                self.add_sector(&local, &spring, [from, to], weights)
+                self.add_sector(local, spring, [from, to], weights)
             }
         };
         if *label == Label::Open {
-            self.at_least_zero(spring[0].times(-1.0));
+            self.inequalities.push(spring[0].times(-1.0));
         } else if !local.is_bonded() {
-            self.add_closed(&local, &spring[0], &force, label, tangents);
+            self.add_closed(local, &spring[0], &force, label, tangents);
         }
         self.forces.push(force);
     }
 
     /// K v, the forces of springs that are stretched by the whole of v.
-    fn full_forces(&self, problem: &Problem<D, C>, i: usize) -> [Affine; C] {
-        let site = &problem.sites[i];
-        let force = site.springs.force(&problem.drives[i]);
+    fn spring_forces(&self, site: &Site<D, C>, drive: &SVector<f64, C>) -> [Affine; C] {
         std::array::from_fn(|a| {
-            let mut f = Affine { constant: force[a], ..Affine::zero(self.columns) };
+            let mut f = Affine::constant(self.columns, site.springs.force_along(a, drive[a]));
             for d in 0..D {
                 f.row[d] = -site.springs.force_along(a, site.map[(d, a)]) * self.twist_unit;
             }
@@ -161,7 +159,7 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
             spring[a].clone().plus(-1.0, &friction[a - 1]).times(local.springs.give_along(a, stiffest))
         });
         let left_of = |angle: f64| slip[1].times(angle.cos()).plus(-angle.sin(), &slip[0]);
-        let implied = [
+        self.inequalities.extend([
             along(1.0, 1.0).plus(-1.0, &limit),
             limit.clone().plus(-1.0, &toward(from)),
             limit.plus(-1.0, &toward(to)),
@@ -169,8 +167,7 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
             left_of(to).times(-1.0),
             alpha,
             beta,
-        ];
-        implied.into_iter().for_each(|value| self.at_least_zero(value));
+        ]);
         let mut forces = vec![spring[0].clone()];
         forces.extend(friction);
         forces
@@ -187,21 +184,18 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
     ) {
         if *label == Label::Undecided {
             let slack = force[0].clone().plus(-1.0, normal_spring);
-            if local.may_open() {
-                self.at_least_zero(slack);
-            } else {
-                self.equalities.push((slack.row, -slack.constant));
-            }
+            if local.may_open() { &mut self.inequalities } else { &mut self.equalities }.push(slack);
         }
         if local.may_open() || !local.cone().is_frictionless() {
-            self.at_least_zero(force[0].clone());
+            self.inequalities.push(force[0].clone());
         }
         if local.may_slide() && !matches!(label, Label::Sector(..)) {
             let limit = force[0].times(local.cone().limit(1.0));
-            for angle in tangents {
-                let value = limit.clone().plus(-angle.cos(), &force[1]).plus(-angle.sin(), &force[2]);
-                self.at_least_zero(value);
-            }
+            let inside = |angle: &f64| {
+                let (sin, cos) = (angle.sin(), angle.cos());
+                limit.clone().plus(-cos, &force[1]).plus(-sin, &force[2])
+            };
+            self.inequalities.extend(tangents.iter().map(inside));
         }
     }
 
@@ -215,12 +209,9 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
     pub(super) fn meet(&self) -> Option<PieceState<D, C>> {
         let rows: Vec<_> = self.inequalities.iter().chain(&self.equalities).collect();
         let (m, n) = (rows.len(), self.inequalities.len());
-        let sizes: Vec<f64> = rows
-            .iter()
-            .map(|(row, _)| row.iter().map(|x| x * x).sum::<f64>().sqrt().max(f64::MIN_POSITIVE))
-            .collect();
-        let matrix = DMatrix::from_fn(m, self.columns, |i, j| rows[i].0[j] / sizes[i]);
-        let right = DVector::from_fn(m, |i, _| rows[i].1 / sizes[i]);
+        let sizes: Vec<f64> = rows.iter().map(|value| value.row.norm().max(f64::MIN_POSITIVE)).collect();
+        let matrix = DMatrix::from_fn(m, self.columns, |i, j| rows[i].row[j] / sizes[i]);
+        let right = DVector::from_fn(m, |i, _| -rows[i].constant / sizes[i]);
         let unit = right.norm();
         let right = if unit > 0.0 { right / unit } else { right };
         let qr = matrix.col_piv_qr();
@@ -262,10 +253,10 @@ impl<const D: usize, const C: usize> Conditions<D, C> {
         y.rows_mut(0, rank).copy_from(&solved);
         qr.p().inv_permute_rows(&mut y);
         y *= unit;
-        let forces = self.forces.iter().map(|force| {
-            let value = |f: &Affine| f.row.iter().zip(y.iter()).map(|(a, b)| a * b).sum::<f64>() + f.constant;
-            SVector::from_fn(|a, _| force.get(a).map_or(0.0, value))
-        });
+        let forces = self
+            .forces
+            .iter()
+            .map(|force| SVector::from_fn(|a, _| force.get(a).map_or(0.0, |f| f.row.dot(&y) + f.constant)));
         Some(PieceState { forces: forces.collect(), twist: SVector::from_fn(|d, _| y[d] * self.twist_unit) })
     }
 }

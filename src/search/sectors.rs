@@ -51,7 +51,7 @@ pub(super) fn search_sectors<const D: usize, const C: usize>(
 ) -> Sectors<D, C> {
     let mut tangents =
         vec![(0..TANGENTS).map(|j| TAU * j as f64 / TANGENTS as f64).collect::<Vec<_>>(); problem.len()];
-    if problem.locals().filter(|local| local.may_slide()).count() > MOST_CONTACTS {
+    if problem.locals().filter(LocalLaw::may_slide).count() > MOST_CONTACTS {
         return Sectors::Unresolved;
     }
     let mut cases = vec![vec![Label::Undecided; problem.len()]];

@@ -12,7 +12,7 @@ use crate::contact::PolygonCone;
 /// assert!(!polygon.round && polygon.cone.facets() == 16);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
     /// The polygonal friction cone in space: 8 facets, inscribed. For answers on the round cone it is what Lemke's method pivots

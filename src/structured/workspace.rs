@@ -133,7 +133,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             laws: Vec::new(),
             drives: Vec::new(),
             cone,
-            polygon: Arc::new(Polygon::new(&cone)),
+            polygon: Polygon::shared(&cone),
             solution: Solution::default(),
             newton: Newton::default(),
             by_newton: false,

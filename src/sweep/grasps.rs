@@ -7,7 +7,8 @@ use crate::grasp::{Grasp, Wrench};
 use crate::load_path::{Onset, Ramp};
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The equilibria under many loads, each that of [`Self::solve_with`], in the order of the loads; an error in one does not stop the rest.
+    /// The equilibria under many loads, each that of [`Self::solve_with`], in the order of the
+    /// loads; an error in one does not stop the rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -27,8 +28,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         map_in_order(loads, |load| self.solve_with(load, settings))
     }
 
-    /// The onsets of sliding along many ramps, each that of [`Self::onset`], in the order of the ramps; an error in one does not stop the
-    /// rest.
+    /// The onsets of sliding along many ramps, each that of [`Self::onset`], in the order of the
+    /// ramps; an error in one does not stop the rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -47,12 +48,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn onset_each(&self, ramps: &[Ramp<D, C>], settings: &Settings) -> Vec<Result<Onset<D, C>, Error>> {
-        map_in_order(ramps, |ramp| self.onset(ramp, settings))
+        map_in_order(ramps, |ramp| self.onset_with(ramp, settings))
     }
 }
 
-/// The onsets of sliding of many grasps along one ramp, each that of [`Grasp::onset`], in the order of the grasps; an error in one does
-/// not stop the rest.
+/// The onsets of sliding of many grasps along one ramp, each that of [`Grasp::onset`], in the order
+/// of the grasps; an error in one does not stop the rest.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -78,5 +79,5 @@ pub fn onset_of_each<const D: usize, const C: usize>(
     ramp: &Ramp<D, C>,
     settings: &Settings,
 ) -> Vec<Result<Onset<D, C>, Error>> {
-    map_in_order(grasps, |grasp| grasp.onset(ramp, settings))
+    map_in_order(grasps, |grasp| grasp.onset_with(ramp, settings))
 }

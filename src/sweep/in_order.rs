@@ -1,7 +1,7 @@
 //! Work spread over the cores, answers in the order of the questions.
 
-/// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`, one after the other without it.
-/// A panic in `f` goes on to the caller.
+/// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`,
+/// one after the other without it. A panic in `f` goes on to the caller.
 ///
 /// ```
 /// let squares = grasp_lcp::sweep::map_in_order(&[1, 2, 3], |x| x * x);

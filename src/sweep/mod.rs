@@ -1,8 +1,9 @@
-//! Many questions at once: answers in the order of the questions, the same bits for any number of threads.
+//! Many questions at once: answers in the order of the questions, the same bits for any number of
+//! threads.
 //!
-//! Every question is answered on its own by the same serial code. Threads (feature `parallel`, rayon's global pool) only
-//! decide which of them answers which question. Outside this room only the sums over very many contacts of one scene
-//! know of threads; they give the same bits, too.
+//! Every question is answered on its own by the same serial code. Threads (feature `parallel`,
+//! rayon's global pool) only decide which of them answers which question. Outside this room only
+//! the sums over very many contacts of one scene know of threads; they give the same bits, too.
 
 mod batch;
 mod grasps;

@@ -15,9 +15,10 @@ pub struct Progress {
     pub of: usize,
 }
 
-/// `f` of every item, in the order of the items, with `watch` called after every answer (from whichever thread gave it): every count
-/// from 1 on comes once. When `watch` breaks, questions that were not begun stay unanswered: their place holds `None`. Which
-/// those are depends on the threads; the answers that are there do not.
+/// `f` of every item, in the order of the items, with `watch` called after every answer (from
+/// whichever thread gave it): every count from 1 on comes once. When `watch` breaks, questions that
+/// were not begun stay unanswered: their place holds `None`. Which those are depends on the
+/// threads; the answers that are there do not.
 ///
 /// ```
 /// use std::ops::ControlFlow;

@@ -1,4 +1,5 @@
-//! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same seed.
+//! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same
+//! seed.
 
 use super::in_order::map_in_order;
 use crate::equilibrium::Settings;
@@ -7,9 +8,10 @@ use crate::grasp::{Contact, Grasp};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Draw;
 
-/// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of its own, `exp(σ z)` with z
-/// normally distributed (mean 0, variance 1): its median is the datum, it keeps its sign, and zero and infinity stay what they are.
-/// For small σ that is the relative standard deviation; σ = 0 leaves the datum alone.
+/// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of
+/// its own, `exp(σ z)` with z normally distributed (mean 0, variance 1): its median is the datum,
+/// it keeps its sign, and zero and infinity stay what they are. For small σ that is the relative
+/// standard deviation; σ = 0 leaves the datum alone.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -27,7 +29,7 @@ use crate::numerics::Draw;
 /// assert!((700..950).contains(&holds));
 ///
 /// // One sample as a grasp of its own.
-/// let third = grasp.sample(&off, 3)?.onset(&weight, &Settings::default())?;
+/// let third = grasp.sample(&off, 3)?.onset(&weight)?;
 /// assert_eq!(third.factor(), onsets[3].as_ref().ok().and_then(Onset::factor));
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
@@ -51,21 +53,21 @@ impl Uncertainty {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, seed }
     }
 
-    /// The same with this σ of the coefficients of friction.
+    /// This uncertainty with the σ of the coefficients of friction.
     #[must_use]
     pub const fn with_friction(mut self, sigma: f64) -> Self {
         self.friction = sigma;
         self
     }
 
-    /// The same with this σ of the stiffnesses.
+    /// This uncertainty with the σ of the stiffnesses.
     #[must_use]
     pub const fn with_stiffness(mut self, sigma: f64) -> Self {
         self.stiffness = sigma;
         self
     }
 
-    /// The same with this σ of the normal commands.
+    /// This uncertainty with the σ of the normal commands.
     #[must_use]
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;
@@ -73,15 +75,17 @@ impl Uncertainty {
     }
 }
 
-/// The least factor on a datum, and its reciprocal the largest: numbers that are no longer moderate are refused, and none becomes zero
-/// or infinite, which would mean something else.
+/// The least factor on a datum, and its reciprocal the largest: numbers that are no longer moderate
+/// are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled. See [`Uncertainty`].
+    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled. See
+    /// [`Uncertainty`].
     ///
     /// # Errors
-    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most).
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
+    /// range (1e50 at most).
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
@@ -97,8 +101,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Self::new(contacts)
     }
 
-    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers, which are [`Self::sample`] 0, 1, …: the same bits for
-    /// any number of threads. An error in one does not stop the rest.
+    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,
+    /// which are [`Self::sample`] 0, 1, …: the same bits for any number of threads. An error in one
+    /// does not stop the rest.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -108,6 +113,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Vec<Result<Onset<D, C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
-        map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset(ramp, settings))
+        map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset_with(ramp, settings))
     }
 }

@@ -2,7 +2,7 @@
 //! three roads that share no solver.
 //!
 //! * the minimum on orthogonal factors, against complementarity and against the orthogonal decomposition of
-//!   `crate::common::rolling`;
+//!   `support::rolling`;
 //! * the program as printed, in all displacements, by Lemke's method on its optimality conditions;
 //! * the program as printed and the reduced one by an interior-point method of another library.
 
@@ -14,10 +14,10 @@ use grasp_lcp::grasp::{Contact, Grasp};
 use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::rolling;
-use crate::common::scene::{Scene, displacement};
-use crate::interior_point::{Oracle, interior_point};
+use support::interior_point::{Oracle, interior_point};
+use support::random::{Spread, for_all, scene};
+use support::rolling;
+use support::scene::{Scene, displacement};
 
 const CASES: u32 = 1500;
 

@@ -9,9 +9,9 @@ use grasp_lcp::equilibrium::{Outcome, Proof};
 use nalgebra::{DMatrix, DVector, SVector};
 use proptest::prelude::*;
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::{Scene, wrench};
-use crate::interior_point::{Oracle, interior_point};
+use support::interior_point::{Oracle, interior_point};
+use support::random::{Spread, for_all, scene};
+use support::scene::{Scene, wrench};
 
 /// `minimise Σ ½ F·K⁻¹F - a·F` over polygonal cones and `Σ G F + W = 0`, forces as unknowns.
 fn complementary_energy<const D: usize, const C: usize>(scene: &Scene<D, C>) -> QuadraticProgram {
@@ -83,7 +83,7 @@ fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::
         }
         // The law itself, contact by contact: springs, and a jump that is normal to the cone.
         for (i, (c, datum)) in state.contacts.iter().zip(&scene.contacts).enumerate() {
-            let u = crate::common::scene::displacement(&datum.point, state.twist.as_vector());
+            let u = support::scene::displacement(&datum.point, state.twist.as_vector());
             let stretch = datum.drive() - datum.frame().tr_mul(&u);
             let mut jump = -c.slip;
             jump[0] = c.gap;
@@ -125,9 +125,9 @@ fn spatial() {
 /// squeeze as much as it takes. By symmetry F_n and F_t = -μ F_n carry the load: W = 2 F_n (μ·8 - 1)/√65.
 #[test]
 fn it_holds_what_coulomb_friction_does_not() {
-    let grasp = crate::paper::two_fingers().unwrap();
+    let grasp = support::paper::two_fingers().unwrap();
     for w in [0.13, 0.14, 1.0, 10.0] {
-        let laws = grasp.three_laws(&(crate::paper::down() * w), &Settings::default()).unwrap();
+        let laws = grasp.three_laws(&(support::paper::down() * w), &Settings::default()).unwrap();
         assert!(matches!(laws.comparison.equilibrium, Outcome::NoEquilibrium(ref n)
             if matches!(n.proof, Proof::EveryStateTried { .. })));
         let rest = laws.associated.rest().expect("at rest");
@@ -148,8 +148,8 @@ fn it_holds_what_coulomb_friction_does_not() {
 /// While everything rolls the three laws are one.
 #[test]
 fn one_answer_while_everything_rolls() {
-    let grasp = crate::paper::two_fingers().unwrap();
-    let laws = grasp.three_laws(&(crate::paper::down() * 0.1), &Settings::default()).unwrap();
+    let grasp = support::paper::two_fingers().unwrap();
+    let laws = grasp.three_laws(&(support::paper::down() * 0.1), &Settings::default()).unwrap();
     let state = laws.comparison.equilibrium.equilibrium().unwrap();
     let minimum = laws.comparison.minimum.minimum().unwrap();
     let rest = laws.associated.rest().unwrap();

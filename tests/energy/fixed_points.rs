@@ -1,10 +1,10 @@
 //! When the minimum power principle is Coulomb's law: with the normal forces of the answer, and so without knowing them where
 //! these do not change with the motion.
 
-use crate::minimum_power::minimum_power;
-use crate::paper::{down, two_fingers_on_rests};
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::planar::Equilibrium;
+use support::minimum_power::minimum_power;
+use support::paper::{down, two_fingers_on_rests};
 
 /// The equilibrium with sliding fingers, and how far the principle is from it with the normal forces before the load and with its own.
 fn errors(slope: f64) -> (Equilibrium, f64, f64) {

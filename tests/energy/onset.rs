@@ -11,8 +11,8 @@ use grasp_lcp::load_path::{Departure, Onset, OnsetEvent};
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-use crate::common::ramps::ramps;
-use crate::common::random::{Spread, for_all};
+use support::ramps::ramps;
+use support::random::{Spread, for_all};
 
 #[derive(Debug, Default)]
 struct Tally {
@@ -58,7 +58,7 @@ fn same_onset<const D: usize, const C: usize>(
             add(&tally.not_rolling);
             return Ok(());
         }
-        let onset = grasp.onset_on_polygon(&ramp, &settings).unwrap();
+        let onset = grasp.onset_with(&ramp, &settings.on_the_polygon()).unwrap();
         let agreement = grasp.agreement_with_minimum_energy(&ramp, &settings).unwrap();
         let slides = |event: &OnsetEvent<D, C>| {
             event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))

@@ -9,8 +9,8 @@ use grasp_lcp::{Error, spatial};
 use nalgebra::{DMatrix, SVector};
 use proptest::prelude::*;
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::{Scene, wrench};
+use support::random::{Spread, for_all, scene};
+use support::scene::{Scene, wrench};
 
 /// Displacement of a point under a translation and a finite rotation: exact in the plane and in space (Rodrigues).
 fn exact_displacement<const D: usize, const C: usize>(
@@ -187,10 +187,10 @@ fn energy_to_second_order<const D: usize, const C: usize>(scene: &Scene<D, C>, q
     let cross = |v: &SVector<f64, C>| {
         let mut turn = *q;
         turn.rows_range_mut(..C).fill(0.0);
-        crate::common::scene::displacement(v, &turn)
+        support::scene::displacement(v, &turn)
     };
     let springs = scene.contacts.iter().map(|datum| {
-        let first = crate::common::scene::displacement(&datum.point, q);
+        let first = support::scene::displacement(&datum.point, q);
         let u = first + cross(&cross(&datum.point)) * 0.5;
         let stretch = datum.drive() - datum.frame().tr_mul(&u);
         0.5 * datum.stiffness.component_mul(&stretch).dot(&stretch)

@@ -82,11 +82,11 @@ fn ask<const D: usize, const C: usize>(
     }
     answers.extend(grasp.equilibria(&load, &settings).unwrap_or_default());
     let ramp = Ramp::load(load, direction).with_commands(change);
-    for onset in [grasp.onset(&ramp, &settings), grasp.onset_on_polygon(&ramp, &settings)] {
+    for onset in [grasp.onset_with(&ramp, &settings), grasp.onset_with(&ramp, &settings.on_the_polygon())] {
         match onset {
             Ok(Onset::At(event)) => {
                 prop_assert!(event.factor.is_finite() && event.factor >= 0.0, "onset at {}", event.factor);
-                answers.push(event.state);
+                answers.push(grasp.state_at_onset(&event).expect("its own event"));
             }
             Ok(Onset::AlreadySliding(equilibrium)) => answers.push(*equilibrium),
             _ => {}

@@ -3,7 +3,7 @@
 //! Every fault must come back as a typed error that names the contact, the field, the value and what would have been
 //! allowed; the expected values are spelled out here, message text included.
 
-use crate::common::valid::{
+use crate::valid::{
     MODERATE, NOT_FINITE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts,
 };
 use grasp_lcp::grasp::{Contact, Grasp};

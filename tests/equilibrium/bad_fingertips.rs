@@ -1,6 +1,6 @@
 //! Malformed soft fingertips come back as typed errors, and broken contacts as they were given.
 
-use crate::common::pinch::{KN, KT, R, finger};
+use crate::pinch::{KN, KT, R, finger};
 use grasp_lcp::spatial::{Contact, Pressure, SoftFingertip};
 use grasp_lcp::{Error, planar};
 

@@ -3,7 +3,7 @@
 //! Every fault must come back as a typed error that names what was given and what would have been allowed, message text
 //! included.
 
-use crate::common::valid::{MODERATE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
+use crate::valid::{MODERATE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
 use grasp_lcp::grasp::{Grasp, Wrench};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::{Error, Field, Fit, PolygonCone, Settings, planar, spatial};
@@ -30,13 +30,13 @@ fn command_changes_are_not_finite_or_not_one_a_contact() {
     let grasp = spatial::Grasp::new(spatial_contacts()).unwrap();
     for given in [0, 2, 4] {
         let change = vec![SVector::from([0.1, 0.0, 0.0]); given];
-        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change), &Settings::default()).unwrap_err();
+        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change)).unwrap_err();
         assert_eq!(error, Error::Size { what: "command changes", given, expected: 3 });
         assert_eq!(error.to_string(), format!("command changes: {given} given, must be 3, one a contact"));
     }
     for value in NOT_MODERATE {
         let change = [[0.1, 0.0, 0.0], [0.1, 0.0, value], [0.0; 3]].map(SVector::from);
-        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change), &Settings::default()).unwrap_err();
+        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change)).unwrap_err();
         assert_eq!(
             error.to_string(),
             format!("contact 1 (thumb): change of command is {value}, must be {MODERATE}")

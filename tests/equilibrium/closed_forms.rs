@@ -53,7 +53,8 @@ fn planar_pinch() {
         assert_close!(direction[1], 1.0);
     }
     // The pinch line is not resisted beyond: with vertical normals fixed, more weight finds no force at all.
-    assert!(matches!(event.beyond, planar::Beyond::LimitLoad { .. }), "{:?}", event.beyond);
+    let beyond = grasp.beyond(event).expect("its own event");
+    assert!(matches!(beyond, planar::Beyond::LimitLoad { .. }), "{beyond:?}");
     let more = grasp.solve(&planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();
     assert!(matches!(more, planar::Outcome::NoEquilibrium(_)), "{more:?}");
 }
@@ -130,7 +131,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
             let cone = grasp_lcp::PolygonCone::new(usize::try_from(facets).unwrap(), fit).unwrap();
             let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, direction);
             let factor = grasp
-                .onset_on_polygon(&ramp, &Settings::default().with_cone(cone))
+                .onset_with(&ramp, &Settings::default().with_cone(cone).on_the_polygon())
                 .unwrap()
                 .factor()
                 .expect("a rolling base");
@@ -279,5 +280,5 @@ fn a_support_lets_go() {
     let event = onset.event().expect("finite onset");
     assert_close!(event.factor, 2.0 / 3.0);
     assert!(matches!(event.leaving[..], [planar::Leaving { contact: 0, how: planar::Departure::Opens, .. }]));
-    assert!(matches!(event.beyond, planar::Beyond::Continues(_)));
+    assert!(matches!(bar.beyond(event), Some(planar::Beyond::Continues(_))));
 }

@@ -1,11 +1,11 @@
 //! The condition of an answer against what really happens when the data change a little.
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::{Datum, Scene};
 use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;
 use proptest::prelude::*;
 use std::cell::Cell;
+use support::random::{Spread, for_all, scene};
+use support::scene::{Datum, Scene};
 
 /// Every number of the data changes by at most this part of itself.
 const PART: f64 = 1e-9;
@@ -50,8 +50,9 @@ fn in_proportion<const D: usize, const C: usize>(count: std::ops::Range<usize>, 
         let Some(answer) = outcome.equilibrium() else { return Ok(()) };
         let sizes = answer.contacts.iter().map(|c| c.force.norm());
         let largest = sizes.fold(SVector::<f64, C>::from_fn(|a, _| scene.load[a]).norm(), f64::max);
-        let condition = answer.accuracy.expect("not on a path").condition;
-        let clearly = answer.contacts.iter().all(|c| c.distinct);
+        let grasp = scene.grasp();
+        let condition = grasp.accuracy(answer).expect("not on a path").condition;
+        let clearly = grasp.distinct(answer).expect("its own answer").into_iter().all(|distinct| distinct);
         if !clearly || condition * PART > 1e-4 || largest == 0.0 {
             return Ok(());
         }

@@ -1,6 +1,6 @@
 //! The library and exact arithmetic say the same of planar grasps of two to four contacts.
 //!
-//! `crate::common::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
+//! `support::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
 //! must return an equilibrium, and it must be in the list; it may say "no equilibrium" only when the list is empty.
 //! Where all equilibria are isolated and none is a borderline case, the library's own list has the same length.
 //!
@@ -8,13 +8,13 @@
 //! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
 //! is something to find.
 
-use crate::common::exact::{Census, Contact, Scene, State};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{FileFailurePersistence, RngSeed, TestRunner};
+use support::exact::{Census, Contact, Scene, State};
 
 /// Forces and displacements agree to this, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;

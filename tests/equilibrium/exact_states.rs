@@ -1,15 +1,15 @@
 //! Forces, displacements, states and error estimates against the same contact states solved in exact arithmetic.
 //!
-//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `crate::common::truth` takes every number of a scene for
+//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `support::truth` takes every number of a scene for
 //! what it is and solves for the states that the library returned: what differs is the library's rounding alone.
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::Scene;
-use crate::common::truth::{Errors, Truth};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Accuracy, ContactState, Equilibrium};
 use proptest::prelude::*;
 use std::cell::RefCell;
+use support::random::{Spread, for_all, scene};
+use support::scene::Scene;
+use support::truth::{Errors, Truth};
 
 /// Errors below this part of the largest force or displacement are none.
 const NONE: f64 = 1e-18;
@@ -48,9 +48,10 @@ impl Tally {
             return Ok(());
         };
         let errors = truth.errors(&grasp, answer);
-        let accuracy = answer.accuracy.ok_or("no accuracy")?;
-        Self::states(answer, &truth)?;
-        let distinct = answer.contacts.iter().all(|c| c.distinct);
+        let accuracy = grasp.accuracy(answer).ok_or("no accuracy")?;
+        let told = grasp.distinct(answer).ok_or("another grasp")?;
+        Self::states(answer, &told, &truth)?;
+        let distinct = told.into_iter().all(|distinct| distinct);
         self.estimates(errors, accuracy, &truth, distinct).map_err(|what| format!("{what}\n{answer:?}"))?;
         self.not_distinct += usize::from(!distinct);
         let slides = answer.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. }));
@@ -69,10 +70,11 @@ impl Tally {
     /// A state is the true one wherever the answer says that it is told apart.
     fn states<const D: usize, const C: usize>(
         answer: &Equilibrium<D, C>,
+        told: &[bool],
         truth: &Truth<C>,
     ) -> Result<(), String> {
         for condition in &truth.conditions {
-            let distinct = answer.contacts[condition.contact].distinct;
+            let distinct = told[condition.contact];
             if condition.part <= 0.0 && distinct || condition.part < -1e-12 {
                 return Err(format!("{condition:?} fails, and distinct is {distinct}\n{answer:?}"));
             }

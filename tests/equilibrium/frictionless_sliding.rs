@@ -11,7 +11,7 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar;
 use proptest::prelude::*;
 
-use crate::common::random::{Spread, for_all, scene};
+use support::random::{Spread, for_all, scene};
 
 fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades: f64) {
     let (opened, neither) = (Cell::new(0), Cell::new(0));
@@ -27,7 +27,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
         let mut load = nalgebra::SVector::<f64, D>::zeros();
         for (i, datum) in scene.contacts.iter().enumerate() {
             let push = 0.1 * ((2 * i) % 5 + 1) as f64;
-            load -= crate::common::scene::wrench::<D, C>(&datum.point, &(datum.frame().column(0) * push));
+            load -= support::scene::wrench::<D, C>(&datum.point, &(datum.frame().column(0) * push));
         }
         scene.load = load;
         let grasp = scene.grasp();

@@ -8,13 +8,13 @@
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
-use crate::common::random::{self, Spread, for_all, scene};
-use crate::common::scene::{Datum, Scene};
-use crate::common::transform::Transform;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Rung};
 use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::random::{self, Spread, for_all, scene};
+use support::scene::{Datum, Scene};
+use support::transform::Transform;
 
 /// Forces and displacements agree to this, relative to the largest.
 const AGREEMENT: f64 = 1e-9;

@@ -1,8 +1,5 @@
 //! The equilibrium of one grasp under one load.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod any_numbers;
 mod bad_contacts;
 mod bad_fingertips;
@@ -17,7 +14,9 @@ mod frames;
 mod frictionless_sliding;
 mod invariance;
 mod overlap_and_world_commands;
+mod pinch;
 mod properties_law;
 mod round_cone;
 mod soft_fingertip;
 mod soft_fingertip_torsion;
+mod valid;

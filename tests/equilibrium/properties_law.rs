@@ -1,21 +1,21 @@
 //! Every equilibrium satisfies the conditions of the problem, and where everything rolls it is the minimum of energy.
 //!
 //! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and equilibrium are recomputed here from the data of
-//! the scene (`crate::common::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
+//! the scene (`support::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
 //! grasps, each contact with its own friction (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6, and
 //! symmetric grasps, in which several contacts reach the edge of their cone at once. Rolling grasps are compared
-//! with the linear least-squares problem they solve (`crate::common::rolling`).
+//! with the linear least-squares problem they solve (`support::rolling`).
 
 use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::rolling;
-use crate::common::scene::{Datum, Scene};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Rung};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::random::{Spread, for_all, scene};
+use support::rolling;
+use support::scene::{Datum, Scene};
 
 /// Conditions hold to this, relative to the sizes of the scene.
 const LAW: f64 = 1e-10;

@@ -8,14 +8,14 @@
 
 use std::cell::Cell;
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::{Datum, Scene, displacement, wrench};
-use crate::common::transform::Transform;
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Cone, ContactState, Equilibrium, Outcome};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::random::{Spread, for_all, scene};
+use support::scene::{Datum, Scene, displacement, wrench};
+use support::transform::Transform;
 
 /// Coulomb's law at a stretch v: the friction force is `S v` with S = (K⁻¹ + λ)⁻¹, λ from its size by bisection.
 fn coulomb(datum: &Datum<3>, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {

@@ -4,11 +4,11 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::close::assert_relatively_close;
-use crate::common::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
+use crate::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, ContactState, Departure, Grasp, Pressure, Wrench};
 use nalgebra::Vector3;
+use support::assert_relatively_close;
 
 /// The points lie in the tangent plane around the one contact, in its frame, and add up to its springs; the rest they
 /// inherit. A rigid side stays rigid.

@@ -3,12 +3,12 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use crate::common::close::{assert_relatively_close, relatively_close};
-use crate::common::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
+use crate::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::spatial::{
     Beyond, Change, ContactState, Departure, Grasp, Leg, Outcome, PathEnd, Pressure, SoftFingertip, Wrench,
 };
 use grasp_lcp::{Fit, PolygonCone, Settings};
+use support::{assert_relatively_close, relatively_close};
 
 /// Pressure and ⟨r⟩/R.
 const PROFILES: [(Pressure, f64); 3] =
@@ -50,11 +50,8 @@ fn a_pinch_no_longer_turns_freely() {
         assert!(event.leaving.iter().all(|l| matches!(l.how, Departure::Slides { .. })));
         if mean == 1.0 {
             assert_eq!(rim.len(), grasp.len());
-            assert!(
-                !matches!(event.beyond, Beyond::Continues(_)),
-                "all friction is used: {:?}",
-                event.beyond
-            );
+            let beyond = grasp.beyond(event).expect("its own event");
+            assert!(!matches!(beyond, Beyond::Continues(_)), "all friction is used: {beyond:?}");
         }
     }
 }
@@ -80,7 +77,8 @@ fn uneven_tangential_stiffness() {
         let contacts: Vec<_> = event.leaving.iter().map(|l| l.contact).collect();
         let start = if first == 2 { points / 4 } else { 0 };
         assert_eq!(contacts, [0, points / 2, points, 3 * points / 2].map(|i| i + start));
-        assert_relatively_close!(event.state.twist.rotation()[0], exact / ((k1 + k2) * R * R));
+        let state = grasp.state_at_onset(event).expect("its own event");
+        assert_relatively_close!(state.twist.rotation()[0], exact / ((k1 + k2) * R * R));
     }
 }
 

@@ -179,9 +179,7 @@ fn the_order_of_loading_matters() {
     let guide =
         |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(kg / 2.0, 1.0).kept_closed();
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), guide(2.0), guide(-2.0)]).unwrap();
-    let squeeze = |a: f64| {
-        planar::Leg::commands_to(vec![[a, 0.0].into(), [a, 0.0].into(), [0.0; 2].into(), [0.0; 2].into()])
-    };
+    let squeeze = |a: f64| planar::Leg::commands_to(vec![[a, 0.0], [a, 0.0], [0.0; 2], [0.0; 2]]);
     let load = || planar::Leg::load_to(planar::Wrench::force([0.0, -w]));
     let both = |what| vec![(0, what), (1, what)];
     let (stuck, slid) = (kt * w / (2.0 * kt + kg), mu * k * loose);

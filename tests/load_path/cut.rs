@@ -1,11 +1,11 @@
 //! Cutting the legs of a load program changes nothing, not even at an event: the same events at the same loads, once each, the same
 //! states, the same end, whether the pieces are followed in one go or one after the other. Random paths in the plane and in space.
 
-use crate::programs::draw::{over, planar_scenes, spatial_scenes};
-use crate::programs::tally::Tally;
-use crate::programs::{Scene, same_state};
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;
+use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::tally::Tally;
+use support::programs::{Scene, same_state};
 
 /// The program with its legs cut at these places (leg, fraction), and which leg it was and between which fractions.
 fn cut<const D: usize, const C: usize>(
@@ -42,9 +42,9 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let grasp = scene.grasp();
     let (more, legs) = cut(scene, places);
     let program = more.legs();
-    let mut pieces = grasp.follow_with(more.start(), &program, &crate::programs::polygon()).unwrap();
+    let mut pieces = grasp.follow_with(more.start(), &program, &support::programs::polygon()).unwrap();
     let again = pieces.run();
-    let mut continued = grasp.follow_with(more.start(), &[], &crate::programs::polygon()).unwrap();
+    let mut continued = grasp.follow_with(more.start(), &[], &support::programs::polygon()).unwrap();
     let mut later = continued.run();
     for leg in &program {
         continued.continue_with(std::slice::from_ref(leg)).unwrap();
@@ -84,7 +84,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
@@ -99,7 +99,7 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));

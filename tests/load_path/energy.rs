@@ -1,10 +1,10 @@
 //! On every leg of every load path the energies balance: work of load and fingers = stored + dissipated. Works and heat are
 //! integrated here from sampled states of random paths in the plane and in space.
 
-use crate::programs::Scene;
-use crate::programs::draw::{over, planar_scenes, spatial_scenes};
-use crate::programs::tally::Tally;
 use proptest::prelude::*;
+use support::programs::Scene;
+use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::tally::Tally;
 
 /// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
 /// there: the balance closes, and leg by leg it is what the path says.
@@ -13,7 +13,7 @@ fn energy_balances<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let Some((last_leg, last, _)) = path.position() else { return Ok(()) };

@@ -1,13 +1,13 @@
-//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball, under a growing weight, a push or a twist.
+//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball. A weight grows, or a push, or a twist.
 //! Those that end undecided are counted; what is said of the others at rest is checked against equilibria just beyond.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
-use crate::common::random::for_all;
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Leg, PathEnd, Wrench};
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use support::random::for_all;
 
 #[derive(Debug, Clone, Copy)]
 enum Hold {
@@ -122,8 +122,8 @@ fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     [largest, (state.twist.as_vector() - from.twist.as_vector()).norm()]
 }
 
-/// A path that ends before it begins: at a limit nothing holds just beyond, at a snap only what does not come back to the start as the
-/// load does.
+/// Of a path that ends before it begins: at a limit nothing holds just beyond. At a snap what holds there does not come back to the
+/// start as the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, end: &PathEnd) {
     let start = grasp.solve(&Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();

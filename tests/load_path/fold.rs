@@ -50,7 +50,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
 
     // The same fold, whatever the error of a step.
     for step_error in [1e-6, 1e-8, 1e-10] {
-        let (_, end) = pulled(&grasp, 100.0, &settings.clone().with_step_error(step_error))?;
+        let (_, end) = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?;
         let PathEnd::Snap(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };
         assert!((coarse.fraction / loss.fraction - 1.0).abs() < step_error, "{step_error}");
     }

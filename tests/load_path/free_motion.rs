@@ -19,7 +19,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     let guide = |y: f64| planar::Contact::new([0.0, y], [1.0, 0.0]).series_stiffness(90.0, 1.0).kept_closed();
     let grasp = planar::Grasp::new([foot, guide(1.0), guide(-1.0)]).unwrap();
     let load = |x: f64, y: f64, m: f64| planar::Leg::load_to(planar::Wrench::new([x, y], m));
-    let command = |a: f64| planar::Leg::commands_to(vec![[a, 0.0].into(), [0.0; 2].into(), [0.0; 2].into()]);
+    let command = |a: f64| planar::Leg::commands_to(vec![[a, 0.0], [0.0; 2], [0.0; 2]]);
     let start = planar::Wrench::force([0.0, -w]);
     let away = [command(a - b), load(0.0, 0.0, 0.0), command(a - 2.0 * b), load(p, 0.0, m)];
     for (last, way) in [
@@ -96,8 +96,7 @@ fn fingers_dragged_both_ways_hold_all_the_same() {
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), finger(1.0), finger(-1.0)]).unwrap();
     let edge = mu * n / kt;
     // t is up at x = 1 and down at x = -1.
-    let drag =
-        |b: f64| planar::Leg::commands_to(vec![[a, b].into(), [a, -b].into(), [a, -b].into(), [a, b].into()]);
+    let drag = |b: f64| planar::Leg::commands_to(vec![[a, b], [a, -b], [a, -b], [a, b]]);
     let down = |w: f64| planar::Leg::load_to(planar::Wrench::force([0.0, -w]));
     let up = |state: &planar::Equilibrium| {
         state.contacts.iter().map(|c| c.force_world[1] / (mu * n)).collect::<Vec<_>>()
@@ -148,7 +147,7 @@ fn three_fingers(mu: f64) -> spatial::Grasp {
 }
 
 fn third(a: f64) -> spatial::Leg {
-    spatial::Leg::commands_to(vec![[A, 0.0, 0.0].into(), [A, 0.0, 0.0].into(), [a, 0.0, 0.0].into()])
+    spatial::Leg::commands_to(vec![[A, 0.0, 0.0], [A, 0.0, 0.0], [a, 0.0, 0.0]])
 }
 
 /// The third finger goes away, parts at a = 0, and the body may turn about the line between the two. Any force through that line and any

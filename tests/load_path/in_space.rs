@@ -100,8 +100,8 @@ fn fingers_drag_the_body_to_and_fro() {
     let slides = carried + f / KT;
     let c = 2.5 * slides;
     let drag = |c: f64| {
-        let still = std::iter::repeat_n([0.0; 3].into(), 4);
-        Leg::commands_to(std::iter::repeat_n([A, 0.0, c].into(), 6).chain(still).collect::<Vec<_>>())
+        let still = std::iter::repeat_n([0.0; 3], 4);
+        Leg::commands_to(std::iter::repeat_n([A, 0.0, c], 6).chain(still).collect::<Vec<_>>())
     };
     let mut path = grasp.follow(Wrench::ZERO, &[drag(c), drag(-c), drag(c)]).unwrap();
     let events = path.run();

@@ -4,14 +4,14 @@
 
 use std::mem::discriminant;
 
-use crate::programs::draw::{over, planar_scenes, spatial_scenes};
-use crate::programs::tally::Tally;
-use crate::programs::views::View;
-use crate::programs::{Scene, direction};
 use grasp_lcp::equilibrium::{ContactAnswer, Outcome};
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::tally::Tally;
+use support::programs::views::View;
+use support::programs::{Scene, direction};
 
 /// Fractions agree to this.
 const FRACTION: f64 = 1e-12;
@@ -31,11 +31,11 @@ fn tells_the_same<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let (grasp, there) = (scene.grasp(), other.grasp());
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let mut path_there =
-        there.follow_with(other.start(), &other.legs(), &crate::programs::polygon()).unwrap();
+        there.follow_with(other.start(), &other.legs(), &support::programs::polygon()).unwrap();
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
     // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.

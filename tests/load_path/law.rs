@@ -2,12 +2,12 @@
 //! the plane and in space, the law written out from points, normals and springs in [`common_path`]. What came up is counted
 //! and must be plenty, and no path may end undecided.
 
-use crate::programs::draw::{over, planar_scenes, spatial_scenes};
-use crate::programs::tally::Tally;
-use crate::programs::{Scene, brief, corners, sizes, tangential};
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Event, LoadPath};
 use proptest::prelude::*;
+use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::tally::Tally;
+use support::programs::{Scene, brief, corners, sizes, tangential};
 
 /// States along a path: the ends of its straight pieces (first and last, continuous from one piece to the next) and inside.
 fn samples<const D: usize, const C: usize>(
@@ -40,7 +40,7 @@ fn law_holds<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for event in &events {

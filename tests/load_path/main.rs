@@ -1,8 +1,5 @@
 //! Load programs, followed with the memory of slip.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod closed_forms;
 mod cut;
 mod default_error;
@@ -18,7 +15,6 @@ mod memory;
 mod on_facets;
 mod pace;
 mod partial_slip;
-mod programs;
 mod recontact;
 mod rings;
 mod round_cone;

@@ -1,13 +1,13 @@
 //! Where a path forgets nothing and where it has nothing to remember: without sticking again it ends at the one-shot
 //! equilibrium, and without events it can be reversed. Random paths in the plane.
 
-use crate::programs::draw::{over, planar_scenes};
-use crate::programs::same_state;
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Change, PathEnd};
 use proptest::prelude::*;
+use support::programs::draw::{over, planar_scenes};
+use support::programs::same_state;
 
 /// Where nothing sticks again, closes or reverses, the slips all point along the friction there: the end is an equilibrium of the one-shot
 /// law, and where that has only one (all are listed), it is that one.
@@ -15,7 +15,8 @@ use proptest::prelude::*;
 fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(3000, &planar_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+        let mut path =
+            grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
@@ -46,7 +47,8 @@ fn a_path_without_events_can_be_reversed() {
         let there = scene.goals.len();
         scene.goals.extend(scene.goals.clone().into_iter().rev().skip(1));
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+        let mut path =
+            grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

@@ -6,10 +6,10 @@
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, TAU};
 
-use crate::common::close::assert_close;
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use nalgebra::Vector2;
+use support::assert_close;
 
 const K: f64 = 60.0;
 const KT: f64 = 25.0;

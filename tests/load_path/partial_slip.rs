@@ -18,8 +18,8 @@
 //! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀, each of which costs at most h²/8
 //! times its jump, the rest h²/24 ∫|f''|; with h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
 
-use crate::common::close::assert_close;
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
+use support::assert_close;
 
 const MU: f64 = 0.4;
 const P0: f64 = 3.0;

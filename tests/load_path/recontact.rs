@@ -24,7 +24,7 @@ fn body(mu: f64) -> Grasp {
 
 /// The foot's command goes to (a, b).
 fn to(a: f64, b: f64) -> Leg {
-    Leg::commands_to(vec![[a, b].into(), [0.0; 2].into(), [0.0; 2].into()])
+    Leg::commands_to(vec![[a, b], [0.0; 2], [0.0; 2]])
 }
 
 fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::planar::Event>) {
@@ -132,7 +132,7 @@ fn letting_go_drops_the_body() {
     let finger =
         |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0]);
     let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
-    let let_go = Leg::commands_to(vec![[0.0, 0.0].into(), [0.0, 0.0].into()]);
+    let let_go = Leg::commands_to(vec![[0.0, 0.0], [0.0, 0.0]]);
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();
     assert!(path.run().is_empty());
     let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };

@@ -1,16 +1,16 @@
 //! Load paths on the round cone, random grasps and programs in space: the contact law at every sampled fraction, slips along the friction
 //! force, energies, legs cut in two, other frames, and small steps of a method that knows nothing of arcs and events.
 
-use crate::programs::draw::{over, spatial_scenes};
-use crate::programs::tally::Tally;
-use crate::programs::views::View;
-use crate::programs::{Scene, brief, same_state, sizes, tangential};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::programs::draw::{over, spatial_scenes};
+use support::programs::tally::Tally;
+use support::programs::views::View;
+use support::programs::{Scene, brief, same_state, sizes, tangential};
 
 type Spatial = Scene<6, 3>;
 

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::common::close::assert_close;
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
 use nalgebra::{Vector2, Vector3};
+use support::assert_close;
 
 const K: f64 = 80.0;
 const KT: f64 = 50.0;

@@ -1,15 +1,15 @@
 //! Every event of a path lies where small implicit steps find it, and where a path is lost they find nothing near.
 //!
-//! The steps ([`crate::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
+//! The steps ([`support::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
 //! contact law with the slip so far is solved by trying all combinations of states. At every step that has no event in it or
 //! in the one before, both must agree on what each contact does and on the forces.
 
-use crate::programs::draw::{few_planar_contacts, over};
-use crate::programs::steps::Step;
-use crate::programs::tally::Tally;
-use crate::programs::{Scene, sizes};
 use grasp_lcp::load_path::PathEnd;
 use proptest::prelude::*;
+use support::programs::draw::{few_planar_contacts, over};
+use support::programs::steps::Step;
+use support::programs::tally::Tally;
+use support::programs::{Scene, sizes};
 
 /// Steps a leg.
 const STEPS: usize = 100;
@@ -24,7 +24,7 @@ const JUMP: f64 = 1e-3;
 
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

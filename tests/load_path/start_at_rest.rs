@@ -61,7 +61,7 @@ fn fingers_that_do_not_press_carry_nothing() {
     }
 }
 
-/// Where forces grow from nothing in proportion to the load there is an equilibrium all the way: the path may not be found, but it is
+/// Where forces grow from nothing in proportion to the load there is an equilibrium all the way. The path may not be found, but it is
 /// not lost.
 #[test]
 fn what_grows_from_nothing_is_not_lost() {

@@ -3,7 +3,7 @@
 
 use grasp_lcp::load_path::{Change, Event, PathEnd};
 
-pub(crate) use crate::common::close::assert_close;
+pub(crate) use support::assert_close;
 
 pub(crate) fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))

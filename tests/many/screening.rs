@@ -4,16 +4,16 @@
 //! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;
 //! every lane of a batch, full or not, answers as the grasp on its own, to the last bit.
 
-use crate::common::random::{Spread, datum, for_all};
-use crate::common::scene::Datum;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
 use grasp_lcp::sweep::onsets_of_batch;
-use grasp_lcp::{Settings, planar, spatial};
+use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::random::{Spread, datum, for_all};
+use support::scene::Datum;
 
 /// How often each verdict came.
 type Tally = std::cell::RefCell<std::collections::BTreeMap<String, usize>>;
@@ -46,7 +46,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
 ) -> Result<(), TestCaseError> {
     let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
     let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
-    let onset = grasp.onset(&Ramp::load(base, direction), &Settings::default()).unwrap();
+    let onset = grasp.onset(&Ramp::load(base, direction)).unwrap();
     *tally.borrow_mut().entry(format!("{:?}", screened.verdict())).or_default() += 1;
     if matches!(onset, Onset::Undecided(_)) {
         *tally.borrow_mut().entry("whole undecided".to_owned()).or_default() += 1;
@@ -336,6 +336,6 @@ fn tangents_turned_round() {
     assert_eq!(factor(&plain), factor(&turned));
     let grasp = Grasp::new(turned.clone()).unwrap();
     let ramp = Ramp::load(Wrench::ZERO, Wrench::from_vector([0.3, -1.0, 0.1]));
-    let whole = grasp.onset(&ramp, &Settings::default()).unwrap().factor().unwrap();
+    let whole = grasp.onset(&ramp).unwrap().factor().unwrap();
     assert!((factor(&plain) / whole - 1.0).abs() < 1e-13);
 }

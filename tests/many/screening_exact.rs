@@ -6,12 +6,12 @@
 
 use std::cell::Cell;
 
-use crate::common::random::for_all;
 use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
 use grasp_lcp::screening::Verdict;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
+use support::random::for_all;
 
 type Rational = BigRational;
 

@@ -102,7 +102,7 @@ fn samples_are_distributed_as_they_should_be() {
         let k: Vec<f64> = sample.contacts().iter().map(|c| c.series_stiffness_of_axes()[0]).collect();
         let press = k[0] * k[1] / (k[0] + k[1]) * 2.0 * A;
         let expected = 2.0 * MU * press;
-        let found = factor(&sample.onset(&weight(), &settings));
+        let found = factor(&sample.onset_with(&weight(), &settings));
         assert!((found / expected - 1.0).abs() < 1e-13, "{found} {expected}");
     }
 }
@@ -117,7 +117,7 @@ fn samples_depend_on_seed_and_number_alone() {
         onsets.iter().map(|o| factor(o).to_bits()).collect()
     };
     let one_by_one: Vec<u64> = (0..300)
-        .map(|i| factor(&grasp.sample(&off, i).unwrap().onset(&weight(), &settings)).to_bits())
+        .map(|i| factor(&grasp.sample(&off, i).unwrap().onset_with(&weight(), &settings)).to_bits())
         .collect();
     assert_eq!(sweep(), one_by_one);
     #[cfg(feature = "parallel")]

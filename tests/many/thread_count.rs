@@ -31,7 +31,7 @@ fn ramps() -> Vec<Ramp> {
 fn onsets_do_not_depend_on_who_computes_them() {
     let (grasp, ramps, settings) = (grasp(), ramps(), Settings::default());
     let one_by_one: Vec<String> =
-        ramps.iter().map(|ramp| format!("{:?}", grasp.onset(ramp, &settings).unwrap())).collect();
+        ramps.iter().map(|ramp| format!("{:?}", grasp.onset_with(ramp, &settings).unwrap())).collect();
     let swept = || grasp.onset_each(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
     // Debug prints floats so that they read back to the same bits.

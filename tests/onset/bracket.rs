@@ -4,13 +4,13 @@
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-use crate::common::close::assert_close;
-use crate::common::ramps::{Change, Tally, for_both};
-use crate::common::scene::Scene;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar};
 use proptest::prelude::*;
+use support::assert_close;
+use support::ramps::{Change, Tally, for_both};
+use support::scene::Scene;
 
 fn polygon(facets: usize, fit: Fit) -> Settings {
     // Rolling states need no search through all combinations.
@@ -37,9 +37,9 @@ fn check_order(
     if !rolls(&grasp.solve_with(&scene.wrench(), &on_circumscribed).unwrap()) {
         return Ok(());
     }
-    let round = grasp.onset(&ramp, &on_circumscribed).unwrap();
+    let round = grasp.onset(&ramp).unwrap();
     for facets in [3, 8] {
-        let on = |fit| grasp.onset_on_polygon(&ramp, &polygon(facets, fit)).unwrap();
+        let on = |fit| grasp.onset_with(&ramp, &polygon(facets, fit).on_the_polygon()).unwrap();
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
         let base = grasp.bracket(&scene.wrench(), &polygon(facets, Fit::Inscribed)).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {

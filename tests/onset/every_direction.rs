@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use grasp_lcp::picture::SphereGrid;
 use grasp_lcp::planar::{self, Contact, Grasp, Leg, PathEnd, Wrench};
-use grasp_lcp::{Settings, spatial};
+use grasp_lcp::spatial;
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -48,7 +48,7 @@ fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
 
 #[test]
 fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
-    for grasp in [crate::paper::two_fingers()?, ring(3)?, ring(5)?] {
+    for grasp in [support::paper::two_fingers()?, ring(3)?, ring(5)?] {
         let rows = half_planes(&grasp)?;
         for angle in angles(360) {
             let rate = |g: &[f64; 2]| g[0] * angle.cos() + g[1] * angle.sin();
@@ -81,7 +81,7 @@ const MOST: f64 = 4.0;
 
 #[test]
 fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Failure> {
-    let grasp = crate::paper::two_fingers()?;
+    let grasp = support::paper::two_fingers()?;
     let down = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
     assert!((down - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let mut limits = 0;
@@ -116,7 +116,7 @@ fn what_turns_into_itself_has_onsets_that_do() -> Result<(), Failure> {
 
 #[test]
 fn a_limit_is_no_less_than_the_onset_and_nothing_holds_beyond() -> Result<(), Failure> {
-    let grasp = crate::paper::two_fingers()?;
+    let grasp = support::paper::two_fingers()?;
     let mut limits = 0;
     for angle in angles(120) {
         let end = end(&grasp, angle)?;
@@ -145,7 +145,7 @@ fn in_space_the_region_is_convex_and_as_symmetric_as_the_grasp() -> Result<(), F
     }))?;
     let onset = |d: [f64; 3]| -> Result<f64, Failure> {
         let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force(d));
-        Ok(grasp.onset(&ramp, &Settings::default())?.factor().ok_or("rolls without load")?)
+        Ok(grasp.onset(&ramp)?.factor().ok_or("rolls without load")?)
     };
     let (sin, cos) = (TAU / 3.0).sin_cos();
     let directions = SphereGrid::new(8, 19).directions();

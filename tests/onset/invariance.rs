@@ -4,29 +4,30 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::ramps::{CASES, Change, Friction, Tally, close, for_both, ramps, slack};
-use crate::common::random::{Spread, for_all};
-use crate::common::scene::Scene;
-use crate::common::transform::Transform;
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::OnsetEvent;
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::ramps::{CASES, Change, Friction, Tally, close, for_both, ramps, slack};
+use support::random::{Spread, for_all};
+use support::scene::Scene;
+use support::transform::Transform;
 
 /// The same contacts leave; one that leaves on one side only must stand at the very edge of its cone on the other.
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    event: &OnsetEvent<D, C>,
-    seen: &OnsetEvent<D, C>,
+    image: &Scene<D, C>,
+    [event, seen]: [&OnsetEvent<D, C>; 2],
 ) -> Result<(), TestCaseError> {
     let leaves = |event: &OnsetEvent<D, C>, i: usize| event.leaving.iter().any(|l| l.contact == i);
     for (i, datum) in scene.contacts.iter().enumerate() {
         if leaves(event, i) == leaves(seen, i) {
             continue;
         }
-        for event in [event, seen] {
-            let size = event.state.contacts.iter().map(|c| c.force.norm()).fold(f64::MIN_POSITIVE, f64::max);
-            let c = &event.state.contacts[i];
+        for (scene, event) in [(scene, event), (image, seen)] {
+            let state = scene.grasp().state_at_onset(event).expect("its own event");
+            let size = state.contacts.iter().map(|c| c.force.norm()).fold(f64::MIN_POSITIVE, f64::max);
+            let c = &state.contacts[i];
             let bounded = datum.friction > 0.0 && datum.friction.is_finite();
             let slack = if bounded { c.force[0].min(c.margin / (1.0 + datum.friction)) } else { c.force[0] };
             prop_assert!(slack <= 1e-9 * size, "contact {i} leaves on one side only\n{event:?}\n{seen:?}");
@@ -49,12 +50,12 @@ fn check_image<const D: usize, const C: usize>(
     let image = transform.scene(scene);
     let image_change = Change { load, commands };
     let settings = Settings::default();
-    let onset = scene.grasp().onset(&change.ramp(scene), &settings).expect("a finite ramp");
-    let seen = image.grasp().onset(&image_change.ramp(&image), &settings).expect("a finite ramp");
+    let onset = scene.grasp().onset_with(&change.ramp(scene), &settings).expect("a finite ramp");
+    let seen = image.grasp().onset_with(&image_change.ramp(&image), &settings).expect("a finite ramp");
     let (a, b) = (onset.factor(), seen.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{seen:?}");
     if let (Some(event), Some(seen)) = (onset.event(), seen.event()) {
-        same_leave(scene, event, seen)?;
+        same_leave(scene, &image, [event, seen])?;
     }
     tally.count(&onset);
     Ok(())
@@ -74,8 +75,8 @@ fn check_split<const D: usize, const C: usize>(
     split.contacts.push(split.contacts[0]);
     split_change.commands.push(change.commands[0]);
     let settings = Settings::default();
-    let onset = scene.grasp().onset(&change.ramp(scene), &settings).expect("a finite ramp");
-    let halves = split.grasp().onset(&split_change.ramp(&split), &settings).expect("a finite ramp");
+    let onset = scene.grasp().onset_with(&change.ramp(scene), &settings).expect("a finite ramp");
+    let halves = split.grasp().onset_with(&split_change.ramp(&split), &settings).expect("a finite ramp");
     let (a, b) = (onset.factor(), halves.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{halves:?}");
     tally.count(&onset);

@@ -1,16 +1,16 @@
 //! The onset of sliding against a search that knows nothing of how it was found.
 //!
-//! While everything rolls the forces solve a linear least-squares problem (`crate::common::rolling`); the largest load factor at
+//! While everything rolls the forces solve a linear least-squares problem (`support::rolling`); the largest load factor at
 //! which all of them lie in their cones is found here by bisection and must be the onset, in the plane and in space, on
 //! the round cone and on the polygon, for loads and for finger commands. Just below the onset the solver must find that
 //! everything rolls, just above it must not.
 
-use crate::common::ramps::{Change, Friction, Tally, close, for_both, slack};
-use crate::common::scene::Scene;
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Outcome, Rung};
 use grasp_lcp::load_path::{Onset, OnsetEvent};
 use proptest::prelude::*;
+use support::ramps::{Change, Friction, Tally, close, for_both, slack};
+use support::scene::Scene;
 
 /// The factor at which rolling ends, by doubling and bisection; infinite if it does not end before 2^40.
 fn bisected<const D: usize, const C: usize>(
@@ -47,8 +47,8 @@ fn check_bisection<const D: usize, const C: usize>(
     for friction in [Friction::Round, Friction::Polygon] {
         let Some(expected) = bisected(scene, change, friction) else { continue };
         let onset = match friction {
-            Friction::Round => grasp.onset(&ramp, &settings),
-            Friction::Polygon => grasp.onset_on_polygon(&ramp, &settings),
+            Friction::Round => grasp.onset_with(&ramp, &settings),
+            Friction::Polygon => grasp.onset_with(&ramp, &settings.on_the_polygon()),
         };
         let onset = onset.expect("a finite ramp");
         if change.works_on_free_motion(scene) {
@@ -88,8 +88,8 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     }
     let (grasp, ramp, round) = (scene.grasp(), change.ramp(scene), Settings::default());
     let (onset, settings) = match friction {
-        Friction::Round => (grasp.onset(&ramp, &round), round),
-        Friction::Polygon => (grasp.onset_on_polygon(&ramp, &round), round.on_the_polygon()),
+        Friction::Round => (grasp.onset_with(&ramp, &round), round),
+        Friction::Polygon => (grasp.onset_with(&ramp, &round.on_the_polygon()), round.on_the_polygon()),
     };
     let onset = onset.expect("a finite ramp");
     let Some(event) = onset.event() else { return Ok(()) };
@@ -126,8 +126,9 @@ fn is_at_the_edge<const D: usize, const C: usize>(
     event: &OnsetEvent<D, C>,
 ) -> Result<(), TestCaseError> {
     prop_assert!(!event.leaving.is_empty());
-    let size = event.state.contacts.iter().map(|c| c.force.norm()).fold(f64::MIN_POSITIVE, f64::max);
-    for (i, c) in event.state.contacts.iter().enumerate() {
+    let state = scene.grasp().state_at_onset(event).expect("its own event");
+    let size = state.contacts.iter().map(|c| c.force.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    for (i, c) in state.contacts.iter().enumerate() {
         let leaves = event.leaving.iter().any(|l| l.contact == i);
         let bounded = scene.contacts[i].friction > 0.0 && scene.contacts[i].friction.is_finite();
         let margin = if bounded { c.margin.min(c.force[0]) } else { c.force[0] };

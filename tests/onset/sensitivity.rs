@@ -4,7 +4,7 @@
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
 use grasp_lcp::load_path::{Onset, Parameter, Ramp};
-use grasp_lcp::{Settings, planar, spatial};
+use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 
 const TOLERANCE: f64 = 1e-7;
@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 
     fn onset(&self) -> Option<(f64, Vec<usize>)> {
         let ramp = Ramp::load(Wrench::from_vector(self.load), Wrench::from_vector(self.direction));
-        let Onset::At(event) = self.grasp().onset(&ramp, &Settings::default()).unwrap() else { return None };
+        let Onset::At(event) = self.grasp().onset(&ramp).unwrap() else { return None };
         Some((event.factor, event.leaving.iter().map(|l| l.contact).collect()))
     }
 
@@ -171,7 +171,7 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
         }
         let grasp = scene.grasp();
         let ramp = Ramp::load(Wrench::from_vector(scene.load), Wrench::from_vector(scene.direction));
-        let onset = grasp.onset(&ramp, &Settings::default()).unwrap();
+        let onset = grasp.onset(&ramp).unwrap();
         let gradients = grasp.onset_gradients(&ramp, onset.event().unwrap());
         let [gradient] = &gradients[..] else { continue };
         for by in scene.parameters() {

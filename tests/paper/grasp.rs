@@ -1,11 +1,11 @@
 //! The paper's two grasps: its tables to the digits printed, and the exact onset of the second.
 
-use crate::paper::{
-    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
-};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Onset, Outcome, Proof, Ramp, Wrench};
+use support::paper::{
+    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
+};
 
 /// Half a digit of the print and what rounding adds.
 const PRINTED: f64 = 0.5001e-4;
@@ -43,7 +43,8 @@ fn second_grasp_slides_first_at_root_65_over_66() {
     let onset = grasp.onset_of_sliding(Wrench::ZERO, down()).unwrap();
     let event = onset.event().expect("finite onset");
     assert!((event.factor - exact).abs() < 4.0 * f64::EPSILON * exact, "{}", event.factor);
-    for c in &event.state.contacts {
+    let state = grasp.state_at_onset(event).expect("its own event");
+    for c in &state.contacts {
         assert!((c.normal_force() - 65.0 / 132.0).abs() < 1e-15);
         assert!((c.friction_force() - 65.0 / 528.0).abs() < 1e-15);
         assert_eq!(c.state, ContactState::Rolling);
@@ -53,7 +54,8 @@ fn second_grasp_slides_first_at_root_65_over_66() {
         // The object goes down, the fingers slip up over it.
         assert!(matches!(leaving.how, Departure::Slides { direction } if direction[1] > 0.9));
     }
-    assert!(matches!(event.beyond, Beyond::LimitLoad { combinations: 16 }), "{:?}", event.beyond);
+    let beyond = grasp.beyond(event).expect("its own event");
+    assert!(matches!(beyond, Beyond::LimitLoad { combinations: 16 }), "{beyond:?}");
 }
 
 #[test]
@@ -96,8 +98,8 @@ fn more_squeeze_carries_more() {
     let exact = 65f64.sqrt() / 66.0;
     // At 1.2 W* nothing holds; squeezing along the normals from there is no base. Start below and release the squeeze.
     let load = down() * (0.9 * exact);
-    let release = vec![[-0.01, 0.0].into(); 2];
-    let onset = grasp.onset(&Ramp::commands(load, release.clone()), &Settings::default()).unwrap();
+    let release = vec![[-0.01, 0.0]; 2];
+    let onset = grasp.onset(&Ramp::commands(load, release.clone())).unwrap();
     let Onset::At(event) = onset else { panic!("{onset:?}") };
     // F_n falls by 5 · 0.01 τ · (normal parts balance in x): F_n = F_n(0) - 0.05 τ, F_t rises to keep W: solve by hand
     // for the symmetric pair with n = (8, -1)/√65, t = (-1, -8)/√65: F_n n_x + F_t t_x cancels, W = 2 (F_n n_y + F_t t_y).
@@ -108,7 +110,7 @@ fn more_squeeze_carries_more() {
         .enumerate()
         .map(|(i, (_, change))| {
             let command: nalgebra::Vector2<f64> = [0.1, if i == 0 { -0.0125 } else { 0.0125 }].into();
-            command + change * event.factor
+            command + nalgebra::Vector2::from(*change) * event.factor
         })
         .collect();
     let at = two_fingers().unwrap().with_commands(released).unwrap();

@@ -1,7 +1,7 @@
 //! Load paths whose every event can be written down.
 
-use crate::common::close::assert_close;
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
+use support::assert_close;
 
 fn pull(force: f64) -> Wrench {
     Wrench::force([force, 0.0])
@@ -177,7 +177,7 @@ fn regrasping_starts_without_tangential_force() {
     let grasp = Grasp::new([side(-1.0), side(1.0), side(-1.0), side(1.0)]).unwrap();
     let w = 0.4;
     let (hold, away) = ([0.1, 0.0], [-0.1, 0.0]);
-    let commands = |pair: [f64; 2]| vec![hold.into(), hold.into(), pair.into(), pair.into()];
+    let commands = |pair: [f64; 2]| [hold, hold, pair, pair];
     let legs = [
         Leg::load_to(Wrench::force([0.0, -w])),
         Leg::commands_to(commands(away)),
@@ -232,7 +232,7 @@ fn rings_have_one_event() {
 /// The paper's second grasp: onset and limit load coincide.
 #[test]
 fn the_paper_ends_at_its_onset() {
-    let grasp = crate::paper::two_fingers().unwrap();
+    let grasp = support::paper::two_fingers().unwrap();
     let (path, events) = run(&grasp, &[Leg::load_to(Wrench::force([0.0, -1.0]))]);
     assert!(events.is_empty());
     let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };

@@ -1,13 +1,13 @@
 //! The paper's method reproduces the paper's tables, the rows beyond the onset included; the comparison says what these are.
 
-use crate::paper::{
-    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
-};
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, QpOutcome, Unknowns, Verdict};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Grasp, Wrench};
 use nalgebra::SVector;
+use support::paper::{
+    DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
+};
 
 /// The last digit printed: some numbers are cut off instead of rounded.
 const LAST_DIGIT: f64 = 1.0001e-4;

@@ -1,16 +1,16 @@
 //! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
 
-use crate::common::random::{Spread, for_all, scene};
-use crate::common::scene::Scene as Drawn;
 use grasp_lcp::grasp::{Contact, Grasp, Twist, Wrench};
 use grasp_lcp::scene::{Answer, Answers, Finger, Question, Scene, Setup, Space, Tip};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
+use support::random::{Spread, for_all, scene};
+use support::scene::Scene as Drawn;
 
 /// Every way to say what a contact is takes its turn.
 fn contacts<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Vec<Contact<C>> {
-    let contact = |(i, datum): (usize, &crate::common::scene::Datum<C>)| {
+    let contact = |(i, datum): (usize, &support::scene::Datum<C>)| {
         let contact = datum.contact();
         match i % 4 {
             0 => contact,
@@ -257,7 +257,7 @@ fn soft_fingertips_are_spread() {
     let mut change = vec![nalgebra::Vector3::new(0.001, 0.0, 0.0); 8];
     change.push(nalgebra::Vector3::zeros());
     let ramp = spatial::Ramp::load(Wrench::ZERO, spatial::Wrench::new([0.0; 3], [0.01, 0.0, 0.0]));
-    let expected = grasp.onset(&ramp.with_commands(change), &Settings::default()).unwrap();
+    let expected = grasp.onset(&ramp.with_commands(change)).unwrap();
 
     let Space::Spatial(back) = there_and_back(&setup.clone().into()).space else { panic!("was spatial") };
     assert_eq!(back, setup);

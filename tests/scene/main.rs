@@ -1,7 +1,5 @@
 //! Scenes and pictures: what is read, what is written, what is drawn.
 
-#[path = "../common/mod.rs"]
-mod common;
 #[path = "../../examples/support/scene_file.rs"]
 mod scene_file;
 #[path = "../../examples/support/stream.rs"]

@@ -1,10 +1,10 @@
 //! A workspace that has held the largest scene allocates nothing: few contacts by Lemke's paths, many by Newton's method and by Lemke's.
 
-use crate::common::random::{Spread, for_all, scene};
 use allocation_counter::measure;
 use grasp_lcp::grasp::{Grasp, Wrench};
 use grasp_lcp::structured::{Search, Workspace};
 use std::cell::RefCell;
+use support::random::{Spread, for_all, scene};
 
 /// The scenes in both places, largest first.
 fn scenes<const D: usize, const C: usize>(

@@ -4,15 +4,15 @@
 
 use std::mem::discriminant;
 
-use crate::programs::draw::{
-    few_planar_contacts, over, planar_scenes, spatial_scenes, three_spatial_contacts,
-};
-use crate::programs::tally::Tally;
-use crate::programs::views::View;
-use crate::programs::{Goal, Scene, direction, same_state, sizes};
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::load_path::{Change, Event, PatchEvent, PathEnd};
 use proptest::prelude::*;
+use support::programs::draw::{
+    few_planar_contacts, over, planar_scenes, spatial_scenes, three_spatial_contacts,
+};
+use support::programs::tally::Tally;
+use support::programs::views::View;
+use support::programs::{Goal, Scene, direction, same_state, sizes};
 
 /// Fractions agree to this as a rule,
 const FRACTION: f64 = 1e-12;
@@ -67,7 +67,7 @@ fn compare<const D: usize, const C: usize>(
     count: &mut Count,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut long = grasp.follow_with(scene.start(), &scene.legs(), &crate::programs::polygon()).unwrap();
+    let mut long = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = long.run();
     let expected = told(&events);
     let mut short = grasp.follow_patch(scene.start(), &scene.legs()).unwrap();

@@ -6,7 +6,6 @@
 //! is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such ties by a vector
 //! without structure, but not by the same one, since the dense solver balances its rows first.
 
-use crate::common::random::{Spread, for_all, scene};
 use grasp_lcp::PolygonCone;
 use grasp_lcp::forms::{Form, Row};
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
@@ -16,6 +15,7 @@ use grasp_lcp::{planar, spatial};
 use nalgebra::{DVector, SVector};
 use std::cell::RefCell;
 use std::f64::consts::TAU;
+use support::random::{Spread, for_all, scene};
 
 /// Below this part of the largest entry of q a variable may be zero.
 const CLEAR: f64 = 1e-9;

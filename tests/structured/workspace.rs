@@ -1,7 +1,6 @@
 //! What a workspace finds is an equilibrium: the one of `Grasp::solve`, or another one that satisfies every condition recomputed
 //! from the data, and the same by Newton's method and by Lemke's where there is only one.
 
-use crate::common::random::{Spread, for_all, scene};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::grasp::{Grasp, Wrench};
@@ -9,6 +8,7 @@ use grasp_lcp::structured::{Search, Workspace};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use std::cell::RefCell;
+use support::random::{Spread, for_all, scene};
 
 /// Forces agree to this part of the largest, as far as the equilibrium is unique.
 const AGREEMENT: f64 = 1e-9;
@@ -54,7 +54,7 @@ fn compare<const D: usize, const C: usize>(count: std::ops::Range<usize>, cases:
         size += view.forces().iter().map(nalgebra::Matrix::norm).sum::<f64>();
         for ((datum, force), contact) in scene.contacts.iter().zip(view.forces()).zip(grasp.contacts()) {
             let world = datum.frame() * force;
-            sum += crate::common::scene::wrench::<D, C>(&datum.point, &world);
+            sum += support::scene::wrench::<D, C>(&datum.point, &world);
             let friction = force.rows_range(1..).norm();
             assert!(force[0] >= -ACCURATE * size);
             assert!(friction <= contact.friction_coefficient() * force[0] + ACCURATE * size);

@@ -88,9 +88,11 @@ fn main() -> Result<(), Failure> {
     directions(&grasp, centre)?;
     moved_hands(&mug, centre)?;
     let onset = grasp.onset_of_sliding(Wrench::ZERO, pull(-DVec3::Z, centre))?;
-    let slides = onset.event().map(|event| (format!("first slides, at {:.3} N", event.factor), &event.state));
+    let slides = onset.event().and_then(|event| {
+        Some((format!("first slides, at {:.3} N", event.factor), grasp.state_at_onset(event)?))
+    });
     let mut answers = vec![("held upright", held)];
-    answers.extend(slides.as_ref().map(|(label, state)| (label.as_str(), *state)));
+    answers.extend(slides.as_ref().map(|(label, state)| (label.as_str(), state)));
     picture::save(&grasp, &answers, &mug)
 }
 
@@ -139,14 +141,16 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     for (way, direction) in ways {
         let ramp = Ramp::load(Wrench::ZERO, pull(direction, centre));
         let both = grasp.reserve(&ramp, 100.0, &Settings::default())?;
+        let separated = |event, i: usize| {
+            let state = grasp.state_at_onset(event);
+            state.is_some_and(|state| state.contacts[i].state == ContactState::Separated)
+        };
         let first = both.onset.event().map_or_else(String::new, |event| {
             let (i, how) = (event.leaving[0].contact, event.leaving[0].how);
             let how = match how {
                 Departure::Opens => "opens",
                 // A tip that was out of reach is dragged from the first touch on.
-                Departure::Slides { .. } if event.state.contacts[i].state == ContactState::Separated => {
-                    "touches"
-                }
+                Departure::Slides { .. } if separated(event, i) => "touches",
                 Departure::Slides { .. } => "slides",
             };
             format!("{:7.3}  {} {how}", event.factor, grasp.contacts()[i].label_text(i))

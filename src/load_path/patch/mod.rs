@@ -151,7 +151,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let wrench = self.inside(&start, "start load")?;
         let mut program = Program::new(self, start);
         program.extend(self, legs)?;
-        let polygon = Arc::new(Polygon::new(&cone));
+        let polygon = Polygon::shared(&cone);
         let mut path =
             PatchPath::new(self, program, polygon, Settings::default().with_cone(cone).on_the_polygon());
         path.start(&wrench);

@@ -1,4 +1,5 @@
-//! What page and still have in common: places in the coordinates of the grasp, and the scales that turn newtons into metres.
+//! What page and still have in common: places in the coordinates of the grasp, and the scales that
+//! turn newtons into metres.
 
 use nalgebra::{Vector3, Vector6};
 
@@ -8,17 +9,20 @@ use super::text::short;
 use crate::picture::error::{Drawn, PictureError};
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
-/// Parts of the size of the picture that the largest force, moment and displacement take in the picture.
+/// Parts of the size of the picture that the largest force, moment and displacement take in the
+/// picture.
 const LARGEST_FORCE: f64 = 0.4;
 const LARGEST_MOMENT: f64 = 0.3;
 const LARGEST_DISPLACEMENT: f64 = 0.15;
-/// What is left of the moment of a load about its line of action is rounding up to this part of the moments that cancel
-/// in it. Without it every load would be drawn with an arrow of a moment, in whichever direction rounding points.
+/// What is left of the moment of a load about its line of action is rounding up to this part of the
+/// moments that cancel in it. Without it every load would be drawn with an arrow of a moment, in
+/// whichever direction rounding points.
 const ROUNDING: f64 = 1e-12;
-/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation: its axis
-/// lies a billion spans away, where rounding decides on its direction.
+/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a
+/// translation: its axis lies a billion spans away, where rounding decides on its direction.
 const TURNS: f64 = 1e-9;
-/// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis of a free motion.
+/// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis
+/// of a free motion.
 pub(super) const FINGER: f64 = 0.12;
 pub(super) const SLIP: f64 = 0.09;
 pub(super) const AXIS: f64 = 0.75;
@@ -32,7 +36,7 @@ pub(super) struct Drawing<'p> {
     pub(super) centre: Vector3<f64>,
     /// Largest extent of the contacts and the outline along an axis, m.
     pub(super) span: f64,
-    /// The same, or the distance of the load where that is larger, m.
+    /// The span, or the distance of the farthest load where that is larger, m.
     pub(super) size: f64,
     /// m per N, m per N m, and how many times displacements are magnified.
     pub(super) force: f64,
@@ -48,7 +52,8 @@ struct Largest {
     displacement: f64,
 }
 
-/// A load as a force on its line of action, at the point next to the middle of the grasp, and the moment that is left.
+/// A load as a force on its line of action, at the point next to the middle of the grasp, and the
+/// moment that is left.
 pub(super) struct Load {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,

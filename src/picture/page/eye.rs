@@ -6,17 +6,19 @@ use nalgebra::{Vector2, Vector3};
 
 use crate::picture::error::PictureError;
 
-/// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and looks at the middle of the grasp; z points
-/// upwards on paper unless it points to the eye.
+/// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and
+/// looks at the middle of the grasp; z points upwards on paper unless it points to the eye.
 ///
-/// Before any turn it is on the side of −y: x points to the right, z upwards. `yaw` takes it around z, counterclockwise seen from above, `pitch`
-/// then raises it, both in rad. The direction from the grasp to the eye is
+/// Before any turn it is on the side of −y: x points to the right, z upwards. `yaw` takes it around
+/// z, counterclockwise seen from above, `pitch` then raises it, both in rad. The direction from the
+/// grasp to the eye is
 ///
 /// ```text
 /// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
 /// ```
 ///
-/// The default is the view with which the [page](super::SpatialPage::to_html) begins: yaw −0.6, pitch 0.45.
+/// The default is the view with which the [page](super::SpatialPage::to_html) begins: yaw −0.6,
+/// pitch 0.45.
 ///
 /// ```
 /// use grasp_lcp::picture::View;
@@ -98,7 +100,8 @@ pub(super) struct Eye {
 }
 
 impl Eye {
-    /// An eye that sees all these points in the window as large as it allows, but never a length of `span` larger than the window.
+    /// An eye that sees all these points in the window as large as it allows, but never a length of
+    /// `span` larger than the window.
     pub(super) fn new(
         view: View,
         window: Window,

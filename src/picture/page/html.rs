@@ -17,8 +17,8 @@ impl SpatialPage {
     /// Writes the page. Names and labels may contain any characters.
     ///
     /// # Errors
-    /// [`PictureError`] if a corner of the outline is not finite, a number of an answer that must be drawn is not, or an answer has not as many contacts as the
-    /// grasp.
+    /// [`PictureError`] if a corner of an outline or a number of an answer is not finite, or if an
+    /// answer has not as many contacts as the grasp.
     pub fn to_html(&self) -> Result<String, PictureError> {
         let drawing = Drawing::new(self)?;
         let title = html(&self.title);

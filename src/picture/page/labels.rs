@@ -29,7 +29,8 @@ impl Labels {
         Self { window, ink, taken: Vec::new() }
     }
 
-    /// The middle of a name that belongs to a point; no later name will stand there unless there is no other place.
+    /// The middle of a name that belongs to a point; no later name will stand there unless there is
+    /// no other place.
     pub(super) fn place(&mut self, point: Place, words: &str, size: f64) -> Place {
         let (wide, high) = plaque_size(words, size);
         let middles = AWAY.iter().flat_map(|away| {

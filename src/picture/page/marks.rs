@@ -23,7 +23,8 @@ const MOVED: (f64, f64) = (5.0, 4.0);
 const FREE: (f64, f64) = (9.0, 6.0);
 /// Sides of a cone.
 const SIDES: u32 = 72;
-/// A cone whose rim would be wider than this part of the picture is drawn shorter, or it would hide everything else.
+/// A cone whose rim would be wider than this part of the picture is drawn shorter, or it would hide
+/// everything else.
 const WIDEST: f64 = 0.5;
 
 type Point = Vector3<f64>;

@@ -8,10 +8,12 @@ use super::marks::Mark;
 use crate::picture::error::Drawn;
 use crate::picture::sheet::{Place, Sheet};
 
-/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an arrow before its line:
-/// less than anything is seen by, and far more than rounding of places on paper.
+/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an
+/// arrow before its line: less than anything is seen by, and far more than rounding of places on
+/// paper.
 const IN_FRONT: f64 = 1e-2;
-/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be rounding.
+/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be
+/// rounding.
 const SHORTEST: f64 = 1e-6;
 
 /// Pixels to the right and downwards, and towards the eye.
@@ -97,8 +99,8 @@ impl Painting {
         }
     }
 
-    /// The side of the cone that faces the eye and the side that looks away, between which there is room for the force. Seams between smaller
-    /// faces would show.
+    /// The side of the cone that faces the eye and the side that looks away, between which there is
+    /// room for the force. Seams between smaller faces would show.
     fn cone(&mut self, apex: &Seen, rim: &[Seen], ink: RGBColor) {
         let sides = rim.len();
         let next = |k: usize| (k + 1) % sides;

@@ -4,16 +4,21 @@ use super::frame::Frame;
 use super::text::proof_in_words;
 use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 
-/// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no network, no installation
-/// ([`Self::to_html`]); or one of the answers from one side as an SVG, for paper ([`Self::to_svg`]).
+/// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
+/// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
+/// paper ([`Self::to_svg`]).
 ///
-/// On the page the picture is turned by dragging, enlarged by the wheel and reset by a double click; buttons choose among the answers. Drawn are, in
-/// the coordinates of the grasp (z upwards to begin with):
+/// On the page the picture is turned by dragging, enlarged by the wheel and reset by a double
+/// click; buttons choose among the answers. Drawn are, in the coordinates of the grasp (z upwards
+/// to begin with):
 ///
 /// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
-/// * the force F on the object at each contact and the force of the load on its line of action, at one scale for all answers;
-/// * the moment of the load about that line (of a load without force: its whole moment), with two heads;
-/// * displacements u_c of the object, magnified, the same for all answers; the factor is written beside;
+/// * the force F on the object at each contact and the force of the load on its line of action, at
+///   one scale for all answers;
+/// * the moment of the load about that line (of a load without force: its whole moment), with two
+///   heads;
+/// * displacements u_c of the object, magnified, the same for all answers; the factor is written
+///   beside;
 /// * axes of the motions that no contact resists.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad.
@@ -35,8 +40,9 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, 0.0, -1.0]))?;
 /// let event = onset.event().ok_or("slides at some load")?;
 ///
+/// let state = grasp.state_at_onset(event).ok_or("its own event")?;
 /// let page = SpatialPage::new(&grasp, "A jar in three fingers")
-///     .frame("onset of sliding", &event.state)
+///     .frame("onset of sliding", &state)
 ///     .outcome("twice as much", &grasp.solve(&(event.load * 2.0))?)
 ///     .to_html()?;
 /// assert!(page.starts_with("<!DOCTYPE html>"));
@@ -64,22 +70,25 @@ impl SpatialPage {
         }
     }
 
-    /// A closed line on the object, corner by corner, m (of two corners: the line between them); call it for as many as it takes. They are only drawn, where the object was
-    /// and where it moves.
+    /// A closed line on the object, corner by corner, m (of two corners: the line between them);
+    /// call it for as many as it takes. They are only drawn, where the object was and where it
+    /// moves.
     #[must_use]
     pub fn outline(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.outlines.push(corners.into_iter().map(Into::into).collect());
         self
     }
 
-    /// A closed line on something that stays where it is, a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
+    /// A closed line on something that stays where it is, a fingertip or a table, corner by corner,
+    /// m; otherwise as [`Self::outline`].
     #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).collect());
         self
     }
 
-    /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin with.
+    /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin
+    /// with.
     #[must_use]
     pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
         let shown = Ok(Box::new(state.clone()));
@@ -87,8 +96,8 @@ impl SpatialPage {
         self
     }
 
-    /// An answer of [`Grasp::solve`](crate::grasp::Grasp::solve), with what its button says. Where no equilibrium exists, or none was found, the page
-    /// says so and draws no forces.
+    /// An answer of [`Grasp::solve`](crate::grasp::Grasp::solve), with what its button says. Where
+    /// no equilibrium exists, or none was found, the page says so and draws no forces.
     #[must_use]
     pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
         let shown = match outcome {

@@ -31,11 +31,14 @@ const LETTER: f64 = 11.0;
 const AXES_ROOM: f64 = 110.0;
 
 impl SpatialPage {
-    /// Draws one of the answers as it is seen from one side, as the page shows it, with a legend: `answer` counts them from 0 in the order in which they
-    /// were given, `None` is the grasp alone. Scales of forces, moments, displacements and lengths are the same for all answers of the
-    /// page seen from the same side, so that their pictures can be compared; everything of every answer is inside.
+    /// Draws one of the answers as it is seen from one side, as the page shows it, with a legend:
+    /// `answer` counts them from 0 in the order in which they were given, `None` is the grasp
+    /// alone. Scales of forces, moments, displacements and lengths are the same for all answers of
+    /// the page seen from the same side, so that their pictures can be compared; everything of
+    /// every answer is inside.
     ///
-    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
+    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in
+    /// it.
     ///
     /// ```
     /// use grasp_lcp::picture::{SpatialPage, View};
@@ -54,7 +57,8 @@ impl SpatialPage {
     /// ```
     ///
     /// # Errors
-    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, for the reasons of [`Self::to_html`], or if the back end fails.
+    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, for the
+    /// reasons of [`Self::to_html`], or if the back end fails.
     pub fn to_svg(&self, answer: Option<usize>, view: View) -> Result<String, PictureError> {
         let given = self.frames.len();
         let chosen = |k: usize| {

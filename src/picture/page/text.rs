@@ -9,7 +9,8 @@ use crate::spatial::Proof;
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// The least number with five digits before the point.
 const FIVE_DIGITS: f64 = 1e4;
-/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 where a zero is meant.
+/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 where
+/// a zero is meant.
 const ROUNDING: f64 = 1e-12;
 
 /// A text as HTML, for content and for attributes in quotes.
@@ -27,7 +28,8 @@ pub(super) fn html(text: &str) -> String {
     })
 }
 
-/// A text as a JSON string that may stand inside a `script` element: nothing in it looks like a tag.
+/// A text as a JSON string that may stand inside a `script` element: nothing in it looks like a
+/// tag.
 pub(super) fn json_string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

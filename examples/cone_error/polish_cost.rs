@@ -1,0 +1,115 @@
+//! What the polish from the polygon to the round cone costs beside the pivoting that precedes it, on random grasps of which some
+//! contacts slide.
+//!
+//! Of each scene are timed, in turns: the pivoting, which is making the kinematic form and Lemke's method on it, and from 8
+//! contacts on Lemke's method on contact states; the whole answer on the polygon,
+//! its corners along the trial tractions; the whole answer on the round cone, from the same pivots; the whole answer where
+//! every contact is bonded, which needs neither. The polish is turning the polygons, the solution on them, Newton's method
+//! from there and the last digits. It takes at most what the round answer takes beyond the pivoting: only the trial state
+//! is not in that, but checking it and writing the answer out are. It takes at least what is left when the bonded answer
+//! is taken away too: that has these, and a trial state more.
+
+use std::hint::black_box;
+
+use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::spatial::{ContactState, Grasp};
+use grasp_lcp::structured::Workspace;
+use grasp_lcp::{PolygonCone, Settings};
+
+use support::Failure;
+use support::best_time::best_in_turns;
+use support::loaded::{Random, random_fingers};
+
+const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
+/// From so many on the ladder pivots on contact states.
+const ON_STATES: usize = 8;
+/// Scenes of each number of contacts; their medians are printed.
+const SCENES: usize = 25;
+
+pub(crate) fn print() -> Result<(), Failure> {
+    println!("the polish beside the pivoting, medians of {SCENES} random grasps, µs");
+    println!(
+        "  {:>8} {:>8} {:>9} {:>9} {:>9} {:>9} {:>14} {:>12}",
+        "contacts", "sliding", "pivoting", "polygon", "round", "bonded", "polish", "of pivoting"
+    );
+    for count in CONTACTS {
+        let mut random = Random(0x9E37_79B9_7F4A_7C15 ^ count as u64);
+        let mut rows = Vec::new();
+        while rows.len() < SCENES {
+            rows.extend(times(count, &mut random)?);
+        }
+        let median = |f: &dyn Fn(&Times) -> f64| {
+            let mut values: Vec<f64> = rows.iter().map(f).collect();
+            values.sort_by(f64::total_cmp);
+            values[values.len() / 2]
+        };
+        println!(
+            "  {count:>8} {:>8.0} {:>9.1} {:>9.1} {:>9.1} {:>9.1} {:>6.1} to {:>4.1} {:>12}",
+            median(&|t| t.sliding),
+            1e6 * median(&|t| t.pivoting),
+            1e6 * median(&|t| t.polygon),
+            1e6 * median(&|t| t.round),
+            1e6 * median(&|t| t.bonded),
+            1e6 * median(&|t| t.polish()[0]),
+            1e6 * median(&|t| t.polish()[1]),
+            format!("< {:.2}", median(&|t| t.polish()[1] / t.pivoting)),
+        );
+    }
+    println!();
+    Ok(())
+}
+
+/// Of one scene, s.
+struct Times {
+    sliding: f64,
+    pivoting: f64,
+    polygon: f64,
+    round: f64,
+    bonded: f64,
+}
+
+impl Times {
+    /// From below and from above.
+    fn polish(&self) -> [f64; 2] {
+        [self.round - self.pivoting - self.bonded, self.round - self.pivoting]
+    }
+}
+
+/// `None` where nothing slides, or either answer took more than one path of pivots.
+fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
+    let scene = random_fingers(count, random);
+    let (grasp, _) = scene.at(0.0)?;
+    let Ok(onset) = grasp.onset(&scene.ramp()) else { return Ok(None) };
+    let Some(onset) = onset.factor() else { return Ok(None) };
+    let factor = scene.deep * onset;
+    let (grasp, load) = scene.turned(factor)?.at(factor)?;
+    let round = Settings::default();
+    let polygon = Settings::default().on_the_polygon();
+    let answers = [grasp.solve_with(&load, &polygon)?, grasp.solve_with(&load, &round)?];
+    let [Some(flat), Some(answer)] = answers.each_ref().map(|outcome| outcome.equilibrium()) else {
+        return Ok(None);
+    };
+    let sliding = answer.contacts.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count();
+    let alike = flat.rule == Rung::KinematicForm && answer.rule == flat.rule;
+    if sliding == 0 || !alike || answer.work.pivots != flat.work.pivots {
+        return Ok(None);
+    }
+    let lemke = grasp_lcp::lcp::Settings::default();
+    let stuck = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded()))?;
+    let mut workspace = Workspace::default();
+    let [pivoting, polygon, round, bonded] = best_in_turns([
+        &mut || {
+            if count >= ON_STATES {
+                black_box(workspace.solve(&grasp, &load)?);
+                return Ok(());
+            }
+            let form = grasp.kinematic_form(&load, &PolygonCone::default())?.ok_or("rows to pivot on")?;
+            black_box(form.lcp.solve_with(&lemke));
+            Ok(())
+        },
+        &mut || grasp.solve_with(&load, &polygon).map(drop).map_err(Failure::from),
+        &mut || grasp.solve_with(&load, &round).map(drop).map_err(Failure::from),
+        &mut || stuck.solve(&load).map(drop).map_err(Failure::from),
+    ])?;
+    Ok(Some(Times { sliding: sliding as f64, pivoting, polygon, round, bonded }))
+}

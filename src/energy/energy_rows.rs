@@ -1,0 +1,125 @@
+//! The rows of gaps and friction cones in energy coordinates, on the state in which everything sticks.
+//!
+//! In `x = K^{-1/2} F` every row has unit length, so that stiffness ratios do not show. Let `K^{1/2}Gᵀ = Q R`, and
+//! Π = QQᵀ be the projector on the motions of the object. Every law of this module is made of the products `n·Π n'`
+//! and `n·(1 - Π) n'` of two rows n, n', and of the values `n·x⁰` when everything sticks.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use crate::Settings;
+use crate::contact::{LocalLaw, Spring};
+use crate::grasp::Site;
+use crate::lcp::{self, Lcp, Outcome};
+use crate::numerics::unit;
+use crate::object::{Piece, Problem};
+
+/// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit).
+/// Scenes with stiffness ratios of 1e14 leave rounding of 1e-14; a smaller part would refuse their answers.
+pub(super) const ROUNDING: f64 = 1e-12;
+
+/// A condition `normal·x_i >= 0` on the force of a contact.
+#[derive(Debug, Clone)]
+pub(super) struct Row<const D: usize, const C: usize> {
+    pub(super) contact: usize,
+    /// The facet of the friction cone; `None` for the normal force.
+    pub(super) facet: Option<usize>,
+    /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t` or F_n.
+    law: SVector<f64, C>,
+    /// Unit vector along `K^{1/2} law`.
+    pub(super) normal: SVector<f64, C>,
+    /// `|K^{1/2} law|`.
+    pub(super) length: f64,
+    /// What the rounding of [`Self::value`] is measured against, with forces of size one.
+    pub(super) weight: f64,
+    /// Qᵀ times the normal: what the object feels of the row.
+    pub(super) seen: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Row<D, C> {
+    fn new(
+        (contact, local): (usize, &LocalLaw<'_, C>),
+        facet: Option<usize>,
+        law: SVector<f64, C>,
+        seen: &SMatrix<f64, D, C>,
+    ) -> Self {
+        let normal = law.component_mul(&local.springs.root());
+        let length = normal.norm();
+        let normal = normal / length;
+        let weight = local.cone().round_weight();
+        Self { contact, facet, law, normal, length, weight, seen: seen * normal }
+    }
+
+    /// `μ F_n - h·F_t`, or F_n, N.
+    pub(super) fn value(&self, forces: &[SVector<f64, C>]) -> f64 {
+        self.law.dot(&forces[self.contact])
+    }
+
+    /// Whether the row is satisfied up to rounding, with forces up to `largest`.
+    pub(super) fn holds(&self, forces: &[SVector<f64, C>], largest: f64) -> bool {
+        self.value(forces) >= -ROUNDING * largest * self.weight
+    }
+
+    /// Whether the row is on its edge, with forces up to `largest`.
+    pub(super) fn binds(&self, forces: &[SVector<f64, C>], largest: f64) -> bool {
+        self.value(forces) <= ROUNDING * largest * self.weight
+    }
+
+    /// `n·Π n'`.
+    pub(super) fn through_the_object(&self, other: &Self) -> f64 {
+        self.seen.dot(&other.seen)
+    }
+
+    /// `n·(1 - Π) n'`.
+    pub(super) fn past_the_object(&self, other: &Self) -> f64 {
+        let own = if self.contact == other.contact { self.normal.dot(&other.normal) } else { 0.0 };
+        own - self.seen.dot(&other.seen)
+    }
+}
+
+/// The springs along the axes that `holds(contact, axis)` says.
+pub(super) fn axis_springs<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    holds: impl Fn(usize, usize) -> bool,
+) -> Piece<D, C> {
+    Piece::of_springs(sites, |contact, list| {
+        let springs = &sites[contact].springs;
+        let held = (0..springs.axes()).filter(|axis| holds(contact, *axis));
+        list.extend(held.map(|axis| Spring::along_axis(axis, springs.force_along(axis, 1.0))));
+    })
+}
+
+/// The rows contact by contact: `F_n >= 0` where `presses` says so, and the facets of the cone if asked for.
+pub(super) fn rows<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    stuck: &Piece<D, C>,
+    presses: impl Fn(&LocalLaw<'_, C>) -> bool,
+    with_facets: bool,
+) -> Vec<Row<D, C>> {
+    let mut rows = Vec::new();
+    for (i, local) in problem.locals().enumerate() {
+        let seen = stuck.seen(i);
+        let mut push = |facet, law| rows.push(Row::new((i, &local), facet, law, &seen));
+        if presses(&local) {
+            push(None, unit(0));
+        }
+        for (j, h) in local.facets().iter().enumerate().filter(|_| with_facets) {
+            push(Some(j), local.cone().facet_row(h));
+        }
+    }
+    rows
+}
+
+/// `n·x` of every row.
+pub(super) fn values<'r, const D: usize, const C: usize>(
+    rows: impl IntoIterator<Item = &'r Row<D, C>>,
+    forces: &[SVector<f64, C>],
+) -> DVector<f64> {
+    DVector::from_vec(rows.into_iter().map(|row| row.value(forces) / row.length).collect())
+}
+
+/// What Lemke's method says of one of the problems made of such rows; `None` if a number overflows.
+pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
+    let settings =
+        lcp::Settings { max_pivots: settings.max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
+    Some(Lcp::new(matrix, vector).ok()?.solve_with(&settings))
+}

@@ -1,0 +1,267 @@
+//! The optimality conditions of the paper's program on orthogonal factors, and their solution.
+//!
+//! Let everything stick: x⁰ = K^{1/2}(a - Gᵀq⁰) with equilibrium, K^{1/2}Gᵀ = QR. In these coordinates, with Π = QQᵀ, the
+//! scaled gaps ĝ = √k_n g (columns E) and the friction rows N x >= 0 (unit length), the program is
+//!
+//! ```text
+//! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
+//! subject to ĝ >= 0, N x >= 0
+//! ```
+//!
+//! and its optimality conditions, p eliminated, are a linear complementarity problem with a positive semidefinite matrix:
+//!
+//! ```text
+//! 0 <= ĝ  ⟂  Eᵀx⁰ + Eᵀ(1 - Π)E ĝ - Eᵀ(1 - Π)Nᵀλ >= 0
+//! 0 <= λ  ⟂   N x⁰ +  N(1 - Π)E ĝ +       N Π Nᵀλ >= 0
+//! x = x⁰ + (1 - Π) E ĝ + Π Nᵀλ
+//! ```
+//!
+//! Multipliers enter the forces through Π: they push the **object**, as if a hand from outside helped. What they add to the
+//! balance of forces is `Aᵀx + W = AᵀNᵀλ`; the minimum is an equilibrium exactly if that is zero. Slips of Coulomb's law enter
+//! through 1 - Π and keep the balance.
+//!
+//! Lemke's method says which gaps open and which rows bind. The answer is then computed from the springs that hold,
+//! which does not depend on the rounding of the pivots, and every condition is checked.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, rows, values};
+use crate::Settings;
+use crate::lcp::{Basis, Outcome, Proof};
+use crate::object::{Piece, PieceState, Problem};
+
+/// Gaps that may open, rows that may bind, and the springs when all of them hold.
+pub(super) struct Program<'g, const D: usize, const C: usize> {
+    pub(super) problem: Problem<'g, D, C>,
+    pub(super) stuck: Piece<D, C>,
+    pub(super) gaps: Vec<Row<D, C>>,
+    pub(super) friction: Vec<Row<D, C>>,
+}
+
+/// Which gaps are open and which friction rows bind.
+#[derive(Debug, Clone)]
+pub(super) struct Faces {
+    pub(super) open: Vec<bool>,
+    pub(super) binding: Vec<usize>,
+}
+
+/// A point of the program.
+#[derive(Debug, Clone)]
+pub(super) struct Point<const D: usize, const C: usize> {
+    pub(super) forces: Vec<SVector<f64, C>>,
+    pub(super) twist: SVector<f64, D>,
+    pub(super) gaps: Vec<f64>,
+    /// Of every friction row, for rows of unit length.
+    pub(super) multipliers: Vec<f64>,
+    pub(super) free: Vec<SVector<f64, D>>,
+}
+
+pub(super) enum Failure {
+    NoMinimum,
+    Unsolved,
+}
+
+impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
+    pub(super) fn new(problem: Problem<'g, D, C>) -> Self {
+        let stuck = axis_springs(problem.sites, |_, _| true);
+        Self {
+            gaps: rows(&problem, &stuck, |local| local.may_open() && !local.never_slides(), false),
+            friction: rows(&problem, &stuck, |local| local.may_open() && local.never_slides(), true),
+            problem,
+            stuck,
+        }
+    }
+
+    fn rows(&self) -> impl Iterator<Item = &Row<D, C>> {
+        self.gaps.iter().chain(&self.friction)
+    }
+
+    /// The vector of the complementarity problem for the forces when everything sticks.
+    pub(super) fn vector(&self, stuck: &[SVector<f64, C>]) -> DVector<f64> {
+        values(self.rows(), stuck)
+    }
+
+    /// Its matrix.
+    pub(super) fn matrix(&self) -> DMatrix<f64> {
+        let rows: Vec<_> = self.rows().collect();
+        let gaps = self.gaps.len();
+        DMatrix::from_fn(rows.len(), rows.len(), |i, j| match (i < gaps, j < gaps) {
+            (_, true) => rows[i].past_the_object(rows[j]),
+            (true, false) => -rows[i].past_the_object(rows[j]),
+            (false, false) => rows[i].through_the_object(rows[j]),
+        })
+    }
+
+    /// Which gaps open and which rows bind, by Lemke's method, with the number of pivots; and the twist that follows from the pivots.
+    pub(super) fn faces(
+        &self,
+        stuck: &PieceState<D, C>,
+        settings: &Settings,
+    ) -> Result<(Faces, usize, SVector<f64, D>), Failure> {
+        match by_pivots(self.matrix(), self.vector(&stuck.forces), settings) {
+            Some(Outcome::Solved(solution)) => {
+                let mut travelled = SVector::zeros();
+                for (i, (row, z)) in self.rows().zip(solution.z.iter()).enumerate() {
+                    travelled += row.seen * if i < self.gaps.len() { *z } else { -z };
+                }
+                let near = stuck.twist + self.stuck.motion(&travelled);
+                Ok((self.faces_of(&solution.basis), solution.pivots, near))
+            }
+            Some(Outcome::Ray(ray)) if matches!(ray.proof, Proof::Infeasible(_)) => Err(Failure::NoMinimum),
+            _ => Err(Failure::Unsolved),
+        }
+    }
+
+    pub(super) fn faces_of(&self, basis: &Basis) -> Faces {
+        let mut faces = Faces { open: vec![false; self.problem.len()], binding: Vec::new() };
+        for row in basis.iter() {
+            match self.gaps.get(row) {
+                Some(gap) => faces.open[gap.contact] = true,
+                None => faces.binding.push(row - self.gaps.len()),
+            }
+        }
+        faces
+    }
+
+    /// The springs that hold on these faces: an open gap takes out its normal spring.
+    pub(super) fn springs(&self, faces: &Faces) -> Piece<D, C> {
+        axis_springs(self.problem.sites, |contact, axis| axis > 0 || !faces.open[contact])
+    }
+
+    /// The point at which everything sticks.
+    pub(super) fn rolling(&self, stuck: &PieceState<D, C>) -> Point<D, C> {
+        Point {
+            forces: stuck.forces.clone(),
+            twist: stuck.twist,
+            gaps: vec![0.0; self.problem.len()],
+            multipliers: vec![0.0; self.friction.len()],
+            free: self.stuck.free_motions().to_vec(),
+        }
+    }
+
+    /// The minimum on these faces; `None` if the binding rows depend on each other, or nothing there balances the load.
+    /// Where a motion is free, its part of `near` is taken if the least twist closes a gap too far.
+    pub(super) fn on_faces(
+        &self,
+        faces: &Faces,
+        stuck: &PieceState<D, C>,
+        near: &SVector<f64, D>,
+    ) -> Option<Point<D, C>> {
+        let problem = &self.problem;
+        let opened = faces.open.contains(&true).then(|| self.springs(faces));
+        let (springs, PieceState { mut forces, mut twist }) = match &opened {
+            Some(springs) => (springs, springs.solve(problem.sites, &problem.drives, problem.load()).ok()?),
+            None => (&self.stuck, stuck.clone()),
+        };
+        let mut multipliers = vec![0.0; self.friction.len()];
+        if !faces.binding.is_empty() {
+            twist += springs.motion(&self.bind(faces, springs, &mut forces, &mut multipliers)?);
+        }
+        let gaps_at = |twist: &SVector<f64, D>| -> Vec<f64> {
+            let gap = |i: usize| {
+                let give = problem.sites[i].springs.give_along(0, forces[i][0]);
+                if faces.open[i] { give - problem.stretch(i, twist)[0] } else { 0.0 }
+            };
+            (0..forces.len()).map(gap).collect()
+        };
+        let mut gaps = gaps_at(&twist);
+        let free = springs.free_motions().to_vec();
+        if gaps.iter().any(|gap| *gap < 0.0) {
+            // Motions that stretch no spring still open and close gaps; the pivots found some that close none.
+            twist += free.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(near));
+            gaps = gaps_at(&twist);
+        }
+        let finite = forces.iter().flatten().all(|x| x.is_finite());
+        finite.then_some(Point { forces, twist, gaps, multipliers, free })
+    }
+
+    /// Puts the binding rows on their edges, with the forces that balance without them. Returns the motion that this takes,
+    /// in the coordinates of the springs that hold.
+    ///
+    /// Springs of open gaps are taken out: there x_n is free, and the binding rows alone give it a value, `x_n = (Nᵀλ)_n`.
+    /// With `M = [N Q, N_n of the open]` on the binding rows,
+    ///
+    /// ```text
+    /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
+    /// ```
+    ///
+    /// solved on the orthogonal factor of Mᵀ.
+    fn bind(
+        &self,
+        faces: &Faces,
+        springs: &Piece<D, C>,
+        forces: &mut [SVector<f64, C>],
+        multipliers: &mut [f64],
+    ) -> Option<SVector<f64, D>> {
+        let rows: Vec<_> = faces.binding.iter().map(|&r| &self.friction[r]).collect();
+        let seen: Vec<_> = (0..forces.len()).map(|i| springs.seen(i)).collect();
+        let mut places = D..;
+        let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).collect();
+        let mut columns = DMatrix::zeros(places.start, rows.len());
+        if columns.nrows() < columns.ncols() {
+            return None;
+        }
+        for (mut column, row) in columns.column_iter_mut().zip(&rows) {
+            column.fixed_rows_mut::<D>(0).copy_from(&(seen[row.contact] * row.normal));
+            if let Some(place) = place[row.contact] {
+                column[place] = row.normal[0];
+            }
+        }
+        let (q, r) = columns.qr().unpack();
+        let mut travelled = SVector::zeros();
+        // The second time removes what rounding left of the rows.
+        for _ in 0..2 {
+            let y = r.tr_solve_upper_triangular(&-values(rows.iter().copied(), forces))?;
+            let lambda = r.solve_upper_triangular(&y)?;
+            let change = &q * y;
+            let moved = change.fixed_rows::<D>(0);
+            travelled -= moved;
+            for (i, force) in forces.iter_mut().enumerate() {
+                let mut x = seen[i].tr_mul(&moved);
+                if let Some(place) = place[i] {
+                    x[0] = change[place];
+                }
+                *force += x.component_mul(&self.problem.sites[i].springs.root());
+            }
+            for (&row, value) in faces.binding.iter().zip(lambda.iter()) {
+                multipliers[row] += value;
+            }
+        }
+        Some(travelled)
+    }
+
+    /// What the multipliers push the object with, contact by contact, in the contact frames.
+    pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, C>> {
+        let mut held = vec![SVector::zeros(); self.problem.len()];
+        for (row, multiplier) in self.friction.iter().zip(multipliers) {
+            let root = self.problem.sites[row.contact].springs.root();
+            held[row.contact] += row.normal.component_mul(&root) * *multiplier;
+        }
+        held
+    }
+
+    /// Whether a point satisfies every condition of the minimum up to rounding.
+    pub(super) fn holds(&self, point: &Point<D, C>, faces: &Faces) -> bool {
+        let problem = &self.problem;
+        let most = problem.largest_force(&point.forces, &point.twist);
+        // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
+        let x = |i: usize| {
+            let springs = &problem.sites[i].springs;
+            springs.give(&point.forces[i]).component_mul(&springs.root()).amax()
+        };
+        let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
+        let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
+        // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
+        let held = self.held_from_outside(&point.multipliers);
+        let gap_holds = |row: &Row<D, C>| {
+            let i = row.contact;
+            let (push, held) = (point.forces[i][0], held[i][0]);
+            let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);
+            point.gaps[i] >= -ROUNDING * span
+                && (faces.open[i] || push - held >= -ROUNDING * most.max(held.abs()))
+        };
+        self.friction.iter().all(|row| row.holds(&point.forces, most))
+            && point.multipliers.iter().all(|l| *l >= -ROUNDING * largest)
+            && self.gaps.iter().all(gap_holds)
+    }
+}

@@ -1,0 +1,41 @@
+//! The rows of a quadratic program as they are written down, one after the other, with what each of them says.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Rows in so many unknowns.
+pub(super) struct ProgramRows<Says> {
+    columns: usize,
+    says: Vec<Says>,
+    rows: Vec<DVector<f64>>,
+    right: Vec<f64>,
+}
+
+impl<Says> ProgramRows<Says> {
+    pub(super) fn new(columns: usize) -> Self {
+        Self { columns, says: Vec::new(), rows: Vec::new(), right: Vec::new() }
+    }
+
+    pub(super) fn push(&mut self, says: Says, row: DVector<f64>, right: f64) {
+        self.says.push(says);
+        self.rows.push(row);
+        self.right.push(right);
+    }
+
+    /// A row with few entries, each with its column.
+    pub(super) fn push_terms(
+        &mut self,
+        says: Says,
+        terms: impl IntoIterator<Item = (usize, f64)>,
+        right: f64,
+    ) {
+        let mut row = DVector::zeros(self.columns);
+        terms.into_iter().for_each(|(column, value)| row[column] += value);
+        self.push(says, row, right);
+    }
+
+    /// What the rows say, their matrix, and their right-hand sides.
+    pub(super) fn finish(self) -> (Vec<Says>, DMatrix<f64>, DVector<f64>) {
+        let matrix = DMatrix::from_fn(self.rows.len(), self.columns, |i, j| self.rows[i][j]);
+        (self.says, matrix, DVector::from_vec(self.right))
+    }
+}

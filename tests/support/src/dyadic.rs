@@ -1,0 +1,165 @@
+//! Numbers `m 2^e` with integers m and e of any size: every f64 is one, and sums, differences and products of them are exact.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use num_bigint::BigInt;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// Such a number.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Dyadic {
+    mantissa: BigInt,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// 0.
+    pub fn zero() -> Self {
+        Self { mantissa: BigInt::ZERO, exponent: 0 }
+    }
+
+    /// Exactly a finite x.
+    pub fn new(x: f64) -> Self {
+        assert!(x.is_finite(), "a finite number");
+        let bits = x.to_bits();
+        let (biased, fraction) = (((bits >> 52) & 0x7ff).cast_signed(), bits & ((1 << 52) - 1));
+        let (mantissa, exponent) =
+            if biased == 0 { (fraction, -1074) } else { (fraction | (1 << 52), biased - 1075) };
+        let mantissa = BigInt::from(mantissa);
+        let mantissa = if x.is_sign_negative() { -mantissa } else { mantissa };
+        Self { mantissa, exponent }.reduced()
+    }
+
+    /// The nearest f64, or one of its neighbours; zero below the least.
+    pub fn float(&self) -> f64 {
+        let short = self.rounded(60);
+        let mantissa = short.mantissa.to_f64().expect("60 bits");
+        // In two steps: 2^e alone may overflow where the product does not.
+        let half = short.exponent / 2;
+        let power = |e: i64| 2_f64.powi(i32::try_from(e.clamp(-1100, 1100)).expect("clamped"));
+        mantissa * power(half) * power(short.exponent - half)
+    }
+
+    /// Cut to so many bits.
+    pub fn rounded(&self, bits: u64) -> Self {
+        let excess = self.mantissa.bits().saturating_sub(bits);
+        // Shifts of a BigInt round downwards: within one unit of the last bit.
+        Self { mantissa: &self.mantissa >> excess, exponent: self.exponent + excess.cast_signed() }
+    }
+
+    /// `self / other` to so many bits.
+    pub fn over(&self, other: &Self, bits: u64) -> Self {
+        let shift = (bits + other.mantissa.bits()).saturating_sub(self.mantissa.bits());
+        let mantissa = (&self.mantissa << shift) / &other.mantissa;
+        Self { mantissa, exponent: self.exponent - other.exponent - shift.cast_signed() }.reduced()
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.mantissa.is_zero()
+    }
+
+    /// Whether it is below 0.
+    pub fn is_negative(&self) -> bool {
+        self.mantissa.is_negative()
+    }
+
+    /// Its size.
+    pub fn abs(&self) -> Self {
+        Self { mantissa: self.mantissa.abs(), exponent: self.exponent }
+    }
+
+    /// Without trailing zero bits.
+    fn reduced(self) -> Self {
+        let Some(zeros) = self.mantissa.trailing_zeros() else { return Self::zero() };
+        Self { mantissa: self.mantissa >> zeros, exponent: self.exponent + zeros.cast_signed() }
+    }
+
+    /// `self 2^-exponent`, an integer for exponents no larger than any in the number.
+    fn integer(&self, exponent: i64) -> BigInt {
+        &self.mantissa << (self.exponent - exponent)
+    }
+}
+
+impl Add for &Dyadic {
+    type Output = Dyadic;
+    fn add(self, other: Self) -> Dyadic {
+        if self.is_zero() {
+            return other.clone();
+        }
+        if other.is_zero() {
+            return self.clone();
+        }
+        let exponent = self.exponent.min(other.exponent);
+        Dyadic { mantissa: self.integer(exponent) + other.integer(exponent), exponent }.reduced()
+    }
+}
+
+impl Sub for &Dyadic {
+    type Output = Dyadic;
+    fn sub(self, other: Self) -> Dyadic {
+        self + &-other
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+    fn mul(self, other: Self) -> Dyadic {
+        if self.is_zero() || other.is_zero() {
+            return Dyadic::zero();
+        }
+        Dyadic { mantissa: &self.mantissa * &other.mantissa, exponent: self.exponent + other.exponent }
+    }
+}
+
+impl Neg for &Dyadic {
+    type Output = Dyadic;
+    fn neg(self) -> Dyadic {
+        Dyadic { mantissa: -&self.mantissa, exponent: self.exponent }
+    }
+}
+
+/// The solution of `A x = b`, exact up to the division by the determinant, which is made to so many bits. `None` if A is singular.
+///
+/// Bareiss: each step of elimination divides by the pivot before, which leaves no remainder, so that the integers are
+/// minors of A and nothing larger.
+pub fn solve(a: &[Vec<Dyadic>], b: &[Dyadic], bits: u64) -> Option<Vec<Dyadic>> {
+    let n = b.len();
+    // Rows in integers, each with its own power of two.
+    let mut rows: Vec<Vec<BigInt>> = a
+        .iter()
+        .zip(b)
+        .map(|(row, b)| {
+            let least = row.iter().chain([b]).filter(|x| !x.is_zero()).map(|x| x.exponent).min().unwrap_or(0);
+            row.iter().chain([b]).map(|x| if x.is_zero() { BigInt::ZERO } else { x.integer(least) }).collect()
+        })
+        .collect();
+    let mut before = BigInt::from(1);
+    for k in 0..n {
+        let pivot = (k..n).filter(|&i| !rows[i][k].is_zero()).min_by_key(|&i| rows[i][k].bits())?;
+        rows.swap(k, pivot);
+        let (done, rest) = rows.split_at_mut(k + 1);
+        let top = &done[k];
+        for row in rest {
+            for j in k + 1..=n {
+                row[j] = (&row[j] * &top[k] - &row[k] * &top[j]) / &before;
+            }
+            row[k] = BigInt::ZERO;
+        }
+        before.clone_from(&rows[k][k]);
+    }
+    // x = N / d with d the determinant: back substitution in integers.
+    let d = &rows[n - 1][n - 1];
+    let mut numerators = vec![BigInt::ZERO; n];
+    for i in (0..n).rev() {
+        let known: BigInt = (i + 1..n).map(|j| &rows[i][j] * &numerators[j]).sum();
+        numerators[i] = (&rows[i][n] * d - known) / &rows[i][i];
+    }
+    let whole = |m: &BigInt| Dyadic { mantissa: m.clone(), exponent: 0 };
+    Some(
+        numerators
+            .iter()
+            .map(|x| if x.is_zero() { Dyadic::zero() } else { whole(x).over(&whole(d), bits) })
+            .collect(),
+    )
+}

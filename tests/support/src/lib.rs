@@ -1,0 +1,47 @@
+//! What several tests and examples share: scenes, second opinions on the answers to them, and the paper's numbers.
+//!
+//! The second opinions take nothing from the library but what they are to judge, and the numbers of the scene.
+#![allow(
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use,
+    reason = "tests and examples use whatever they ask for, and stop at whatever fails"
+)]
+
+mod affine;
+pub mod best_time;
+mod close;
+pub mod dyadic;
+pub mod exact;
+pub mod interior_point;
+pub mod loaded;
+pub mod minimum_power;
+pub mod paper;
+pub mod patches;
+pub mod programs;
+pub mod ramps;
+pub mod random;
+pub mod rolling;
+pub mod scene;
+pub mod tractrix;
+pub mod transform;
+pub mod truth;
+
+pub use close::relatively_close;
+
+use std::io;
+use std::path::PathBuf;
+
+/// Whatever stops an example.
+pub type Failure = Box<dyn std::error::Error>;
+
+/// Writes a picture into `output/` and says where.
+pub fn save(name: &str, svg: &str) -> io::Result<()> {
+    let folder = PathBuf::from("output");
+    std::fs::create_dir_all(&folder)?;
+    let path = folder.join(name);
+    std::fs::write(&path, svg)?;
+    println!("wrote {}", path.display());
+    Ok(())
+}

@@ -1,0 +1,293 @@
+//! Scenes with load programs and the contact law written out once more. Nothing here uses the arithmetic of the crate: frames,
+//! grasp maps, springs and cones are made anew from points, normals and tangents.
+
+pub mod draw;
+pub mod steps;
+pub mod tally;
+pub mod views;
+
+use std::f64::consts::{PI, TAU};
+
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
+use grasp_lcp::load_path::{Change, Leg};
+use nalgebra::{SMatrix, SVector};
+use proptest::prelude::*;
+
+/// Facets of the crate's default cone in space: inscribed, the first corner along the first tangent.
+const FACETS: usize = 8;
+
+/// A contact.
+#[derive(Debug, Clone)]
+pub struct Spot<const C: usize> {
+    /// Place.
+    pub point: SVector<f64, C>,
+    /// Columns n, t….
+    pub frame: SMatrix<f64, C, C>,
+    /// Series stiffness.
+    pub k: SVector<f64, C>,
+    /// Coefficient of friction.
+    pub mu: f64,
+    /// Left open before the command.
+    pub clearance: f64,
+    /// Whether it can open, or slide.
+    pub hold: Hold,
+}
+
+/// Where a leg goes.
+#[derive(Debug, Clone)]
+pub struct Goal<const D: usize, const C: usize> {
+    /// On the object.
+    pub load: SVector<f64, D>,
+    /// Of the fingers, in the contact frames.
+    pub commands: Vec<SVector<f64, C>>,
+}
+
+/// Goal 0 is where it starts, goal j + 1 where leg j ends.
+#[derive(Debug, Clone)]
+pub struct Scene<const D: usize, const C: usize> {
+    /// The contacts.
+    pub spots: Vec<Spot<C>>,
+    /// Of the load program.
+    pub goals: Vec<Goal<D, C>>,
+}
+
+impl<const C: usize> Spot<C> {
+    /// Along the axes of the contact frame, the wrench of a unit force; its transpose gives the displacement.
+    pub fn map<const D: usize>(&self) -> SMatrix<f64, D, C> {
+        let mut map = SMatrix::zeros();
+        for axis in 0..C {
+            let (r, e) = (&self.point, self.frame.column(axis));
+            for a in 0..C {
+                map[(a, axis)] = e[a];
+            }
+            if C == 2 {
+                map[(2, axis)] = r[0] * e[1] - r[1] * e[0];
+            } else {
+                for a in 0..3 {
+                    let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+                    map[(3 + a, axis)] = r[b] * e[c] - r[c] * e[b];
+                }
+            }
+        }
+        map
+    }
+
+    /// Friction limits what it holds.
+    pub fn rubs(&self) -> bool {
+        self.mu > 0.0 && self.mu.is_finite() && self.hold != Hold::Bonded
+    }
+
+    /// It has springs along its tangents.
+    pub fn holds_along(&self) -> bool {
+        self.mu > 0.0 || self.hold == Hold::Bonded
+    }
+}
+
+/// The exact cone in the plane, the polygon whose law is written out below in space.
+pub fn polygon() -> Settings {
+    Settings::default().on_the_polygon()
+}
+
+/// Tangential vectors in the contact frame: facet normals h of `h·F_t <= μ F_n`.
+pub fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
+    if C == 2 {
+        return [1.0, -1.0].iter().map(|s| SVector::from_fn(|a, _| if a == 1 { *s } else { 0.0 })).collect();
+    }
+    let m = FACETS as f64;
+    (0..FACETS).map(|j| flat((2 * j) as f64 * PI / m - PI / m, 1.0 / (PI / m).cos())).collect()
+}
+
+/// Corners of the polygon; corner j lies between the facets j and j + 1.
+pub fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
+    if C == 2 {
+        return facets();
+    }
+    (0..FACETS).map(|j| flat(j as f64 * TAU / FACETS as f64, 1.0)).collect()
+}
+
+fn flat<const C: usize>(angle: f64, length: f64) -> SVector<f64, C> {
+    SVector::from_fn(|a, _| match a {
+        1 => length * angle.cos(),
+        2 => length * angle.sin(),
+        _ => 0.0,
+    })
+}
+
+/// The tangential part.
+pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
+    let mut t = *f;
+    t[0] = 0.0;
+    t
+}
+
+impl<const D: usize, const C: usize> Scene<D, C> {
+    /// With the commands of goal 0.
+    pub fn grasp(&self) -> Grasp<D, C> {
+        let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
+            let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
+            let contact = if C == 3 { contact.tangent(spot.frame.column(1).into_owned()) } else { contact };
+            let contact = contact
+                .series_stiffness_axes(spot.k)
+                .friction(spot.mu)
+                .clearance(spot.clearance)
+                .command(*command);
+            match spot.hold {
+                Hold::Unilateral => contact,
+                Hold::KeptClosed => contact.kept_closed(),
+                Hold::Bonded => contact.bonded(),
+            }
+        });
+        Grasp::new(contacts).expect("a valid scene")
+    }
+
+    /// The load of goal 0.
+    pub fn start(&self) -> Wrench<D> {
+        Wrench::from_vector(self.goals[0].load)
+    }
+
+    /// One to each further goal.
+    pub fn legs(&self) -> Vec<Leg<D, C>> {
+        let to = |goal: &Goal<D, C>| {
+            Leg::load_to(Wrench::from_vector(goal.load)).and_commands_to(goal.commands.clone())
+        };
+        self.goals[1..].iter().map(to).collect()
+    }
+
+    /// Load and drives (commands less clearances) on the way.
+    pub fn at(&self, leg: usize, fraction: f64) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
+        let (from, to) = (&self.goals[leg], &self.goals[leg + 1]);
+        let drives = (0..self.spots.len()).map(|i| {
+            let mut a = from.commands[i] + (to.commands[i] - from.commands[i]) * fraction;
+            a[0] -= self.spots[i].clearance;
+            a
+        });
+        (from.load + (to.load - from.load) * fraction, drives.collect())
+    }
+
+    /// The largest force that the commands at rest would press with: a size that stays where all forces vanish.
+    pub fn press(&self) -> f64 {
+        let presses = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, a)| spot.k[0] * a[0].abs());
+        presses.fold(0.0, f64::max)
+    }
+
+    /// By how much a state breaks the contact law at its worst, relative to the sizes of what is compared; the law is
+    /// written out as in the crate's first page, with the slip that the state carries.
+    pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+        let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
+        self.breach_of(leg, fraction, state, reach)
+    }
+
+    /// The same on the round cone.
+    pub fn breach_on_the_round_cone(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+        self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
+    }
+
+    /// On the cone `reach(F_t) <= μ F_n`.
+    fn breach_of(
+        &self,
+        leg: usize,
+        fraction: f64,
+        state: &Equilibrium<D, C>,
+        reach: impl Fn(&SVector<f64, C>) -> f64,
+    ) -> f64 {
+        let (load, drives) = self.at(leg, fraction);
+        let mut worst: f64 = 0.0;
+        let mut note = |excess: f64, size: f64| {
+            assert!(excess.is_finite());
+            if excess > 0.0 {
+                worst = worst.max(excess / size.max(f64::MIN_POSITIVE));
+            }
+        };
+        let (most, _) = sizes(state);
+        let (mut sum, mut sum_size) = (load, load.norm());
+        for (i, (spot, c)) in self.spots.iter().zip(&state.contacts).enumerate() {
+            let map = spot.map::<D>();
+            let stretch = drives[i] - map.transpose() * state.twist.as_vector();
+            let (n, t) = (c.force[0], tangential(&c.force));
+            sum += map * c.force;
+            sum_size += map.norm() * c.force.norm();
+            // Translation and rotation may cancel at the contact, their rounding does not.
+            let size = drives[i].norm() + map.norm() * state.twist.as_vector().norm() + c.slip.norm();
+            if spot.hold == Hold::Unilateral {
+                note(-n, most);
+            }
+            if c.state == ContactState::Separated {
+                assert!(spot.hold == Hold::Unilateral);
+                note(c.force.norm(), most);
+                note((stretch[0] + c.gap).abs(), size);
+                note(-c.gap, size);
+                continue;
+            }
+            note(c.gap.abs(), size);
+            note((n - spot.k[0] * stretch[0]).abs(), spot.k[0] * size + most);
+            if !spot.holds_along() {
+                note(t.norm(), most);
+                continue;
+            }
+            for axis in 1..C {
+                let pull = spot.k[axis] * (stretch[axis] - c.slip[axis]);
+                note((t[axis] - pull).abs(), spot.k[axis] * size + most);
+            }
+            if !spot.rubs() {
+                assert!(c.state == ContactState::Rolling);
+                continue;
+            }
+            let reach = reach(&t);
+            note(reach - spot.mu * n, (1.0 + spot.mu) * most);
+            if matches!(c.state, ContactState::Sliding { .. }) {
+                note(spot.mu * n - reach, (1.0 + spot.mu) * most);
+            }
+        }
+        note(sum.norm(), sum_size);
+        worst
+    }
+}
+
+/// The size of forces and of displacements here: what rounding is measured against.
+pub fn sizes<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> (f64, f64) {
+    let load = SVector::<f64, C>::from_fn(|a, _| state.load.as_vector()[a]).norm();
+    let force = state.contacts.iter().fold(load, |most, c| most.max(c.force.norm()));
+    let motion = state.contacts.iter().map(|c| c.body_core.norm() + c.slip.norm() + c.gap);
+    (force, motion.fold(0.0, f64::max))
+}
+
+/// State and force of each contact, for messages.
+pub fn brief<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> String {
+    let of = |c: &ContactAnswer<C>| (c.state, c.force.as_slice().to_vec(), c.slip.as_slice().to_vec(), c.gap);
+    format!("{:?}", state.contacts.iter().map(of).collect::<Vec<_>>())
+}
+
+/// The forces of two states, compared; and their motions.
+pub fn same_state<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    a: &Equilibrium<D, C>,
+    b: &Equilibrium<D, C>,
+    within: f64,
+) -> Result<(), TestCaseError> {
+    let (force, motion) = sizes(a);
+    let force = force.max(scene.press());
+    for (i, (x, y)) in a.contacts.iter().zip(&b.contacts).enumerate() {
+        prop_assert!(
+            (x.force - y.force).norm() <= within * force,
+            "contact {i}: {} against {}",
+            brief(a),
+            brief(b)
+        );
+        let moved = (x.body_core - y.body_core).norm();
+        prop_assert!(moved <= within * motion, "contact {i} by {moved:e}: {} against {}", brief(a), brief(b));
+    }
+    Ok(())
+}
+
+/// In which direction a contact slides from a change on.
+pub fn direction<const C: usize>(change: &Change<C>) -> Option<SVector<f64, C>> {
+    match change {
+        Change::Slides { direction }
+        | Change::Reverses { direction }
+        | Change::Turns { direction }
+        | Change::ClosesSliding { direction } => Some(*direction),
+        _ => None,
+    }
+}

@@ -1,0 +1,192 @@
+//! A load program followed in small implicit steps, in the plane: at the end of every step the contact law with the slip so
+//! far is solved by trying every combination of contact states, and of the solutions the nearest to the last one is taken.
+
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use grasp_lcp::grasp::Hold;
+use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+
+use super::{Scene, Spot};
+
+/// What a contact does during a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Does {
+    /// Is open at the end.
+    Opens,
+    /// Comes from being open: its slip follows the surfaces once more, F_t = 0.
+    Closes,
+    /// Holds with the slip so far.
+    Sticks,
+    /// The finger slips along +t or -t.
+    Slips(f64),
+}
+
+/// Inequalities may be broken by this much of the size of the forces or displacements.
+const SLACK: f64 = 1e-9;
+
+/// The end of a step.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// In order of the contacts.
+    pub does: Vec<Does>,
+    /// In the contact frames.
+    pub forces: Vec<Vector2<f64>>,
+    twist: Vector3<f64>,
+    slips: Vec<f64>,
+}
+
+impl Step {
+    /// How far apart two steps are, the largest difference of forces.
+    pub fn distance(&self, forces: &[SVector<f64, 2>]) -> f64 {
+        self.forces.iter().zip(forces).map(|(f, g)| (f - g).norm()).fold(0.0, f64::max)
+    }
+}
+
+impl Scene<3, 2> {
+    /// What each contact does in a state of the crate.
+    pub fn does(&self, state: &Equilibrium<3, 2>) -> Vec<Does> {
+        let of = |(spot, c): (&Spot<2>, &ContactAnswer<2>)| match c.state {
+            ContactState::Separated => Does::Opens,
+            ContactState::Sliding { direction } => Does::Slips(spot.frame.column(1).dot(&direction).signum()),
+            _ => Does::Sticks,
+        };
+        self.spots.iter().zip(&state.contacts).map(of).collect()
+    }
+
+    /// The start of a path.
+    pub fn first_step(&self, state: &Equilibrium<3, 2>) -> Step {
+        Step {
+            does: self.does(state),
+            forces: state.contacts.iter().map(|c| c.force).collect(),
+            twist: *state.twist.as_vector(),
+            slips: state.contacts.iter().map(|c| c.slip[1]).collect(),
+        }
+    }
+
+    /// Goes on to another fraction of a leg; where a contact changes its state or the forces change much, in halves. Several
+    /// states may follow: what the contacts do already goes on if it can, and else the nearest is taken.
+    pub fn advance(&self, leg: usize, [from, to]: [f64; 2], last: &Step, halvings: usize) -> Option<Step> {
+        let steps = self.steps_to(leg, to, last);
+        let next = steps.iter().find(|next| next.does == last.does).or(steps.first());
+        match next {
+            Some(next) if next.does == last.does && last.apart(next) < 0.1 => Some(next.clone()),
+            _ if halvings > 0 => {
+                let middle = 0.5 * (from + to);
+                let half = self.advance(leg, [from, middle], last, halvings - 1)?;
+                self.advance(leg, [middle, to], &half, halvings - 1)
+            }
+            next => next.cloned(),
+        }
+    }
+
+    /// All states at a fraction of a leg that follow from `last` in one step, the nearest first.
+    pub fn steps_to(&self, leg: usize, fraction: f64, last: &Step) -> Vec<Step> {
+        let choices: Vec<Vec<Does>> = self
+            .spots
+            .iter()
+            .zip(&last.does)
+            .map(|(spot, was)| {
+                if *was == Does::Opens {
+                    return vec![Does::Closes, Does::Opens];
+                }
+                let mut list = vec![Does::Sticks];
+                if spot.hold == Hold::Unilateral {
+                    list.push(Does::Opens);
+                }
+                if spot.rubs() {
+                    list.extend([Does::Slips(1.0), Does::Slips(-1.0)]);
+                }
+                list
+            })
+            .collect();
+        let mut found = Vec::new();
+        for mut k in 0..choices.iter().map(Vec::len).product() {
+            let does = choices
+                .iter()
+                .map(|list| {
+                    let own = list[k % list.len()];
+                    k /= list.len();
+                    own
+                })
+                .collect();
+            found.extend(self.step(leg, fraction, last, does));
+        }
+        found.sort_by(|a, b| last.apart(a).total_cmp(&last.apart(b)));
+        found
+    }
+
+    /// One step in which each contact does this, if the law allows it.
+    fn step(&self, leg: usize, fraction: f64, last: &Step, does: Vec<Does>) -> Option<Step> {
+        let (load, drives) = self.at(leg, fraction);
+        let (mut stiffness, mut pull) = (Matrix3::zeros(), load);
+        // F = force of the springs at twist 0, less slope times twist.
+        let mut laws = Vec::new();
+        for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
+            let map = spot.map::<3>();
+            let (n, t) = (map.column(0), map.column(1));
+            let kt = if spot.holds_along() { spot.k[1] } else { 0.0 };
+            let push = spot.k[0] * drives[i][0];
+            let (at_rest, slope) = match does {
+                Does::Opens => (Vector2::zeros(), [Vector3::zeros(); 2]),
+                Does::Closes => (Vector2::new(push, 0.0), [n * spot.k[0], Vector3::zeros()]),
+                Does::Sticks => {
+                    (Vector2::new(push, kt * (drives[i][1] - last.slips[i])), [n * spot.k[0], t * kt])
+                }
+                Does::Slips(sign) => {
+                    let share = Vector2::new(1.0, sign * spot.mu);
+                    (share * push, [n * spot.k[0], n * (sign * spot.mu * spot.k[0])])
+                }
+            };
+            pull += map * at_rest;
+            stiffness += n * slope[0].transpose() + t * slope[1].transpose();
+            laws.push((at_rest, slope));
+        }
+        let factor = stiffness.full_piv_lu();
+        let pivots = factor.u().diagonal().abs();
+        if pivots.min() <= 1e-12 * pivots.max() {
+            return None;
+        }
+        let twist = factor.solve(&pull)?;
+        let forces: Vec<_> =
+            laws.iter().map(|(rest, s)| rest - Vector2::new(s[0].dot(&twist), s[1].dot(&twist))).collect();
+        let most = forces.iter().map(Vector2::norm).fold(load.norm(), f64::max);
+        let mut slips = last.slips.clone();
+        for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
+            let map = spot.map::<3>();
+            let stretch = drives[i] - map.transpose() * twist;
+            let travel = SLACK * (drives[i].norm() + map.norm() * twist.norm());
+            let (n, friction) = (forces[i][0], forces[i][1]);
+            // Without friction or with no limit to it, what is kept closed may be pulled.
+            let pulled = spot.hold != Hold::Unilateral && !spot.rubs();
+            let pushes = |n: f64, least: f64| n >= least || pulled;
+            let least = -SLACK * (1.0 + if spot.mu.is_finite() { spot.mu } else { 0.0 }) * most;
+            let allowed = match does {
+                Does::Opens => {
+                    slips[i] = stretch[1];
+                    stretch[0] <= travel
+                }
+                Does::Closes => {
+                    slips[i] = stretch[1];
+                    pushes(n, least)
+                }
+                Does::Sticks => pushes(n, least) && (!spot.rubs() || spot.mu * n - friction.abs() >= least),
+                Does::Slips(sign) => {
+                    slips[i] = stretch[1] - friction / spot.k[1];
+                    pushes(n, least) && sign * (slips[i] - last.slips[i]) >= -travel
+                }
+            };
+            if !allowed {
+                return None;
+            }
+        }
+        Some(Step { does, forces, twist, slips })
+    }
+}
+
+impl Step {
+    /// Distance of forces and motion together.
+    pub fn apart(&self, next: &Self) -> f64 {
+        let size = self.forces.iter().map(Vector2::norm).fold(0.0, f64::max);
+        let travel = self.twist.norm();
+        self.distance(&next.forces) / (size + 1e-12) + (self.twist - next.twist).norm() / (travel + 1e-12)
+    }
+}

@@ -1,0 +1,130 @@
+//! The same scene seen differently: turned, mirrored, moved, in other units, its contacts in another order or halved.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{Goal, Scene, Spot};
+
+/// `x -> length (R x + shift)` for points, `f -> force R f` for forces, with R orthogonal.
+#[derive(Debug, Clone, Copy)]
+pub struct View<const C: usize> {
+    rotation: SMatrix<f64, C, C>,
+    shift: SVector<f64, C>,
+    length: f64,
+    /// Numbers for forces become this much larger.
+    pub force: f64,
+}
+
+impl<const C: usize> View<C> {
+    /// Numbers for lengths become this much larger, and for forces.
+    pub fn in_units(length: f64, force: f64) -> Self {
+        Self { rotation: SMatrix::identity(), shift: SVector::zeros(), length, force }
+    }
+
+    /// Turned in each coordinate plane (i, i + 1) by an angle, one after the other, and moved.
+    pub fn moved(angles: [f64; 3], shift: [f64; 3]) -> Self {
+        let mut rotation = SMatrix::<f64, C, C>::identity();
+        for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
+            let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
+            let mut turn = SMatrix::<f64, C, C>::identity();
+            (turn[(i, i)], turn[(i, j)], turn[(j, i)], turn[(j, j)]) = (cos, -sin, sin, cos);
+            rotation = turn * rotation;
+        }
+        Self { rotation, shift: SVector::from_fn(|a, _| shift[a]), ..Self::in_units(1.0, 1.0) }
+    }
+
+    /// The first axis changes sign.
+    pub fn mirrored() -> Self {
+        let mut view = Self::in_units(1.0, 1.0);
+        view.rotation[(0, 0)] = -1.0;
+        view
+    }
+
+    /// A unit vector of the first scene as this view sees it.
+    pub fn direction(&self, d: &SVector<f64, C>) -> SVector<f64, C> {
+        self.rotation * d
+    }
+
+    fn turns_over(&self) -> bool {
+        let r = &self.rotation;
+        let minor = |a: usize, b: usize| r[(1, a)] * r[(2, b)] - r[(1, b)] * r[(2, a)];
+        let determinant = if C == 2 {
+            r[(0, 0)] * r[(1, 1)] - r[(0, 1)] * r[(1, 0)]
+        } else {
+            (0..3).map(|a| r[(0, a)] * minor((a + 1) % 3, (a + 2) % 3)).sum()
+        };
+        determinant < 0.0
+    }
+
+    /// The last tangent of a mirrored frame points the other way.
+    fn flipped(&self, mut v: SVector<f64, C>) -> SVector<f64, C> {
+        if self.turns_over() {
+            v[C - 1] = -v[C - 1];
+        }
+        v
+    }
+
+    fn wrench<const D: usize>(&self, w: &SVector<f64, D>) -> SVector<f64, D> {
+        let force = self.rotation * SVector::<f64, C>::from_fn(|a, _| w[a]) * self.force;
+        let side = if self.turns_over() { -1.0 } else { 1.0 } * self.force * self.length;
+        let arm = self.shift * self.length;
+        SVector::from_fn(|k, _| {
+            if k < C {
+                return force[k];
+            }
+            if C == 2 {
+                return side * w[2] + arm[0] * force[1] - arm[1] * force[0];
+            }
+            let (a, b, c) = (k - 3, (k - 2) % 3, (k - 1) % 3);
+            let turned: f64 = (0..3).map(|j| self.rotation[(a, j)] * w[3 + j]).sum();
+            side * turned + arm[b] * force[c] - arm[c] * force[b]
+        })
+    }
+
+    /// A scene as this view sees it.
+    pub fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
+        let spot = |spot: &Spot<C>| {
+            let mut frame = self.rotation * spot.frame;
+            if self.turns_over() {
+                let last = -frame.column(C - 1);
+                frame.set_column(C - 1, &last);
+            }
+            Spot {
+                point: (self.rotation * spot.point + self.shift) * self.length,
+                frame,
+                k: spot.k * (self.force / self.length),
+                clearance: spot.clearance * self.length,
+                ..spot.clone()
+            }
+        };
+        let goal = |goal: &Goal<D, C>| Goal {
+            load: self.wrench(&goal.load),
+            commands: goal.commands.iter().map(|a| self.flipped(*a) * self.length).collect(),
+        };
+        Scene { spots: scene.spots.iter().map(spot).collect(), goals: scene.goals.iter().map(goal).collect() }
+    }
+}
+
+impl<const D: usize, const C: usize> Scene<D, C> {
+    /// Contact i of the new scene is contact `order[i]` of this one.
+    pub fn reordered(&self, order: &[usize]) -> Self {
+        let goal = |goal: &Goal<D, C>| Goal {
+            load: goal.load,
+            commands: order.iter().map(|&i| goal.commands[i]).collect(),
+        };
+        Self {
+            spots: order.iter().map(|&i| self.spots[i].clone()).collect(),
+            goals: self.goals.iter().map(goal).collect(),
+        }
+    }
+
+    /// A contact becomes two at the same place with half its stiffness each, the second at the end.
+    pub fn halved(&self, contact: usize) -> Self {
+        let mut order: Vec<usize> = (0..self.spots.len()).collect();
+        order.push(contact);
+        let mut scene = self.reordered(&order);
+        for i in [contact, self.spots.len()] {
+            scene.spots[i].k *= 0.5;
+        }
+        scene
+    }
+}

@@ -1,0 +1,173 @@
+//! Ramps of load and finger commands, and whether everything rolls along them, without the library's onset.
+
+use std::cell::Cell;
+use std::f64::consts::TAU;
+
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::{Departure, Onset, Ramp};
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+use super::random::{Spread, for_all, scene};
+use super::rolling;
+use super::scene::{Datum, Scene};
+
+/// Corners of the polygon in space (the library's default).
+pub const FACETS: usize = 8;
+
+/// A load direction and a change of commands; the base is the scene itself.
+#[derive(Debug, Clone)]
+pub struct Change<const D: usize, const C: usize> {
+    /// Of the load.
+    pub load: SVector<f64, D>,
+    /// Of the commands, contact by contact.
+    pub commands: Vec<SVector<f64, C>>,
+}
+
+impl<const D: usize, const C: usize> Change<D, C> {
+    /// The ramp from the scene on.
+    pub fn ramp(&self, scene: &Scene<D, C>) -> Ramp<D, C> {
+        Ramp::load(scene.wrench(), Wrench::from_vector(self.load)).with_commands(self.commands.clone())
+    }
+
+    /// Whether the load works on a motion that no contact resists: then nothing holds from the start.
+    pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
+        rolling::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
+    }
+
+    /// The scene at a factor.
+    pub fn at(&self, scene: &Scene<D, C>, factor: f64) -> Scene<D, C> {
+        let mut there = scene.clone();
+        there.load += self.load * factor;
+        for (datum, change) in there.contacts.iter_mut().zip(&self.commands) {
+            datum.command += change * factor;
+        }
+        there
+    }
+}
+
+/// The cone that friction is measured with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Friction {
+    /// The round cone; in the plane the cone itself.
+    Round,
+    /// The polygon with `FACETS` corners on the circle.
+    Polygon,
+}
+
+/// The least slack of all rolling conditions relative to the largest force of the scene; negative when something cannot roll.
+pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
+    let forces = rolling::forces(scene)?;
+    // Where the forces cancel, what the softest spring would exert over the largest command.
+    let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
+    let command = scene.contacts.iter().map(|datum| datum.command.norm()).fold(0.0, f64::max);
+    let size = forces.iter().map(SVector::norm).fold(softest * command, f64::max);
+    let each = scene.contacts.iter().zip(&forces).map(|(datum, f)| {
+        if datum.friction == 0.0 || datum.friction.is_infinite() {
+            return f[0];
+        }
+        let used = if C == 2 || friction == Friction::Round {
+            f.rows_range(1..).norm()
+        } else {
+            // Facet normals lie half way between the corners.
+            let half = TAU / (2.0 * FACETS as f64);
+            let along = |j: usize| {
+                let angle = half * (2 * j + 1) as f64;
+                (f[1] * angle.cos() + f[2] * angle.sin()) / half.cos()
+            };
+            (0..FACETS).map(along).fold(0.0, f64::max)
+        };
+        f[0].min((datum.friction * f[0] - used) / (1.0 + datum.friction))
+    });
+    Some(each.fold(f64::INFINITY, f64::min) / size)
+}
+
+/// What the onset was found to be.
+#[derive(Debug, Default)]
+pub struct Tally {
+    /// A contact slides.
+    pub slides: Cell<u32>,
+    /// Contacts open, and none slides.
+    pub opens: Cell<u32>,
+    /// Nothing happens at any factor.
+    pub never: Cell<u32>,
+}
+
+impl Tally {
+    /// Adds one.
+    pub fn count<const D: usize, const C: usize>(&self, onset: &Onset<D, C>) {
+        let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
+        add(&self.never, matches!(onset, Onset::Never));
+        if let Onset::At(event) = onset {
+            let slides = event.leaving.iter().any(|l| matches!(l.how, Departure::Slides { .. }));
+            add(&self.slides, slides);
+            add(&self.opens, !slides);
+        }
+    }
+
+    /// So many of each were found.
+    pub fn assert_at_least(&self, slides: u32, opens: u32, never: u32) {
+        println!("{self:?}");
+        let enough = self.slides.get() >= slides && self.opens.get() >= opens && self.never.get() >= never;
+        assert!(enough, "{self:?}");
+    }
+}
+
+/// Equal to 1e-9 of the larger.
+pub fn close(a: f64, b: f64) -> bool {
+    a == b || (a.is_finite() && b.is_finite() && (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
+}
+
+/// What changes along the ramp.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Driven {
+    Load,
+    Commands,
+    Both,
+}
+
+/// Scenes in which everything touches, and what changes.
+pub fn ramps<const D: usize, const C: usize>(
+    counts: std::ops::Range<usize>,
+    spread: Spread,
+) -> impl Strategy<Value = (Scene<D, C>, Change<D, C>)> {
+    let vector = |n: usize| prop::collection::vec(-1.0..1.0_f64, n);
+    let driven = prop::sample::select(vec![Driven::Load, Driven::Commands, Driven::Both]);
+    (scene::<D, C>(counts, spread, 0.05), vector(D), vector(5 * C), driven).prop_map(
+        |(mut scene, load, commands, driven)| {
+            // Everything touches at the base.
+            scene.contacts.iter_mut().for_each(|datum| datum.clearance = 0.0);
+            // A load of the size of the one at the base, so that neither the base nor the change is lost in the other.
+            let size = scene.load.norm();
+            let (load_part, command_part) = match driven {
+                Driven::Load => (size, 0.0),
+                Driven::Commands => (0.0, 0.1),
+                Driven::Both => (size, 0.1),
+            };
+            let commands = commands.chunks(C).take(scene.contacts.len());
+            let change = Change {
+                load: SVector::from_vec(load) * load_part,
+                commands: commands.map(|c| SVector::from_column_slice(c) * command_part).collect(),
+            };
+            (scene, change)
+        },
+    )
+}
+
+/// Ramps of each kind.
+pub const CASES: u32 = 2000;
+
+/// Runs a property on ramps of grasps with similar springs and with very different ones.
+pub fn for_both<const D: usize, const C: usize>(
+    source_file: &'static str,
+    counts: &std::ops::Range<usize>,
+    property: impl Fn(&Scene<D, C>, &Change<D, C>, &Tally) -> Result<(), TestCaseError>,
+) -> Tally {
+    let tally = Tally::default();
+    for spread in [Spread::Narrow, Spread::Wide] {
+        for_all(source_file, CASES, &ramps::<D, C>(counts.clone(), spread), |(s, change)| {
+            property(&s, &change, &tally)
+        });
+    }
+    tally
+}

@@ -1,0 +1,403 @@
+//! The states of an equilibrium that the library returned, solved again in exact arithmetic.
+//!
+//! The data are those that the library has: every number of the scene, and the contact frames as it rounded them
+//! ([`Grasp::frames`](grasp_lcp::grasp::Grasp::frames)). With `v = a - Gᵀq` the stretch of a contact, a its command less its clearance,
+//!
+//! ```text
+//! open                       F = 0
+//! rolling                    F = K v
+//! frictionless               F = (k_n v_n, 0)
+//! sliding along d            F_n = k_n v_n,  F_t = μ F_n d,  K_t (v_t - σ d) = F_t,  d·d = 1
+//! balance                    Σ G F + W = 0
+//! ```
+//!
+//! In the plane d = ±1 and all of it is linear in the twist q. In space the direction d and the slip σ of each sliding contact are
+//! unknowns beside q of polynomial equations: Newton's method from the library's answer, with exact residuals, until its
+//! steps are below 1e-40 of what they change.
+
+use grasp_lcp::equilibrium::{ContactState, Equilibrium};
+use grasp_lcp::grasp::Grasp;
+use nalgebra::SVector;
+
+use super::dyadic::{Dyadic, solve};
+use super::scene::Scene;
+
+/// Bits that are kept of a quotient.
+const BITS: u64 = 320;
+/// Bits of a matrix that only directs the next step of Newton's method.
+const DIRECTING: u64 = 100;
+/// Steps of Newton's method below this part are the last.
+const SETTLED: f64 = 1e-40;
+const STEPS: usize = 12;
+/// A value below this part of its terms is zero: what division left of it.
+const ZERO: f64 = 1e-60;
+/// Where nothing carries a force, this part of what the softest spring could have counts as one.
+const NO_FORCE: f64 = 1e-20;
+/// Components below this part of the largest force are not looked at by themselves.
+const SMALL: f64 = 1e-14;
+
+/// What the contacts really do in these states.
+pub struct Truth<const C: usize> {
+    /// In the contact frames.
+    pub forces: Vec<[Dyadic; C]>,
+    /// Displacement of the body at the contacts, in the contact frames.
+    moved: Vec<[Dyadic; C]>,
+    /// Size of the largest force, load included, N: at least 1e-20 of what the softest spring could have from the displacements.
+    pub largest: f64,
+    /// The largest of displacements and commands, m.
+    pub travel: f64,
+    /// Of all contacts.
+    pub conditions: Vec<Condition>,
+}
+
+/// A condition `value >= 0` of the state of a contact.
+#[derive(Debug, Clone, Copy)]
+pub struct Condition {
+    /// By its index.
+    pub contact: usize,
+    /// Which condition.
+    pub kind: Kind,
+    /// The value over the size of its terms: exactly zero, or with the exact sign.
+    pub part: f64,
+}
+
+/// What a contact must keep to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// An open contact does not overlap.
+    Gap,
+    /// A closed one presses.
+    Push,
+    /// Friction stays within its limit.
+    Margin,
+    /// Friction works against the slip.
+    Slip,
+}
+
+/// One contact in its state.
+struct Known<const C: usize> {
+    /// Wrench of a unit force along each axis, about the origin.
+    axes: [Vec<Dyadic>; C],
+    k: [Dyadic; C],
+    mu: Option<Dyadic>,
+    drive: [Dyadic; C],
+    state: Exactly<C>,
+}
+
+enum Exactly<const C: usize> {
+    Open,
+    Springs(usize),
+    /// In the plane: along ±t.
+    Along(Dyadic),
+    /// In space: place of its unknowns d₁, d₂, σ.
+    Turning(usize),
+}
+
+/// Errors of an answer.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Errors {
+    /// Largest error of a contact force over the largest force, load included.
+    pub force: f64,
+    /// Largest error of a component of a force over that component.
+    pub component: f64,
+    /// Largest error of the displacement of the body at a contact, over the largest of displacements and commands.
+    pub motion: f64,
+    /// The error of a contact force, N.
+    pub newtons: f64,
+    /// The error of a displacement, m.
+    pub metres: f64,
+}
+
+impl<const C: usize> Truth<C> {
+    /// `None` where the states do not determine the twist, or Newton's method does not arrive.
+    pub fn of<const D: usize>(
+        scene: &Scene<D, C>,
+        grasp: &Grasp<D, C>,
+        answer: &Equilibrium<D, C>,
+    ) -> Option<Self> {
+        let mut unknowns = D;
+        let contacts: Vec<Known<C>> = (0..scene.contacts.len())
+            .map(|i| {
+                let (datum, frame) = (&scene.contacts[i], grasp.frames().nth(i).expect("one a contact"));
+                let exact =
+                    |v: &SVector<f64, C>| -> [Dyadic; C] { std::array::from_fn(|a| Dyadic::new(v[a])) };
+                let point = exact(&datum.point);
+                let axes =
+                    std::array::from_fn(|a| unit_wrench(&point, &exact(&frame.column(a).into_owned())));
+                let mut drive = exact(&datum.command);
+                drive[0] = &drive[0] - &Dyadic::new(datum.clearance);
+                let state = match answer.contacts[i].state {
+                    ContactState::Separated => Exactly::Open,
+                    ContactState::Rolling => Exactly::Springs(C),
+                    ContactState::Frictionless => Exactly::Springs(1),
+                    ContactState::Sliding { direction } if C == 2 => {
+                        Exactly::Along(Dyadic::new(direction.dot(&frame.column(1)).signum()))
+                    }
+                    ContactState::Sliding { .. } => {
+                        unknowns += 3;
+                        Exactly::Turning(unknowns - 3)
+                    }
+                };
+                let mu = datum.friction.is_finite().then(|| Dyadic::new(datum.friction));
+                Known { axes, k: exact(&datum.stiffness), mu, drive, state }
+            })
+            .collect();
+        let load: Vec<Dyadic> = scene.load.iter().map(|&x| Dyadic::new(x)).collect();
+        let mut z = vec![Dyadic::zero(); unknowns];
+        for (k, q) in answer.twist.as_vector().iter().enumerate() {
+            z[k] = Dyadic::new(*q);
+        }
+        for (i, contact) in contacts.iter().enumerate() {
+            if let (Exactly::Turning(at), ContactState::Sliding { direction }) =
+                (&contact.state, answer.contacts[i].state)
+            {
+                let d = grasp.frames().nth(i).expect("one a contact").tr_mul(&direction);
+                for a in 1..C {
+                    z[at + a - 1] = Dyadic::new(d[a]);
+                }
+                z[at + 2] = Dyadic::new(answer.contacts[i].slip.norm());
+            }
+        }
+        let linear = unknowns == D;
+        for _ in 0..STEPS {
+            let (matrix, value) = equations::<D, C>(&contacts, &load, &z, !linear);
+            let step = solve(&matrix, &value, BITS)?;
+            let mut settled = true;
+            let longest = z[..D].iter().map(|q| q.float().abs()).fold(0.0, f64::max);
+            for (k, (z, step)) in z.iter_mut().zip(&step).enumerate() {
+                // Of each direction two components come first; slips are as long as the twist at most.
+                let size = if k < D || (k - D) % 3 == 2 { longest } else { 1.0 };
+                settled &= step.float().abs() <= SETTLED * size;
+                *z = (&*z - step).rounded(BITS);
+            }
+            if linear || settled {
+                return Some(Self::at(&contacts, &load[..C], &z));
+            }
+        }
+        None
+    }
+
+    /// Forces, displacements and conditions at a solution.
+    fn at(contacts: &[Known<C>], load: &[Dyadic], z: &[Dyadic]) -> Self {
+        let mut truth = Self {
+            forces: contacts.iter().map(|contact| contact.force(z)).collect(),
+            moved: contacts.iter().map(|c| std::array::from_fn(|a| dot(&c.axes[a], z))).collect(),
+            largest: norm(load),
+            travel: f64::MIN_POSITIVE,
+            conditions: Vec::new(),
+        };
+        let mut softest = f64::INFINITY;
+        for (i, contact) in contacts.iter().enumerate() {
+            truth.largest = truth.largest.max(norm(&truth.forces[i]));
+            truth.travel = truth.travel.max(norm(&truth.moved[i])).max(norm(&contact.drive));
+            softest = contact.k.iter().map(Dyadic::float).fold(softest, f64::min);
+        }
+        truth.largest = truth.largest.max(NO_FORCE * softest * truth.travel).max(f64::MIN_POSITIVE);
+        let largest = truth.largest;
+        for (index, contact) in contacts.iter().enumerate() {
+            let (force, moved) = (&truth.forces[index], &truth.moved[index]);
+            let v: [Dyadic; C] = contact.stretch(z);
+            let span = (0..C).map(|a| contact.drive[a].float().abs() + moved[a].float().abs()).sum::<f64>();
+            let give = (0..C).map(|a| (force[a].float() / contact.k[a].float()).abs()).sum::<f64>();
+            let stiffest = contact.k.iter().map(Dyadic::float).fold(0.0, f64::max);
+            let size = norm(force) + largest.min(stiffest * span);
+            let mut check = |kind, value: &Dyadic, size: f64| {
+                let part = value.float() / size;
+                let part = if value.is_zero() || part.abs() < ZERO { 0.0 } else { part };
+                truth.conditions.push(Condition { contact: index, kind, part });
+            };
+            if let Exactly::Open = contact.state {
+                check(Kind::Gap, &-&v[0], span);
+                continue;
+            }
+            check(Kind::Push, &force[0], size);
+            match (&contact.state, &contact.mu) {
+                (Exactly::Springs(axes), Some(mu)) if *axes == C => {
+                    // μ N - |F_t| by the difference of the squares: the sign is exact.
+                    let limit = mu * &force[0];
+                    let used = force[1..].iter().fold(Dyadic::zero(), |sum, f| &sum + &(f * f));
+                    let sum = limit.float().abs() + norm(&force[1..]);
+                    if sum > 0.0 {
+                        let squares = &(&limit * &limit.abs()) - &used;
+                        check(
+                            Kind::Margin,
+                            &squares.over(&Dyadic::new(sum), BITS),
+                            size * (1.0 + mu.float()),
+                        );
+                    } else {
+                        check(Kind::Margin, &Dyadic::zero(), 1.0);
+                    }
+                }
+                (Exactly::Along(d), _) => {
+                    let slip = &(d * &v[1]) - &(d * &force[1]).over(&contact.k[1], BITS);
+                    check(Kind::Slip, &slip, span + give);
+                }
+                (Exactly::Turning(at), _) => check(Kind::Slip, &z[at + 2], span + give),
+                _ => {}
+            }
+        }
+        truth
+    }
+
+    /// Errors of the answer.
+    pub fn errors<const D: usize>(&self, grasp: &Grasp<D, C>, answer: &Equilibrium<D, C>) -> Errors {
+        let mut errors = Errors::default();
+        for (i, c) in answer.contacts.iter().enumerate() {
+            let off: [Dyadic; C] = std::array::from_fn(|a| &Dyadic::new(c.force[a]) - &self.forces[i][a]);
+            errors.newtons = errors.newtons.max(norm(&off));
+            for (off, exact) in off.iter().zip(&self.forces[i]) {
+                let off = off.float().abs();
+                if exact.float().abs() > SMALL * self.largest {
+                    errors.component = errors.component.max(off / exact.float().abs());
+                }
+            }
+            let frame = grasp.frames().nth(i).expect("one a contact");
+            let moved = frame.tr_mul(&c.body_core);
+            let off: [Dyadic; C] = std::array::from_fn(|a| &Dyadic::new(moved[a]) - &self.moved[i][a]);
+            errors.metres = errors.metres.max(norm(&off));
+        }
+        (errors.force, errors.motion) = (errors.newtons / self.largest, errors.metres / self.travel);
+        errors
+    }
+}
+
+impl<const C: usize> Known<C> {
+    fn stretch(&self, z: &[Dyadic]) -> [Dyadic; C] {
+        std::array::from_fn(|a| &self.drive[a] - &dot(&self.axes[a], z))
+    }
+
+    fn force(&self, z: &[Dyadic]) -> [Dyadic; C] {
+        let v = self.stretch(z);
+        let mut force: [Dyadic; C] = std::array::from_fn(|_| Dyadic::zero());
+        match &self.state {
+            Exactly::Open => {}
+            Exactly::Springs(axes) => {
+                for a in 0..*axes {
+                    force[a] = &self.k[a] * &v[a];
+                }
+            }
+            Exactly::Along(d) => {
+                force[0] = &self.k[0] * &v[0];
+                force[1] = &(self.friction() * d) * &force[0];
+            }
+            Exactly::Turning(at) => {
+                force[0] = &self.k[0] * &v[0];
+                let limit = self.friction() * &force[0];
+                for a in 1..C {
+                    force[a] = &limit * &z[at + a - 1];
+                }
+            }
+        }
+        force
+    }
+
+    fn friction(&self) -> &Dyadic {
+        self.mu.as_ref().expect("what slides has a finite coefficient of friction")
+    }
+}
+
+/// The equations at z and their derivatives.
+fn equations<const D: usize, const C: usize>(
+    contacts: &[Known<C>],
+    load: &[Dyadic],
+    z: &[Dyadic],
+    rounded: bool,
+) -> (Vec<Vec<Dyadic>>, Vec<Dyadic>) {
+    let n = z.len();
+    let mut value = vec![Dyadic::zero(); n];
+    let mut matrix = vec![vec![Dyadic::zero(); n]; n];
+    value[..D].clone_from_slice(load);
+    // Adds `g s`, s with this derivative by z, to the balance.
+    let mut push = |g: &[Dyadic], s: &Dyadic, slope: &[(usize, Dyadic)], matrix: &mut Vec<Vec<Dyadic>>| {
+        for i in 0..D {
+            value[i] = &value[i] + &(&g[i] * s);
+            for (j, slope) in slope {
+                matrix[i][*j] = &matrix[i][*j] + &(&g[i] * slope);
+            }
+        }
+    };
+    let by_twist = |g: &[Dyadic], factor: &Dyadic| -> Vec<(usize, Dyadic)> {
+        g.iter().enumerate().map(|(j, g)| (j, &-factor * g)).collect()
+    };
+    let mut own = Vec::new();
+    for contact in contacts {
+        let (v, force) = (contact.stretch(z), contact.force(z));
+        match &contact.state {
+            Exactly::Open => {}
+            Exactly::Springs(axes) => {
+                for a in 0..*axes {
+                    push(
+                        &contact.axes[a],
+                        &force[a],
+                        &by_twist(&contact.axes[a], &contact.k[a]),
+                        &mut matrix,
+                    );
+                }
+            }
+            Exactly::Along(d) => {
+                push(&contact.axes[0], &force[0], &by_twist(&contact.axes[0], &contact.k[0]), &mut matrix);
+                let drag = &(contact.friction() * d) * &contact.k[0];
+                push(&contact.axes[1], &force[1], &by_twist(&contact.axes[0], &drag), &mut matrix);
+            }
+            Exactly::Turning(at) => {
+                push(&contact.axes[0], &force[0], &by_twist(&contact.axes[0], &contact.k[0]), &mut matrix);
+                let limit = contact.friction() * &force[0];
+                let mut length = -&Dyadic::new(1.0);
+                for a in 1..C {
+                    let (d, sigma) = (&z[at + a - 1], &z[at + 2]);
+                    length = &length + &(d * d);
+                    matrix[*at][at + a - 1] = &Dyadic::new(2.0) * d;
+                    let drag = &(contact.friction() * d) * &contact.k[0];
+                    let mut slope = by_twist(&contact.axes[0], &drag);
+                    slope.push((at + a - 1, limit.clone()));
+                    push(&contact.axes[a], &force[a], &slope, &mut matrix);
+                    // μ N d + k σ d - k v = 0
+                    let row = at + a;
+                    let k = &contact.k[a];
+                    own.push((row, &(&force[a] + &(&(k * sigma) * d)) - &(k * &v[a])));
+                    for (j, slope) in slope {
+                        matrix[row][j] = slope;
+                    }
+                    for j in 0..D {
+                        matrix[row][j] = &matrix[row][j] + &(k * &contact.axes[a][j]);
+                    }
+                    matrix[row][at + a - 1] = &matrix[row][at + a - 1] + &(k * sigma);
+                    matrix[row][at + 2] = k * d;
+                }
+                own.push((*at, length));
+            }
+        }
+    }
+    for (row, x) in own {
+        value[row] = x;
+    }
+    if rounded {
+        for row in &mut matrix {
+            for entry in row {
+                *entry = entry.rounded(DIRECTING);
+            }
+        }
+    }
+    (matrix, value)
+}
+
+/// Force and moment about the origin of a unit force along `axis` at `point`.
+fn unit_wrench<const C: usize>(point: &[Dyadic; C], axis: &[Dyadic; C]) -> Vec<Dyadic> {
+    let moment = |a: usize, b: usize| &(&point[a] * &axis[b]) - &(&point[b] * &axis[a]);
+    let mut wrench = axis.to_vec();
+    if C == 2 {
+        wrench.push(moment(0, 1));
+    } else {
+        wrench.extend([moment(1, 2), moment(2, 0), moment(0, 1)]);
+    }
+    wrench
+}
+
+/// Over the length of the first.
+fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
+    a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| &sum + &(a * b))
+}
+
+fn norm(v: &[Dyadic]) -> f64 {
+    v.iter().fold(0.0, |h: f64, x| h.hypot(x.float()))
+}
