@@ -15,16 +15,13 @@ use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::free_motions::{NO_WORK, worked_on};
 use super::load::Load;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::Site;
-use crate::numerics::{CompletePivoting, DoubleDouble, Orthogonal, orthonormalise_against};
-
-/// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
-/// to balance carry rounding noise of about 1e-16.
-const NO_WORK: f64 = 1e-13;
+use crate::numerics::{CompletePivoting, DoubleDouble, Orthogonal, orthonormalise_against, without};
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;
@@ -137,7 +134,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         load: impl Into<Load<D>>,
     ) -> Result<PieceState<D, C>, Unbalanced<D>> {
         let load = load.into();
-        if let Some(motion) = self.worked_on(&load.wrench) {
+        if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
@@ -173,10 +170,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 break;
             }
         }
-        let mut twist = twist.value();
-        for v in &self.free {
-            twist -= v * v.dot(&twist);
-        }
+        let twist = without(twist.value(), &self.free);
         Ok(PieceState { forces: self.forces(&x, drives.len()), twist })
     }
 
@@ -212,14 +206,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// Whether the load works on no motion that nothing here balances.
     pub(crate) fn resists(&self, wrench: &SVector<f64, D>) -> bool {
-        self.worked_on(wrench).is_none()
-    }
-
-    /// The unit motion on which the load works though nothing here balances it.
-    fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
-        let along = self.unbalanced.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
-        let work = along.norm();
-        (work > NO_WORK * wrench.norm()).then(|| along / work)
+        worked_on(&self.unbalanced, wrench).is_none()
     }
 
     /// The springs of every contact that has any, with the places of these springs in the whole list.

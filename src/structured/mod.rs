@@ -5,15 +5,13 @@
 //! formed. The pivots are those of the dense solver on [`Form`](crate::forms::Form).
 
 mod basis;
-mod form;
+mod contact_form;
 mod newton;
 mod path;
-mod pricing;
 mod proposal;
-mod ratio;
 mod solution;
+mod variables;
 mod workspace;
 
-pub(crate) use form::facet_row;
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

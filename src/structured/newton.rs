@@ -15,7 +15,7 @@ use std::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use crate::contact::{Mode, PolygonState, State};
-use crate::numerics::{Bordered, SUMMED_IN_TURN, both};
+use crate::numerics::{Bordered, SUMMED_IN_TURN, both, in_halves};
 use crate::object::{Problem, add_tangent};
 
 /// Steps: it converges in a few of them or goes round in circles.
@@ -63,7 +63,7 @@ impl<const D: usize, const C: usize> Newton<D, C> {
         }
         self.forces.resize(problem.len(), SVector::zeros());
         self.states.resize(problem.len(), Mode::Rolling);
-        let mut here = stick(problem, 0..problem.len());
+        let mut here = stick(problem);
         here.left += problem.wrench;
         for _ in 0..STEPS {
             self.steps += 1;
@@ -85,23 +85,20 @@ impl<const D: usize, const C: usize> Newton<D, C> {
 }
 
 /// R without the load and T where everything sticks and the object has not moved.
-fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>, contacts: Range<usize>) -> Imbalance<D> {
-    if contacts.len() > SUMMED_IN_TURN {
-        let middle = contacts.start.midpoint(contacts.end);
-        let (near, far) = (contacts.start..middle, middle..contacts.end);
-        let (a, b) = both(contacts.len(), || stick(problem, near), || stick(problem, far));
-        return a.plus(&b);
-    }
-    let mut sum = Imbalance::<D>::zero();
-    for contact in contacts {
-        let (site, local) = (&problem.sites[contact], problem.local(contact));
-        let state = local.unjumped();
-        if !state.is_open() {
-            add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
-            sum.left += site.map * local.springs.force(&problem.drives[contact]);
+fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Imbalance<D> {
+    let part = |contacts: Range<usize>| {
+        let mut sum = Imbalance::zero();
+        for contact in contacts {
+            let (site, local) = (&problem.sites[contact], problem.local(contact));
+            let state = local.unjumped();
+            if !state.is_open() {
+                add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
+                sum.left += site.map * local.springs.force(&problem.drives[contact]);
+            }
         }
-    }
-    sum
+        sum
+    };
+    in_halves(0..problem.len(), &part, &Imbalance::plus)
 }
 
 /// Forces and states of the contacts from number `first` on at a twist, R without the load and T. Sums are made of halves, so that their
@@ -122,7 +119,7 @@ fn answer<const D: usize, const C: usize>(
             || answer(problem, twist, first, states, forces),
             || answer(problem, twist, first + middle, more_states, more_forces),
         );
-        return a.plus(&b);
+        return a.plus(b);
     }
     let mut sum = Imbalance::<D>::zero();
     for (contact, (state, force)) in (first..).zip(states.iter_mut().zip(forces)) {
@@ -148,7 +145,7 @@ impl<const D: usize> Imbalance<D> {
         Self { left: SVector::zeros(), size: 0.0, stiffness: SMatrix::zeros(), lawful: true }
     }
 
-    fn plus(&self, other: &Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         Self {
             left: self.left + other.left,
             size: self.size + other.size,

@@ -10,11 +10,14 @@
 
 use nalgebra::SVector;
 
-use super::basis::{Basis, Sums};
-use super::form::{ContactForm, Point, number};
-use super::pricing::Pricing;
-use super::ratio::{Candidate, Entering, GREY, Step};
+use super::basis::{Basis, COVER, PERTURBED, TRIAL};
+use super::contact_form::ContactForm;
+use super::variables::{Candidate, Entering, GREY, Step};
 use crate::numerics::Bordered;
+use crate::object::{LazyPricing, Point, Sums};
+
+/// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
+const FEW: usize = 24;
 
 /// A pivot below this part of the largest change of the step is only made on fresh sums.
 const DOUBTFUL: f64 = 1e-7;
@@ -42,13 +45,13 @@ pub(crate) enum End {
 pub(crate) struct Path<const D: usize, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
     pub(super) basis: Basis<C>,
-    pub(super) sums: Sums<D>,
+    pub(super) sums: Sums<D, 3>,
     /// A load in proportion to z₀ that belongs to the covering vector.
     pub(super) load: SVector<f64, D>,
     pub(crate) pivots: usize,
     /// Pivots since the sums were made.
     pub(super) age: usize,
-    pricing: Pricing<D>,
+    pricing: LazyPricing<D>,
     candidates: Vec<Candidate>,
 }
 
@@ -57,11 +60,11 @@ impl<const D: usize, const C: usize> Default for Path<D, C> {
         Self {
             form: ContactForm::default(),
             basis: Basis::default(),
-            sums: Sums::zero(),
+            sums: Sums::sticking(),
             load: SVector::zeros(),
             pivots: 0,
             age: 0,
-            pricing: Pricing::default(),
+            pricing: LazyPricing::default(),
             candidates: Vec::new(),
         }
     }
@@ -78,16 +81,14 @@ impl<const D: usize, const C: usize> Path<D, C> {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
         self.load.fill(0.0);
-        // Q has orthonormal columns.
-        self.sums = Sums::zero();
-        self.sums.stiffness.fill_diagonal(1.0);
+        self.sums = Sums::sticking();
         self.age = 0;
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
             return End::PivotLimit;
         }
         self.pivots += 1;
-        self.run(first, Point { y: SVector::zeros(), z0 }, limit)
+        self.run(first, Point { y: SVector::zeros(), s: z0 }, limit)
     }
 
     /// The pair with the least value per entry of the covering vector at the trial state, if one is violated, and z₀ there.
@@ -96,11 +97,8 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let mut least = 0.0_f64;
         let visit = |visit: &mut dyn FnMut(u32, usize, f64, f64)| {
             for (contact, local) in (0..).zip(&form.locals) {
-                if local.gap {
-                    visit(contact, 0, local.trial[0], form.cover(local, 0, 1.0));
-                }
-                for (pair, facet) in (usize::from(local.gap)..).zip(form.facets(local)) {
-                    visit(contact, pair, facet.row.dot(&local.trial), form.cover(local, pair, facet.unit));
+                for pair in 0..local.pairs() {
+                    visit(contact, pair, form.row(local, pair).dot(&local.trial), form.cover(local, pair));
                 }
             }
         };
@@ -123,16 +121,15 @@ impl<const D: usize, const C: usize> Path<D, C> {
     /// The sums afresh.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
-        self.sums.cover -= self.load;
+        self.sums.sides[COVER] -= self.load;
         self.age = 0;
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: Point<D>, limit: usize) -> End {
-        self.pricing.clear(self.form.len(), &Point::default());
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
-        if self.pricing.lazy {
+        if self.is_lazy() {
             let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
             self.line_up(entering.contact, &at, &first.along);
         }
@@ -153,7 +150,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             let leaving = self.blocking(&step, &factors, &entering);
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
-                Leaving::Covering => step.along.z0.abs() < DOUBTFUL * step.largest,
+                Leaving::Covering => step.along.s.abs() < DOUBTFUL * step.largest,
                 Leaving::Variable(candidate) => candidate.rate.abs() < DOUBTFUL * step.largest,
             };
             if doubtful && self.age > 0 {
@@ -177,53 +174,43 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 return End::Breakdown;
             }
             let length = leaving.value.max(0.0) / -leaving.rate;
-            let at =
-                Point { y: step.here.y + step.along.y * length, z0: step.here.z0 + step.along.z0 * length };
-            let turned = self.pricing.lazy && self.pricing.advance(length, &step.along);
+            let at = step.here.plus(length, &step.along);
             let left = entering.contact;
             entering = Entering { contact: leaving.contact, pair: leaving.pair, jump: !leaving.jump };
-            if turned {
-                self.line_up(entering.contact, &at, &step.along);
-            } else {
-                self.requeue(left, entering.contact, &at);
+            if self.is_lazy() {
+                self.pricing.advance(length, &step.along);
+                if self.pricing.has_turned() {
+                    self.line_up(entering.contact, &at, &step.along);
+                } else {
+                    self.requeue(left, entering.contact, &at);
+                }
             }
         }
+    }
+
+    fn is_lazy(&self) -> bool {
+        self.form.len() >= FEW
     }
 
     /// Everybody waits, but for the contact whose pair is out of the basis.
     fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
-        self.pricing.clear(self.form.len(), along);
-        for contact in 0..number(self.form.len()) {
-            if contact != out {
-                self.await_turn(contact, at);
-            }
-        }
+        let Self { form, basis, pricing, .. } = self;
+        pricing.line_up(form.len(), along, &|contact, e| {
+            (0, if contact == out { f64::INFINITY } else { form.slack(basis, contact, at, e) })
+        });
     }
 
-    /// Those that the step has looked at wait again, but for the contact whose pair is out of the basis now: it is looked at anyway.
+    /// The contacts that the step has looked at wait again, but for that whose pair is out of the basis now:
+    /// it is looked at anyway.
     fn requeue(&mut self, left: u32, out: u32, at: &Point<D>) {
-        if !self.pricing.lazy {
-            return;
-        }
-        let looked = std::mem::take(&mut self.pricing.looked);
-        for &contact in &looked {
+        let Self { form, basis, pricing, .. } = self;
+        pricing.looked.push(left);
+        while let Some(contact) = pricing.looked.pop() {
             if contact != out {
-                self.await_turn(contact, at);
+                let slack = form.slack(basis, contact, at, &pricing.towards);
+                pricing.wait(contact, 0, slack);
             }
         }
-        if left != out {
-            self.await_turn(left, at);
-        }
-        self.pricing.looked = looked;
-        self.pricing.looked.clear();
-    }
-
-    fn await_turn(&mut self, contact: u32, at: &Point<D>) {
-        if !self.pricing.lazy {
-            return;
-        }
-        let slack = self.form.slack(&self.basis, contact, at, &self.pricing.reference);
-        self.pricing.wait(contact, slack);
     }
 
     /// The vertex at which both variables of the pair are zero, and the direction in which the entering one grows by one.
@@ -231,34 +218,34 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
         let row = self.form.row(local, entering.pair);
-        let unit = self.form.facet(local, entering.pair).map_or(1.0, |facet| facet.unit);
         let felt = reaction.hold.tr_mul(&row);
-        let gradient = -local.seen.tr_mul(&felt);
-        let corner = self.form.cover(local, entering.pair, unit) - row.dot(&reaction.cover);
-        let factors = Bordered::new(&self.sums.stiffness, &self.sums.cover, &gradient, corner)?;
+        let gradient = -local.contact.seen.tr_mul(&felt);
+        let corner = self.form.cover(local, entering.pair) - row.dot(&reaction.cover.of_x);
+        let factors = Bordered::new(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
         let mut pushed = SVector::zeros();
         let mut last = 1.0;
         if entering.jump {
             let column = self.form.column(local, entering.pair);
-            pushed = local.seen.tr_mul(&(reaction.hold * column * self.form.weight));
+            pushed = local.contact.seen.tr_mul(&(reaction.hold * column * self.form.coordinates.weight));
             last = -felt.dot(&column);
         }
-        let sides = [(&self.sums.trial, -felt.dot(&local.trial)), (&pushed, last)];
-        let [here, along] = factors.solve_each(sides).map(|(y, z0)| Point { y, z0 });
-        let largest = along.z0.abs().max(along.y.amax() * self.form.widest).max(1.0);
+        let sides = [(&self.sums.sides[TRIAL], -felt.dot(&local.trial)), (&pushed, last)];
+        let [here, along] = factors.solve_each(sides).map(|(y, s)| Point { y, s });
+        let largest = along.s.abs().max(along.y.amax() * self.form.widest).max(1.0);
         Some((Step { here, along, largest }, factors))
     }
 
     /// The variable that reaches zero first as the entering one grows.
     fn blocking(&mut self, step: &Step<D>, factors: &Bordered<D>, entering: &Entering) -> Leaving {
+        let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
         let covering = Candidate {
             contact: u32::MAX,
             pair: 0,
             jump: true,
-            value: step.here.z0,
-            rate: step.along.z0,
+            value: step.here.s,
+            rate: step.along.s,
             level: step.here.size(),
         };
         let mut length =
@@ -272,21 +259,22 @@ impl<const D: usize, const C: usize> Path<D, C> {
             });
         };
         look(entering.contact, &mut length);
-        if pricing.lazy {
+        if lazy {
             // After a second look at the same step.
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
-            let (e, speed) = (pricing.reference, pricing.speed(&step.along));
-            let slack = |contact: u32| form.slack(basis, contact, &step.here, &e);
-            while let Some(contact) = pricing.next(length * speed * (1.0 + TIE), slack) {
-                look(contact, &mut length);
-            }
-        } else {
-            for contact in 0..number(form.len()) {
-                if contact != entering.contact {
+            let speed = pricing.speed(&step.along);
+            let within = |length: f64| length * speed * (1.0 + TIE);
+            while let Some((contact, stamp)) = pricing.next_within(within(length)) {
+                let slack = form.slack(basis, contact, &step.here, &pricing.towards);
+                if !pricing.puts_off(within(length), contact, stamp, slack) {
                     look(contact, &mut length);
                 }
+            }
+        } else {
+            for (contact, _) in (0..).zip(&form.locals).filter(|(contact, _)| *contact != entering.contact) {
+                look(contact, &mut length);
             }
         }
         if length == f64::INFINITY {
@@ -307,25 +295,23 @@ impl<const D: usize, const C: usize> Path<D, C> {
     fn break_tie(&self, factors: &Bordered<D>, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
-        let pushed = &self.basis.reaction(entering.contact as usize).tie;
+        let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
         let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
-        let (y, z0) = factors.solve(&-self.sums.tie, last);
-        let moved = Point { y, z0 };
+        let (y, z0) = factors.solve(&-self.sums.sides[PERTURBED], last);
         let mut best: Option<(Candidate, f64)> = None;
         for candidate in &self.candidates {
             let local = &form.locals[candidate.contact as usize];
             let active = &self.basis.active[candidate.contact as usize];
             let reaction = self.basis.reaction(candidate.contact as usize);
-            let stretch = -(local.seen * moved.y);
+            let stretch = -(local.contact.seen * y);
             let change = if let Some(a) = active.position(candidate.pair) {
                 let own = reaction.multipliers[a].dot(&stretch);
-                -(own + reaction.cover_jumps[a] * moved.z0 + reaction.tie_jumps[a])
+                -(own + reaction.cover.of_pairs[a] * z0 + reaction.tie.of_pairs[a])
             } else {
-                let row = form.row(local, candidate.pair);
-                let unit = form.facet(local, candidate.pair).map_or(1.0, |facet| facet.unit);
-                let x = reaction.hold * stretch - reaction.cover * moved.z0 - reaction.tie;
-                let d = form.cover(local, candidate.pair, unit);
-                row.dot(&x) + d * moved.z0 + form.perturbation(local, candidate.pair)
+                let x = reaction.hold * stretch - reaction.cover.of_x * z0 - reaction.tie.of_x;
+                let d = form.cover(local, candidate.pair);
+                let perturbed = form.perturbation(local, candidate.pair);
+                form.row(local, candidate.pair).dot(&x) + d * z0 + perturbed
             };
             let ratio = change / -candidate.rate;
             if best.is_none_or(|(_, least)| ratio < least) {

@@ -59,7 +59,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
     /// The contact states of the present basis.
     fn states(&self, problem: &Problem<D, C>) -> Vec<State<C>> {
         let state = |contact: usize| {
-            let (gap, local) = (self.form.opens(contact), problem.local(contact));
+            let (gap, local) = (self.form.locals[contact].contact.gap, problem.local(contact));
             let active = &self.basis.active[contact];
             if gap && active.position(0).is_some() {
                 return Mode::Open;

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::basis::TRIAL;
 use super::path::Path;
 use crate::numerics::Bordered;
 use crate::object::Problem;
@@ -48,7 +49,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
     fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> bool {
         self.residual = f64::INFINITY;
         let Some(y) = path.vertex() else { return false };
-        self.moved = self.travelled + y / path.form.weight.sqrt();
+        self.moved = self.travelled + y / path.form.coordinates.weight.sqrt();
         self.forces.clear();
         let mut largest = problem.wrench.norm();
         for (contact, (local, site)) in path.form.locals.iter().zip(problem.sites).enumerate() {
@@ -71,7 +72,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             for (a, pair) in active.iter().enumerate() {
                 let z = &reaction.multipliers[a];
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
-                if local.gap && pair == 0 {
+                if local.contact.gap && pair == 0 {
                     // Nothing holds an open contact, whatever its friction.
                     worst = worst.max(x.norm() / force_level);
                     force.fill(0.0);
@@ -97,15 +98,16 @@ impl<const D: usize, const C: usize> Path<D, C> {
         }
         let zero = SVector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
-        let mut y = factors.solve(&self.sums.trial, 0.0).0;
+        let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
         for _ in 0..CORRECTIONS {
             let (mut left, mut size) = (SVector::<f64, D>::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
+                let seen = &local.contact.seen;
                 let x = self.basis.reaction(contact).hold * local.stretch(&y) - local.trial;
-                left += local.seen.tr_mul(&x);
-                size += local.seen.norm_squared() * x.norm_squared();
+                left += seen.tr_mul(&x);
+                size += seen.norm_squared() * x.norm_squared();
             }
-            y += factors.solve(&(left * self.form.weight), 0.0).0;
+            y += factors.solve(&(left * self.form.coordinates.weight), 0.0).0;
             if left.norm_squared() <= BALANCED * BALANCED * size {
                 break;
             }

@@ -11,15 +11,13 @@ use crate::contact::{Law, Mode, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Grasp, Site, Twist, Wrench};
-use crate::numerics::Orthogonal;
-use crate::object::Problem;
+use crate::numerics::{Orthogonal, without};
+use crate::object::{Problem, spring_rows, stretched, worked_on};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
 /// From this many contacts on Newton's method is tried first.
 const MANY: usize = 32;
-/// A load that does this little work on a unit free motion, relative to its size, does none.
-const NO_WORK: f64 = 1e-13;
 
 /// Memory for equilibria under one load after another, by Lemke's method on lists of contact states.
 ///
@@ -244,7 +242,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             }
             return rows;
         }
-        let gap = self.path.form.opens(contact);
+        let gap = self.path.form.locals[contact].contact.gap;
         for (row, pair) in rows.iter_mut().zip(self.path.basis.active[contact].iter()) {
             *row = if gap && pair == 0 { Some(Row::Gap { contact }) } else { slip(pair - usize::from(gap)) };
         }
@@ -253,54 +251,26 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
 
     /// The trial state in which every contact sticks; `false` if no contact resists the load.
     fn stick(&mut self, problem: &Problem<D, C>) -> bool {
-        let springs = || {
-            problem
-                .sites
-                .iter()
-                .enumerate()
-                .flat_map(|(i, site)| (0..site.springs.axes()).map(move |axis| (i, site, axis)))
-        };
-        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| {
-            site.map.column(axis) * site.springs.root_along(axis)
-        };
-        if !springs().map(row).eq(self.springs.iter().copied()) {
+        let sites = problem.sites;
+        if !spring_rows(sites).eq(self.springs.iter().copied()) {
             self.springs.clear();
-            self.springs.extend(springs().map(row));
+            self.springs.extend(spring_rows(sites));
             self.factor.assign(&self.springs);
         }
-        let wrench = problem.wrench;
-        if self.factor.rank() < D {
-            let free = self.factor.null_vectors();
-            let work =
-                free[..D - self.factor.rank()].iter().map(|v| v.dot(&wrench)).fold(0.0_f64, f64::hypot);
-            if work > NO_WORK * wrench.norm() {
-                return false;
-            }
+        let free = self.factor.null_vectors();
+        if worked_on(&free[..D - self.factor.rank()], &problem.wrench).is_some() {
+            return false;
         }
         self.x.clear();
-        self.x
-            .extend(springs().map(|(i, site, axis)| site.springs.root_along(axis) * problem.drives[i][axis]));
-        let load = self.factor.load_coordinates(&wrench);
-        let mut travelled = SVector::zeros();
-        // Once to solve, twice more to remove what rounding left of it.
-        for _ in 0..3 {
-            let step = self.factor.coordinates(&self.x) + load;
-            self.factor.subtract(&mut self.x, &step);
-            travelled += step;
-        }
-        self.solution.travelled = travelled;
+        self.x.extend(stretched(sites, |contact| problem.drives[contact]));
+        self.solution.travelled = self.factor.project(&mut self.x, &problem.wrench);
         true
     }
 
     /// The twist of least norm of the solution.
     fn least_twist(&self) -> SVector<f64, D> {
-        let mut twist = self.factor.preimage(&self.solution.moved);
-        if self.factor.rank() < D {
-            for v in &self.factor.null_vectors()[..D - self.factor.rank()] {
-                twist -= v * v.dot(&twist);
-            }
-        }
-        twist
+        let free = self.factor.null_vectors();
+        without(self.factor.preimage(&self.solution.moved), &free[..D - self.factor.rank()])
     }
 
     fn search(&mut self, problem: &Problem<D, C>, other_paths: usize) -> bool {

@@ -10,8 +10,8 @@ use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::numerics::Orthogonal;
 use crate::numerics::{SUMMED_IN_TURN, both};
+use crate::object::Facet;
 use crate::object::Problem;
-use crate::structured::facet_row;
 
 /// A load that does this little work on a unit free motion, relative to its size, does none.
 const NO_WORK: f64 = 1e-13;
@@ -86,7 +86,7 @@ pub(super) fn lay_out<const D: usize, const C: usize>(
             // There are fewer than 2^32 numbers in memory.
             local.facets = u32::try_from(facets.len()).unwrap_or(u32::MAX);
             for h in law.facets() {
-                facets.push(facet_row(&law, h));
+                facets.push(Facet::new(&law, h).row);
                 local.facet_count += 1;
             }
         }
