@@ -12,10 +12,8 @@
 use nalgebra::SVector;
 
 use crate::grasp::Site;
-use crate::numerics::Orthogonal;
-
-/// A load that does this little work on a unit motion which stretches no spring does none: it was computed to balance.
-const NO_WORK: f64 = 1e-13;
+use crate::numerics::{Orthogonal, without};
+use crate::object::worked_on;
 
 /// One spring.
 #[derive(Debug, Clone, Copy)]
@@ -64,32 +62,19 @@ impl<const D: usize, const C: usize> Springs<D, C> {
 
     /// The unit motion on which the load works though no spring resists it.
     pub(super) fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
-        let along = self.free.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
-        let work = along.norm();
-        (work > NO_WORK * wrench.norm()).then(|| along / work)
+        worked_on(&self.free, wrench)
     }
 
     /// The springs under these drives and this load, which must do no work on a free motion.
     pub(super) fn rest(&self, drives: &[SVector<f64, C>], wrench: &SVector<f64, D>) -> Rest<D> {
-        let load = self.factor.load_coordinates(wrench);
         let mut x: Vec<f64> = self.list.iter().map(|s| s.along.dot(&drives[s.contact])).collect();
-        let mut travelled = SVector::zeros();
-        // Once to solve, twice more to remove what rounding left of it.
-        for _ in 0..3 {
-            let step = self.factor.coordinates(&x) + load;
-            self.factor.subtract(&mut x, &step);
-            travelled += step;
-        }
+        let travelled = self.factor.project(&mut x, wrench);
         Rest { x, travelled }
     }
 
     /// The twist of least norm.
     pub(super) fn twist(&self, travelled: &SVector<f64, D>) -> SVector<f64, D> {
-        let mut twist = self.factor.preimage(travelled);
-        for v in &self.free {
-            twist -= v * v.dot(&twist);
-        }
-        twist
+        without(self.factor.preimage(travelled), &self.free)
     }
 
     /// The contact forces, each in its contact frame.
