@@ -1,5 +1,5 @@
-//! Sums over very many terms, made of halves: their rounding grows with the logarithm of their length
-//! only, and they are the same for any number of threads.
+//! Sums over very many terms, made of halves. Their rounding grows with the logarithm of their
+//! length only, and they are the same for any number of threads.
 
 use std::ops::Range;
 

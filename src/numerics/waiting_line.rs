@@ -1,20 +1,21 @@
 //! Numbered things wait for their time on a clock that only runs forwards.
 //!
-//! Most of them are put in line anew before their time comes, so that only the next ones are kept in order.
+//! Most of them are put in line anew before their time comes, so that only the next ones are kept
+//! in order.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::pairwise::{SUMMED_IN_TURN, both};
 
-/// So many parts of those that wait are put in order at a time: fewer parts sort what is never asked for,
-/// more of them run over the others too often.
+/// One part in so many of those that wait is put in order at a time. A larger part sorts what is
+/// never asked for, a smaller one runs over the others too often.
 const PARTS: usize = 8;
 /// And at least so many, which cost less to sort than to look for.
 const AT_LEAST: usize = 32;
 
-/// Time as the bits of a number that is not negative (their order is that of the numbers), number, stamp:
-/// in one integer, which takes one comparison.
+/// Time as the bits of a number that is not negative (their order is that of the numbers), number,
+/// stamp: in one integer, which takes one comparison.
 type Entry = u128;
 
 fn entry(time: f64, number: u32, stamp: u32) -> Entry {

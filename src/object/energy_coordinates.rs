@@ -4,14 +4,15 @@
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
-//! x⁰ is the elastic trial state in which every contact sticks, y the motion of the object on top of it,
-//! and P what the state of the contact lets through. A facet is `κ x_n + c·x_t >= 0` with c of length one;
-//! slip across it moves x along (0, c). Contacts that are alike and neighbours share their facets.
+//! x⁰ is the elastic trial state in which every contact sticks, and y the motion of the object on
+//! top of it. P is what the state of the contact lets through. A facet is `κ x_n + c·x_t >= 0` with
+//! c of length one; slip across it moves x along (0, c). Contacts that are alike and neighbours
+//! share their facets.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::problem::Problem;
-use crate::contact::{LocalLaw, tangential, tangential_norm};
+use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::Orthogonal;
 
@@ -53,7 +54,7 @@ pub(crate) struct EnergyContact<const D: usize, const C: usize> {
 }
 
 /// What the contacts of a scene share in energy coordinates.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates<const C: usize> {
     facets: Vec<Facet<C>>,
     /// What the scaled `QᵀQ` is multiplied with to give the identity.
@@ -62,14 +63,9 @@ pub(crate) struct EnergyCoordinates<const C: usize> {
     pub(crate) rank: usize,
 }
 
-impl<const C: usize> Default for EnergyCoordinates<C> {
-    fn default() -> Self {
-        Self { facets: Vec::new(), weight: 1.0, rank: 0 }
-    }
-}
-
 impl<const C: usize> EnergyCoordinates<C> {
-    /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in order.
+    /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
+    /// order.
     pub(crate) fn lay_out<const D: usize>(
         &mut self,
         problem: &Problem<'_, D, C>,
@@ -129,32 +125,33 @@ pub(crate) struct Slipping<const C: usize> {
 }
 
 impl<const C: usize> Slipping<C> {
-    /// `None` where the slips are not independent.
-    pub(crate) fn new<'f>(facets: impl Iterator<Item = &'f Facet<C>>) -> Option<Self> {
+    /// Across these facets, which are neighbours.
+    pub(crate) fn new(facets: [Option<&Facet<C>>; 2]) -> Self {
         let zero = SVector::zeros();
-        let mut slipping = Self { rows: [zero; 2], across: [zero; 2], count: 0 };
-        for facet in facets {
-            if slipping.count + 1 >= C {
-                return None;
-            }
-            slipping.rows[slipping.count] = facet.row;
-            slipping.count += 1;
-        }
-        let [a, b] = slipping.rows;
-        slipping.across[0] = tangential(&a);
+        let rows = facets.map(|facet| facet.map_or(zero, |facet| facet.row));
+        let mut slipping = Self { rows, across: [zero; 2], count: facets.iter().flatten().count() };
+        slipping.across[0] = tangential(&rows[0]);
         if slipping.count == 2 {
-            let turn = a[1] * b[2] - a[2] * b[1];
-            if turn.abs() < PARALLEL {
-                return None;
-            }
+            let ([a, b], turn) = (rows, cross(&rows[0], &rows[1]));
             let [of_a, of_b] = &mut slipping.across;
             (of_a[1], of_a[2]) = (b[2] / turn, -b[1] / turn);
             (of_b[1], of_b[2]) = (-a[2] / turn, a[1] / turn);
         }
-        Some(slipping)
+        slipping
     }
 
-    /// The z with `row_a·z = d_a` on its facets and `z_n = n`: without d, x on the edge for `x_n = n`.
+    /// Across any facets; `None` where their slips are not independent.
+    pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet<C>>) -> Option<Self> {
+        let pair = [facets.next(), facets.next()];
+        match pair {
+            _ if facets.next().is_some() => None,
+            [Some(a), Some(b)] if C == 2 || cross(&a.row, &b.row).abs() < PARALLEL => None,
+            pair => Some(Self::new(pair)),
+        }
+    }
+
+    /// The z with `row_a·z = d_a` on its facets and `z_n = n`: without d, x on the edge for `x_n =
+    /// n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, C> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -166,6 +163,9 @@ impl<const C: usize> Slipping<C> {
 
     /// Z_a: slip a is `-Z_a·u`.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, C> {
+        if self.count == 1 {
+            return self.rows[0];
+        }
         let mut z = self.across[a];
         z[0] = -z.dot(&self.reaching(1.0, [0.0; 2]));
         z

@@ -1,27 +1,32 @@
 //! Lazy pricing: which contacts can reach the end of their state within a step at all.
 //!
-//! While every contact keeps its state, all is affine in the motion y of the object and the one parameter s
-//! that drives the path: a piecewise straight curve in d + 1 dimensions. As a rule its direction e changes
-//! little from one event to the next. Split what the path runs in two: a along e, and b, the length of what
-//! it runs across e. A condition of value v and gradient g is not used up as long as
-//! `max(-g·e, 0) a + |g| b < v`, and with the clock t = a + b/ε that holds until
+//! While every contact keeps its state, all is affine in the motion y of the object and the
+//! parameter s that drives the path. So the path is a piecewise straight curve in d + 1 dimensions.
+//! As a rule its direction e changes little from one event to the next. Split what the path runs in
+//! two: a along e, and b, the length of what it runs across e. A condition of value v and gradient
+//! g is not used up as long as `max(-g·e, 0) a + |g| b < v`, and with the clock t = a + b/ε that
+//! holds until
 //!
 //! ```text
 //! t = min over the conditions of   v / max(-g·e, ε |g|)
 //! ```
 //!
-//! Contacts wait until their time has come, and a step looks only at those. When the path has turned away
-//! from e, so that the clock runs fast, all of them are put in line again for its new direction.
+//! Contacts wait until their time has come, and a step looks only at those. When the path has
+//! turned away from e, so that the clock runs fast, all of them are put in line again for its new
+//! direction.
 
 use nalgebra::SVector;
 
 use crate::numerics::WaitingLine;
 
-/// ε: deviations from e count this much more. With less, a clock that turns away runs too fast; with more,
-/// contacts are looked at too early.
+/// ε: deviations from e count this much more. With less, a clock that turns away runs too fast;
+/// with more, contacts are looked at too early.
 const ACROSS: f64 = 0.25;
 /// A clock that runs this much faster than the path is long: time for another e.
 const TURNED: f64 = 1.4;
+/// Values are taken smaller by this part of their terms, which is more than their rounding: a contact
+/// that waits too long would be missed.
+pub(crate) const MARGIN: f64 = 1e-13;
 /// The line is not made anew before one step for this many contacts: that costs a look at each.
 const AGAIN: usize = 16;
 
@@ -41,10 +46,6 @@ impl<const D: usize> Default for Point<D> {
 }
 
 impl<const D: usize> Point<D> {
-    pub(crate) fn new(y: &SVector<f64, D>, s: f64) -> Self {
-        Self { y: *y, s }
-    }
-
     pub(crate) fn size(&self) -> f64 {
         (self.y.norm_squared() + self.s * self.s).sqrt()
     }
@@ -61,7 +62,8 @@ impl<const D: usize> Point<D> {
     }
 }
 
-/// The time until a condition can be used up, from its value, its rate along e and the size of its gradient.
+/// The time until a condition can be used up, from its value, its rate along e and the size of its
+/// gradient.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
     let fastest = (-rate).max(ACROSS * gradient);
@@ -69,9 +71,9 @@ pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
 }
 
 /// Contacts in line for their conditions.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LazyPricing<const D: usize> {
-    line: WaitingLine,
+    pub(crate) line: WaitingLine,
     /// e.
     pub(crate) towards: Point<D>,
     contacts: usize,
@@ -82,15 +84,9 @@ pub(crate) struct LazyPricing<const D: usize> {
     pub(crate) looked: Vec<u32>,
 }
 
-impl<const D: usize> Default for LazyPricing<D> {
-    fn default() -> Self {
-        let (line, looked) = (WaitingLine::default(), Vec::new());
-        Self { line, towards: Point::default(), contacts: 0, length: 0.0, steps: 0, looked }
-    }
-}
-
 impl<const D: usize> LazyPricing<D> {
-    /// Puts all contacts in line for a path that goes this way; `slack` gives stamp and time of each for e.
+    /// Puts all contacts in line for a path that goes this way; `slack` gives stamp and time of
+    /// each for e.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
@@ -123,17 +119,8 @@ impl<const D: usize> LazyPricing<D> {
         self.line.clock > TURNED * self.length && self.steps * AGAIN > self.contacts
     }
 
-    /// A contact that cannot block before so much more time.
-    pub(crate) fn wait(&mut self, contact: u32, stamp: u32, slack: f64) {
-        self.line.wait(contact, stamp, slack);
-    }
-
-    /// The next contact whose time comes within this time, with its stamp.
-    pub(crate) fn next_within(&mut self, time: f64) -> Option<(u32, u32)> {
-        self.line.next_within(time)
-    }
-
-    /// Whether a contact turns out to have so much slack that it goes on waiting; else it is looked at.
+    /// Whether a contact turns out to have so much slack that it goes on waiting; else it is looked
+    /// at.
     pub(crate) fn puts_off(&mut self, within: f64, contact: u32, stamp: u32, slack: f64) -> bool {
         let waits = self.line.waits_longer(within, contact, stamp, slack);
         if !waits {

@@ -1,6 +1,8 @@
-//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their own.
+//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their
+//! own.
 //!
-//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything above asks this room for it.
+//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything
+//! above asks this room for it.
 //!
 //! | file | idea |
 //! |---|---|
@@ -31,11 +33,11 @@ pub(crate) use energy_coordinates::{
     EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched,
 };
 pub(crate) use free_motions::worked_on;
-pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
+pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use piece::{Piece, PieceState, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::Problem;
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
-pub(crate) use sums::Sums;
+pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
 pub(crate) use tangent::{Springs, add_tangent, balance, tangent_stiffness};

@@ -1,21 +1,23 @@
 //! A complementary basis as a list of contact states.
 //!
-//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀ locally:
+//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀
+//! locally:
 //!
 //! ```text
 //! z_A = -(Z u + ζ z₀),   Z = D⁻¹ L_A,  ζ = D⁻¹ d_A,  D = L_A B_A
 //! x   = P u - k z₀,      P = 1 - B_A Z,  k = B_A ζ
 //! ```
 //!
-//! and leaves the balance of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1) x⁰`.
+//! and leaves the balance of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1)
+//! x⁰`.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::contact_form::{ContactForm, Local};
 use crate::object::{Slipping, Sums, normal};
 
-/// The sides of the balance: what belongs to the trial state, to the covering vector, and to the vector by
-/// which ties are broken.
+/// The sides of the balance: what belongs to the trial state, to the covering vector, and to the
+/// vector by which ties are broken.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
@@ -95,9 +97,10 @@ impl<const C: usize> Reaction<C> {
 }
 
 impl<const D: usize, const C: usize> ContactForm<D, C> {
-    /// `None` where the slips of the active pairs are not independent: no exact basis has such a state.
+    /// `None` where the slips of the active pairs are not independent: no exact basis has such a
+    /// state.
     pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
-        let slipping = Slipping::new(active.iter().filter_map(|pair| self.facet(local, pair)))?;
+        let slipping = Slipping::independent(active.iter().filter_map(|pair| self.facet(local, pair)))?;
         let gap = active.position(0).filter(|_| local.contact.gap);
         let mut hold = slipping.hold();
         if gap.is_some() {
@@ -177,7 +180,7 @@ impl<const C: usize> Basis<C> {
     }
 
     pub(super) fn reaction(&self, contact: usize) -> &Reaction<C> {
-        if self.active[contact].len() == 0 { &self.rolling } else { &self.reactions[contact] }
+        self.jumped(contact).unwrap_or(&self.rolling)
     }
 
     /// The reaction of a contact that jumps.

@@ -6,10 +6,10 @@
 //! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
 //! ```
 //!
-//! All that couples the contacts is y, the motion of the object, with as many entries as the object has
-//! degrees of freedom. Rows and columns are those of `forms/kinematic`: columns of length one, rows of
-//! length one for the gaps, and for a facet, over its tangential length, (κ, c) with the column (0, c).
-//! The path is driven by the covering variable z₀: it is the s of its points.
+//! All that couples the contacts is y, the motion of the object, with as many entries as the object
+//! has degrees of freedom. Rows and columns are those of `forms/kinematic`. Columns and the rows of
+//! gaps have length one; a facet has the row (κ, c), over its tangential length, and the column (0,
+//! c). The path is driven by the covering variable z₀: it is the s of its points.
 
 use nalgebra::SVector;
 
@@ -22,7 +22,8 @@ pub(super) struct Local<const D: usize, const C: usize> {
     pub(super) contact: EnergyContact<D, C>,
     /// x⁰_i.
     pub(super) trial: SVector<f64, C>,
-    /// The number of its first pair in the whole problem. Pair 0 of a contact that may open is its gap.
+    /// The number of its first pair in the whole problem. Pair 0 of a contact that may open is its
+    /// gap.
     pub(super) first: usize,
 }
 
@@ -38,7 +39,7 @@ impl<const D: usize, const C: usize> Local<D, C> {
 }
 
 /// The kinematic form.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm<const D: usize, const C: usize> {
     pub(super) locals: Vec<Local<D, C>>,
     pub(super) coordinates: EnergyCoordinates<C>,
@@ -46,20 +47,14 @@ pub(crate) struct ContactForm<const D: usize, const C: usize> {
     pub(super) pairs: usize,
     /// The largest |Q_i|.
     pub(super) widest: f64,
-    /// The covering vector d entry by entry, in the units of the rows; none for ones on rows of length one.
+    /// The covering vector d entry by entry, in the units of the rows; none for ones on rows of
+    /// length one.
     covering: Vec<f64>,
 }
 
-impl<const D: usize, const C: usize> Default for ContactForm<D, C> {
-    fn default() -> Self {
-        let (locals, covering) = (Vec::new(), Vec::new());
-        Self { locals, coordinates: EnergyCoordinates::default(), pairs: 0, widest: 0.0, covering }
-    }
-}
-
 impl<const D: usize, const C: usize> ContactForm<D, C> {
-    /// Lays out the form on the trial state in which every contact sticks, with the factor of its springs
-    /// and x⁰, spring by spring.
+    /// Lays out the form on the trial state in which every contact sticks, with the factor of its
+    /// springs and x⁰, spring by spring.
     pub(crate) fn assign(&mut self, problem: &Problem<D, C>, factor: &Orthogonal<D>, x: &[f64]) {
         let Self { locals, coordinates, pairs, widest, covering } = self;
         locals.clear();
@@ -114,8 +109,8 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         self.covering.get(local.first + pair).copied().unwrap_or_else(|| self.unit(local, pair))
     }
 
-    /// A fixed covering vector without structure, another for every number: entries between 1/8 and 8.
-    /// Number 0 is all ones.
+    /// A fixed covering vector without structure, another for every number: entries between 1/8 and
+    /// 8. Number 0 is all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
         let mut covering = std::mem::take(&mut self.covering);
         covering.clear();

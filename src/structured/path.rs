@@ -1,32 +1,26 @@
 //! Lemke's path through lists of contact states.
 //!
-//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on its rows: between two of them one pair (w, z) has
-//! both variables zero, and one of the two enters. A basic variable that reaches zero first leaves, its partner enters next,
-//! until z₀ leaves.
+//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on
+//! its rows. Between two pivots one pair (w, z) has both variables zero, and one of the two enters.
+//! A basic variable that reaches zero first leaves, its partner enters next, until z₀ leaves.
 //!
-//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure: among variables that reach zero together the
-//! one with the least change by p per rate leaves first. One more solve with the same factors says which. Nothing is
-//! added to the data. If z₀ is among the tied it leaves, always.
+//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together the one with the least change by p per rate leaves first. One more solve with the same factors says
+//! which. Nothing is added to the data. If z₀ is among the tied it leaves, always.
 
 use nalgebra::SVector;
 
 use super::basis::{Basis, COVER, PERTURBED, TRIAL};
 use super::contact_form::ContactForm;
-use super::variables::{Candidate, Entering, GREY, Step};
+use super::variables::{Candidate, Entering, GREY, Step, TIE, Vanishing};
+use crate::contact::{LocalLaw, Mode, PolygonState};
 use crate::numerics::Bordered;
-use crate::object::{LazyPricing, Point, Sums};
+use crate::object::{LazyPricing, Point, Sums, are_stale};
 
 /// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
 const FEW: usize = 24;
 
 /// A pivot below this part of the largest change of the step is only made on fresh sums.
 const DOUBTFUL: f64 = 1e-7;
-/// A value may be wrong by this part of itself,
-const TIE: f64 = 1e-12;
-/// and by this part of the terms it is made of. Variables tie that reach zero within these errors of each other.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// The sums over the contacts are made afresh after this many pivots, and a quarter of the number of contacts.
-const REFRESH: usize = 64;
 
 /// How a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,33 +35,16 @@ pub(crate) enum End {
 }
 
 /// A path, with memory that is kept between scenes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Path<const D: usize, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
     pub(super) basis: Basis<C>,
     pub(super) sums: Sums<D, 3>,
-    /// A load in proportion to z₀ that belongs to the covering vector.
-    pub(super) load: SVector<f64, D>,
     pub(crate) pivots: usize,
     /// Pivots since the sums were made.
     pub(super) age: usize,
     pricing: LazyPricing<D>,
     candidates: Vec<Candidate>,
-}
-
-impl<const D: usize, const C: usize> Default for Path<D, C> {
-    fn default() -> Self {
-        Self {
-            form: ContactForm::default(),
-            basis: Basis::default(),
-            sums: Sums::sticking(),
-            load: SVector::zeros(),
-            pivots: 0,
-            age: 0,
-            pricing: LazyPricing::default(),
-            candidates: Vec::new(),
-        }
-    }
 }
 
 impl<const D: usize, const C: usize> Path<D, C> {
@@ -80,8 +57,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> End {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
-        self.load.fill(0.0);
-        self.sums = Sums::sticking();
+        self.sums = Sums::default();
         self.age = 0;
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
@@ -91,37 +67,45 @@ impl<const D: usize, const C: usize> Path<D, C> {
         self.run(first, Point { y: SVector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair with the least value per entry of the covering vector at the trial state, if one is violated, and z₀ there.
-    fn most_violated(&mut self) -> Option<(Entering, f64)> {
+    /// The pair with the least value per entry of the covering vector at the trial state, if one is
+    /// violated, and z₀ there.
+    fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
-        let mut least = 0.0_f64;
-        let visit = |visit: &mut dyn FnMut(u32, usize, f64, f64)| {
-            for (contact, local) in (0..).zip(&form.locals) {
-                for pair in 0..local.pairs() {
-                    visit(contact, pair, form.row(local, pair).dot(&local.trial), form.cover(local, pair));
-                }
-            }
+        let each = || {
+            (0..).zip(&form.locals).flat_map(|(contact, local)| {
+                (0..local.pairs()).map(move |pair| {
+                    let value = form.row(local, pair).dot(&local.trial);
+                    (Entering { contact, pair, jump: true }, value, form.cover(local, pair))
+                })
+            })
         };
-        visit(&mut |_, _, value, d| least = least.min(value / d));
-        if least >= 0.0 {
-            return None;
+        let least = each().map(|(_, value, d)| value / d).fold(0.0, f64::min);
+        let tied = each().filter(|(_, value, d)| *value < 0.0 && value - least * d <= TIE * value.abs()).map(
+            |(entering, _, d)| {
+                let local = &form.locals[entering.contact as usize];
+                (entering, form.perturbation(local, entering.pair) / d)
+            },
+        );
+        let (first, _) = tied.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((first, -least))
+    }
+
+    /// The present state of a contact with this law.
+    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_, C>) -> PolygonState {
+        let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
+        if law.is_absent() || (gap && active.position(0).is_some()) {
+            return Mode::Open;
         }
-        let mut best: Option<(Entering, f64)> = None;
-        visit(&mut |contact, pair, value, d| {
-            if value < 0.0 && value - least * d <= TIE * value.abs() {
-                let ratio = form.perturbation(&form.locals[contact as usize], pair) / d;
-                if best.is_none_or(|(_, least)| ratio < least) {
-                    best = Some((Entering { contact, pair, jump: true }, ratio));
-                }
-            }
-        });
-        best.map(|(entering, _)| (entering, -least))
+        let mut facets = [0; C];
+        facets.iter_mut().zip(active.facets(gap)).for_each(|(slot, facet)| *slot = facet);
+        let facets = &mut facets[..active.len()];
+        facets.sort_unstable();
+        law.slipping_state(facets)
     }
 
     /// The sums afresh.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
-        self.sums.sides[COVER] -= self.load;
         self.age = 0;
     }
 
@@ -137,7 +121,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             if self.pivots >= limit {
                 return End::PivotLimit;
             }
-            if self.age > REFRESH + self.form.len() / 4 {
+            if are_stale(self.age, self.form.len()) {
                 self.refresh();
             }
             let Some((step, factors)) = self.step(&entering) else {
@@ -151,7 +135,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL * step.largest,
-                Leaving::Variable(candidate) => candidate.rate.abs() < DOUBTFUL * step.largest,
+                Leaving::Variable(candidate) => candidate.vanishing.rate.abs() < DOUBTFUL * step.largest,
             };
             if doubtful && self.age > 0 {
                 self.refresh();
@@ -173,7 +157,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             if self.exchange(&entering, Some(&leaving)).is_none() {
                 return End::Breakdown;
             }
-            let length = leaving.value.max(0.0) / -leaving.rate;
+            let length = leaving.vanishing.ratio();
             let at = step.here.plus(length, &step.along);
             let left = entering.contact;
             entering = Entering { contact: leaving.contact, pair: leaving.pair, jump: !leaving.jump };
@@ -200,20 +184,21 @@ impl<const D: usize, const C: usize> Path<D, C> {
         });
     }
 
-    /// The contacts that the step has looked at wait again, but for that whose pair is out of the basis now:
-    /// it is looked at anyway.
+    /// The contacts that the step has looked at wait again, but for that whose pair is out of the
+    /// basis now: it is looked at anyway.
     fn requeue(&mut self, left: u32, out: u32, at: &Point<D>) {
         let Self { form, basis, pricing, .. } = self;
         pricing.looked.push(left);
         while let Some(contact) = pricing.looked.pop() {
             if contact != out {
                 let slack = form.slack(basis, contact, at, &pricing.towards);
-                pricing.wait(contact, 0, slack);
+                pricing.line.wait(contact, 0, slack);
             }
         }
     }
 
-    /// The vertex at which both variables of the pair are zero, and the direction in which the entering one grows by one.
+    /// The vertex at which both variables of the pair are zero, and the direction in which the
+    /// entering one grows by one.
     fn step(&self, entering: &Entering) -> Option<(Step<D>, Bordered<D>)> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
@@ -240,20 +225,13 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
-        let covering = Candidate {
-            contact: u32::MAX,
-            pair: 0,
-            jump: true,
-            value: step.here.s,
-            rate: step.along.s,
-            level: step.here.size(),
-        };
-        let mut length =
-            if covering.rate < -GREY * step.largest { longest(&covering) } else { f64::INFINITY };
+        let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
+        let z0_shrinks = covering.rate < -GREY * step.largest;
+        let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
         let mut look = |contact: u32, length: &mut f64| {
             form.decreasing(basis, contact, step, entering, |candidate| {
-                if ratio(&candidate) <= *length {
-                    *length = length.min(longest(&candidate));
+                if candidate.vanishing.ratio() <= *length {
+                    *length = length.min(candidate.vanishing.longest());
                     candidates.push(candidate);
                 }
             });
@@ -266,7 +244,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             }
             let speed = pricing.speed(&step.along);
             let within = |length: f64| length * speed * (1.0 + TIE);
-            while let Some((contact, stamp)) = pricing.next_within(within(length)) {
+            while let Some((contact, stamp)) = pricing.line.next_within(within(length)) {
                 let slack = form.slack(basis, contact, &step.here, &pricing.towards);
                 if !pricing.puts_off(within(length), contact, stamp, slack) {
                     look(contact, &mut length);
@@ -280,10 +258,10 @@ impl<const D: usize, const C: usize> Path<D, C> {
         if length == f64::INFINITY {
             return Leaving::Nobody;
         }
-        if covering.rate < -GREY * step.largest && ratio(&covering) <= length {
+        if z0_shrinks && covering.ratio() <= length {
             return Leaving::Covering;
         }
-        candidates.retain(|candidate| ratio(candidate) <= length);
+        candidates.retain(|candidate| candidate.vanishing.ratio() <= length);
         match candidates.as_slice() {
             [] => Leaving::Nobody,
             [only] => Leaving::Variable(*only),
@@ -298,8 +276,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
         let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
         let (y, z0) = factors.solve(&-self.sums.sides[PERTURBED], last);
-        let mut best: Option<(Candidate, f64)> = None;
-        for candidate in &self.candidates {
+        let ratio = |candidate: &Candidate| {
             let local = &form.locals[candidate.contact as usize];
             let active = &self.basis.active[candidate.contact as usize];
             let reaction = self.basis.reaction(candidate.contact as usize);
@@ -313,15 +290,14 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 let perturbed = form.perturbation(local, candidate.pair);
                 form.row(local, candidate.pair).dot(&x) + d * z0 + perturbed
             };
-            let ratio = change / -candidate.rate;
-            if best.is_none_or(|(_, least)| ratio < least) {
-                best = Some((*candidate, ratio));
-            }
-        }
-        best.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(candidate))
+            change / -candidate.vanishing.rate
+        };
+        let first = self.candidates.iter().map(|c| (c, ratio(c))).min_by(|a, b| a.1.total_cmp(&b.1));
+        first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
-    /// The entering variable becomes basic, the leaving one zero. `None` for a state that no exact basis has.
+    /// The entering variable becomes basic, the leaving one zero. `None` for a state that no exact
+    /// basis has.
     fn exchange(&mut self, entering: &Entering, leaving: Option<&Candidate>) -> Option<()> {
         let enters = entering.jump.then_some(entering.contact as usize);
         let leaves = leaving.filter(|l| l.jump).map(|l| l.contact as usize);
@@ -346,15 +322,4 @@ enum Leaving {
     Nobody,
     Covering,
     Variable(Candidate),
-}
-
-fn ratio(candidate: &Candidate) -> f64 {
-    candidate.value.max(0.0) / -candidate.rate
-}
-
-/// The step after which a variable is below zero by as much as its rounding: variables that reach zero before the least of these
-/// cannot be told apart.
-fn longest(candidate: &Candidate) -> f64 {
-    let value = candidate.value.max(0.0);
-    (value + TIE * value + ROUNDING * candidate.level) / -candidate.rate
 }

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::basis::{Basis, Reaction};
 use super::contact_form::{ContactForm, Local};
-use crate::object::{Point, normal, slack};
+use crate::object::{MARGIN, Point, normal, slack};
 
 /// The pair that is out of the basis (both its variables are zero), and which of the two enters.
 #[derive(Debug, Clone, Copy)]
@@ -21,11 +21,38 @@ pub(super) struct Candidate {
     pub(super) pair: usize,
     /// Whether it is the z of the pair.
     pub(super) jump: bool,
+    pub(super) vanishing: Vanishing,
+}
+
+/// A value that a step takes towards zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Vanishing {
     pub(super) value: f64,
     pub(super) rate: f64,
     /// Size of the terms that the value is made of.
     pub(super) level: f64,
 }
+
+impl Vanishing {
+    /// The step after which the value is zero.
+    pub(super) fn ratio(&self) -> f64 {
+        self.value.max(0.0) / -self.rate
+    }
+
+    /// The step after which the value is below zero by as much as its rounding: variables that
+    /// reach zero before the least of these cannot be told apart.
+    pub(super) fn longest(&self) -> f64 {
+        let value = self.value.max(0.0);
+        (value + TIE * value + ROUNDING * self.level) / -self.rate
+    }
+}
+
+/// A value may be wrong by this part of itself: variables tie that reach zero within such errors of
+/// each other. Smaller, and a symmetric scene leaves a tie to its rounding; larger, and a variable
+/// goes below zero.
+pub(super) const TIE: f64 = 1e-12;
+/// A value may be wrong by this part of the terms it is made of, for the same reason.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Where a step starts and where it goes, for a unit change of the entering variable.
 #[derive(Debug, Clone, Copy)]
@@ -36,14 +63,11 @@ pub(super) struct Step<const D: usize> {
     pub(super) largest: f64,
 }
 
-/// A rate below this part of the terms it is made of is rounding of zero: a path that took it for a rate
-/// would end at a vertex far away.
+/// A rate below this part of its terms is rounding of zero: a path that took it for a rate would
+/// end far away.
 const NOISE: f64 = 1e-11;
 /// A rate below this part of the largest changes is rounding of zero, whatever its terms.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
-/// Values are taken smaller by this part of their terms, which is more than their rounding: a contact that
-/// waits too long would be missed.
-const MARGIN: f64 = 1e-13;
 
 /// What a basic variable of a contact is a linear function of.
 #[derive(Debug, Clone, Copy)]
@@ -89,8 +113,8 @@ impl<const C: usize> Felt<'_, C> {
 }
 
 impl<const D: usize, const C: usize> ContactForm<D, C> {
-    /// Visits the basic variables of a contact: the number of the pair, whether it is the z of the pair,
-    /// what it feels, and the size of its terms beside those of u.
+    /// Visits the basic variables of a contact. Each has the number of its pair, whether it is the
+    /// z of the pair, what it feels, and the size of its terms beside those of u.
     #[inline]
     fn for_each_basic(
         &self,
@@ -116,8 +140,8 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         }
     }
 
-    /// Visits the basic variables of a contact that decrease along a step. A rate much smaller than the
-    /// largest changes counts only if it is not small beside the terms it is made of.
+    /// Visits the basic variables of a contact that decrease along a step. A rate much smaller than
+    /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
         basis: &Basis<C>,
@@ -147,11 +171,13 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
             if rate > -NOISE * step.largest && rate > -NOISE * terms() {
                 return;
             }
-            visit(Candidate { contact, pair, jump, value: felt.of(&here), rate, level: level * size });
+            let vanishing = Vanishing { value: felt.of(&here), rate, level: level * size };
+            visit(Candidate { contact, pair, jump, vanishing });
         });
     }
 
-    /// The time in which no variable of this contact can reach zero on the clock of the direction e.
+    /// The time in which no variable of this contact can reach zero on the clock of the direction
+    /// e.
     pub(super) fn slack(&self, basis: &Basis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
         let local = &self.locals[contact as usize];
         let reaction = basis.reaction(contact as usize);
