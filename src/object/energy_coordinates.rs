@@ -30,7 +30,7 @@ pub(crate) struct Facet<const C: usize> {
 
 impl<const C: usize> Facet<C> {
     /// The facet `μ F_n - h·F_t = 0`.
-    pub(crate) fn new(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> Self {
+    fn new(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> Self {
         let row = law.springs.root().component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
         Self { row, unit: row.norm() }
