@@ -19,7 +19,8 @@ use crate::numerics::Orthogonal;
 /// Facets whose normals enclose an angle with a sine below this leave no independent slips.
 const PARALLEL: f64 = 1e-6;
 
-/// A facet of a friction cone, in units of the tangential length of its row.
+/// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
+/// a contact that may open, as a facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet<const C: usize> {
     /// (κ, c), c of length one.
@@ -47,10 +48,18 @@ impl<const C: usize> Facet<C> {
 pub(crate) struct EnergyContact<const D: usize, const C: usize> {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
     pub(crate) seen: SMatrix<f64, C, D>,
-    first_facet: usize,
+    /// Where its facets start, after the normal force if it may open.
+    first: usize,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
     pub(crate) gap: bool,
+}
+
+impl<const D: usize, const C: usize> EnergyContact<D, C> {
+    /// How many conditions the contact has: for its gap, and for each facet.
+    pub(crate) fn pairs(&self) -> usize {
+        usize::from(self.gap) + usize::from(self.facet_count)
+    }
 }
 
 /// What the contacts of a scene share in energy coordinates.
@@ -77,30 +86,38 @@ impl<const C: usize> EnergyCoordinates<C> {
         let scale = 1.0 / self.weight.sqrt();
         self.facets.clear();
         // Room for what only some scenes need, so that no later scene of this size has to allocate.
-        self.facets.reserve(problem.len() * problem.polygon.normals.len());
+        self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
         let mut spring = 0;
-        let mut before: Option<(LocalLaw<'_, C>, EnergyContact<D, C>)> = None;
+        let mut before: Option<(LocalLaw<'_, C>, (usize, u16))> = None;
         for law in problem.locals() {
             let mut seen = SMatrix::<f64, C, D>::zeros();
             if !law.is_absent() {
                 for axis in 0..law.springs.axes() {
-                    seen.set_row(axis, &(factor.row(spring) * scale).transpose());
+                    for (k, entry) in factor.row(spring).iter().enumerate() {
+                        seen[(axis, k)] = entry * scale;
+                    }
                     spring += 1;
                 }
             }
             // Contacts without polygons of their own have the same one.
-            let alike = before
-                .filter(|(neighbour, _)| problem.turned.is_empty() && law.has_the_facets_of(neighbour))
-                .map(|(_, contact)| (contact.first_facet, contact.facet_count));
-            let (first_facet, facet_count) = alike.unwrap_or_else(|| self.add_facets(&law));
-            let contact = EnergyContact { seen, first_facet, facet_count, gap: law.may_open() };
+            let alike = before.filter(|(neighbour, _)| {
+                problem.turned.is_empty()
+                    && law.may_open() == neighbour.may_open()
+                    && law.has_the_facets_of(neighbour)
+            });
+            let facets = alike.map_or_else(|| self.add_facets(&law), |(_, facets)| facets);
+            let ((first, facet_count), gap) = (facets, law.may_open());
+            let contact = EnergyContact { seen, first, facet_count, gap };
             visit(&law, contact);
-            before = Some((law, contact));
+            before = Some((law, facets));
         }
     }
 
     fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (usize, u16) {
         let first = self.facets.len();
+        if law.may_open() {
+            self.facets.push(Facet { row: normal(), unit: 1.0 });
+        }
         let mut count = 0;
         for h in law.facets() {
             self.facets.push(Facet::new(law, h));
@@ -110,8 +127,15 @@ impl<const C: usize> EnergyCoordinates<C> {
     }
 
     /// The facets of a contact.
+    #[inline]
     pub(crate) fn facets<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
-        &self.facets[contact.first_facet..contact.first_facet + usize::from(contact.facet_count)]
+        &self.pairs(contact)[usize::from(contact.gap)..]
+    }
+
+    /// The normal force of a contact if it may open, and its facets.
+    #[inline]
+    pub(crate) fn pairs<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+        &self.facets[contact.first..contact.first + contact.pairs()]
     }
 }
 

@@ -69,12 +69,12 @@ impl<const D: usize, const R: usize> Sums<D, R> {
         &mut self,
         seen: &SMatrix<f64, C, D>,
         hold: Option<&SMatrix<f64, C, C>>,
-        pushed: [SVector<f64, C>; R],
+        pushed: Option<[SVector<f64, C>; R]>,
         weight: f64,
     ) {
         let held = hold.map_or(*seen, |hold| hold * seen);
         self.stiffness += seen.tr_mul(&(held * weight));
-        for (side, pushed) in self.sides.iter_mut().zip(pushed) {
+        for (side, pushed) in self.sides.iter_mut().zip(pushed.into_iter().flatten()) {
             *side += seen.tr_mul(&(pushed * weight));
         }
     }

@@ -46,6 +46,11 @@ impl<const C: usize> Active<C> {
         self.pairs[..self.len()].iter().filter_map(move |pair| pair.checked_sub(first))
     }
 
+    #[inline]
+    pub(super) fn has(&self, pair: usize) -> bool {
+        self.len > 0 && self.position(pair).is_some()
+    }
+
     pub(super) fn position(&self, pair: usize) -> Option<usize> {
         self.iter().position(|p| p == pair)
     }
@@ -94,14 +99,20 @@ impl<const C: usize> Reaction<C> {
         let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; C], of_x: SVector::zeros() });
         Self { hold: SMatrix::identity(), multipliers: [zero; C], cover: none, tie: none }
     }
+
+    /// `row·x + d z₀` as a function of u and z₀: what each is multiplied with.
+    pub(super) fn feels(&self, row: &SVector<f64, C>, d: f64) -> (SVector<f64, C>, f64) {
+        (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
+    }
 }
 
 impl<const D: usize, const C: usize> ContactForm<D, C> {
     /// `None` where the slips of the active pairs are not independent: no exact basis has such a
     /// state.
     pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
-        let slipping = Slipping::independent(active.iter().filter_map(|pair| self.facet(local, pair)))?;
-        let gap = active.position(0).filter(|_| local.contact.gap);
+        let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
+        let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
+        let slipping = Slipping::independent(slipping.map(|(_, pair)| &facets[pair]))?;
         let mut hold = slipping.hold();
         if gap.is_some() {
             hold.fill_column(0, 0.0);
@@ -120,10 +131,11 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
                 None => normal(),
             };
         }
-        let jumps = |d: &dyn Fn(usize) -> f64| {
+        let jumps = |d: &dyn Fn(usize, f64) -> f64| {
             let (mut of_gap, mut of_facets) = (0.0, [0.0; 2]);
             for (a, pair) in active.iter().enumerate() {
-                *facet(a).map_or(&mut of_gap, |facet| &mut of_facets[facet]) = d(pair);
+                let entry = facet(a).map_or(&mut of_gap, |facet| &mut of_facets[facet]);
+                *entry = d(pair, facets[pair].unit);
             }
             let of_x = slipping.reaching(of_gap, of_facets);
             let mut of_pairs = [0.0; C];
@@ -132,8 +144,8 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
             }
             Jumps { of_pairs, of_x }
         };
-        let cover = jumps(&|pair| self.cover(local, pair));
-        let tie = jumps(&|pair| self.perturbation(local, pair));
+        let cover = jumps(&|pair, unit| self.cover(local, pair, unit));
+        let tie = jumps(&|pair, unit| local.perturbation(pair, unit));
         Some(Reaction { hold, multipliers, cover, tie })
     }
 
@@ -146,9 +158,8 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         sign: f64,
     ) {
         let Local { contact, trial, .. } = &self.locals[contact];
-        let pushed = jumped.map_or([SVector::zeros(); 3], |reaction| {
-            [reaction.hold * trial - trial, reaction.cover.of_x, reaction.tie.of_x]
-        });
+        let pushed =
+            jumped.map(|reaction| [reaction.hold * trial - trial, reaction.cover.of_x, reaction.tie.of_x]);
         let hold = jumped.map(|reaction| &reaction.hold);
         sums.add(&contact.seen, hold, pushed, sign * self.coordinates.weight);
     }

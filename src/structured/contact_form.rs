@@ -28,8 +28,9 @@ pub(super) struct Local<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Local<D, C> {
-    pub(super) fn pairs(&self) -> usize {
-        usize::from(self.contact.gap) + usize::from(self.contact.facet_count)
+    /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
+    pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
+        unit * generic(self.first + pair)
     }
 
     /// u = x⁰ - Q y.
@@ -69,7 +70,7 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
                 *trial = *x;
             }
             let local = Local { contact, trial, first: *pairs };
-            *pairs += local.pairs();
+            *pairs += contact.pairs();
             *widest = widest.max(contact.seen.norm());
             locals.push(local);
         });
@@ -79,34 +80,23 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         self.locals.len()
     }
 
-    /// A facet by the number of its pair within the contact; `None` for the gap.
-    pub(super) fn facet(&self, local: &Local<D, C>, pair: usize) -> Option<&Facet<C>> {
-        pair.checked_sub(usize::from(local.contact.gap)).map(|facet| &self.facets(local)[facet])
-    }
-
-    /// All facets of a contact.
-    pub(super) fn facets(&self, local: &Local<D, C>) -> &[Facet<C>] {
-        self.coordinates.facets(&local.contact)
-    }
-
-    /// The row of a pair.
-    pub(super) fn row(&self, local: &Local<D, C>, pair: usize) -> SVector<f64, C> {
-        self.facet(local, pair).map_or_else(normal, |facet| facet.row)
+    /// The pairs of a contact: the row of each, and what an entry for a row of length one is
+    /// multiplied with in its unit.
+    #[inline]
+    pub(super) fn pairs_of(&self, local: &Local<D, C>) -> &[Facet<C>] {
+        self.coordinates.pairs(&local.contact)
     }
 
     /// The column of a pair.
     pub(super) fn column(&self, local: &Local<D, C>, pair: usize) -> SVector<f64, C> {
-        self.facet(local, pair).map_or_else(normal, Facet::column)
-    }
-
-    /// What a number in the scale of rows of length one is multiplied with in the row of a pair.
-    fn unit(&self, local: &Local<D, C>, pair: usize) -> f64 {
-        self.facet(local, pair).map_or(1.0, |facet| facet.unit)
+        let is_gap = local.contact.gap && pair == 0;
+        if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
     }
 
     /// The entry of the covering vector for a pair, in the unit of its row.
-    pub(super) fn cover(&self, local: &Local<D, C>, pair: usize) -> f64 {
-        self.covering.get(local.first + pair).copied().unwrap_or_else(|| self.unit(local, pair))
+    #[inline]
+    pub(super) fn cover(&self, local: &Local<D, C>, pair: usize, unit: f64) -> f64 {
+        self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 
     /// A fixed covering vector without structure, another for every number: entries between 1/8 and
@@ -116,17 +106,12 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         covering.clear();
         if attempt > 0 {
             for local in &self.locals {
-                covering.extend((0..local.pairs()).map(|pair| {
+                covering.extend(self.pairs_of(local).iter().enumerate().map(|(pair, facet)| {
                     let number = attempt * 1_000_003 + local.first + pair;
-                    self.unit(local, pair) * (6.0 * (generic(number) - 1.0)).exp2()
+                    facet.unit * (6.0 * (generic(number) - 1.0)).exp2()
                 }));
             }
         }
         self.covering = covering;
-    }
-
-    /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
-    pub(super) fn perturbation(&self, local: &Local<D, C>, pair: usize) -> f64 {
-        self.unit(local, pair) * generic(local.first + pair)
     }
 }

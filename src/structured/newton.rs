@@ -25,6 +25,7 @@ use crate::object::{Problem, add_tangent};
 const STEPS: usize = 16;
 
 /// R, the sizes of its terms and T.
+#[derive(Clone, Copy)]
 struct Imbalance<const D: usize> {
     left: SVector<f64, D>,
     size: f64,

@@ -14,7 +14,7 @@ use super::contact_form::ContactForm;
 use super::variables::{Candidate, Entering, GREY, Step, TIE, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
 use crate::numerics::Bordered;
-use crate::object::{LazyPricing, Point, Sums, are_stale};
+use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 
 /// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
 const FEW: usize = 24;
@@ -71,29 +71,34 @@ impl<const D: usize, const C: usize> Path<D, C> {
     /// violated, and z₀ there.
     fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
-        let each = || {
-            (0..).zip(&form.locals).flat_map(|(contact, local)| {
-                (0..local.pairs()).map(move |pair| {
-                    let value = form.row(local, pair).dot(&local.trial);
-                    (Entering { contact, pair, jump: true }, value, form.cover(local, pair))
-                })
-            })
-        };
-        let least = each().map(|(_, value, d)| value / d).fold(0.0, f64::min);
-        let tied = each().filter(|(_, value, d)| *value < 0.0 && value - least * d <= TIE * value.abs()).map(
-            |(entering, _, d)| {
-                let local = &form.locals[entering.contact as usize];
-                (entering, form.perturbation(local, entering.pair) / d)
-            },
-        );
-        let (first, _) = tied.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some((first, -least))
+        let mut least = 0.0_f64;
+        for local in &form.locals {
+            for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
+                least = least.min(row.dot(&local.trial) / form.cover(local, pair, *unit));
+            }
+        }
+        if least >= 0.0 {
+            return None;
+        }
+        let (mut first, mut least_tie) = (None, f64::INFINITY);
+        for (contact, local) in (0..).zip(&form.locals) {
+            for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
+                let (value, d) = (row.dot(&local.trial), form.cover(local, pair, *unit));
+                if value < 0.0 && value - least * d <= TIE * value.abs() {
+                    let tie = local.perturbation(pair, *unit) / d;
+                    if tie < least_tie {
+                        (first, least_tie) = (Some(Entering { contact, pair, jump: true }), tie);
+                    }
+                }
+            }
+        }
+        first.map(|entering| (entering, -least))
     }
 
     /// The present state of a contact with this law.
     pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_, C>) -> PolygonState {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
-        if law.is_absent() || (gap && active.position(0).is_some()) {
+        if law.is_absent() || (gap && active.has(0)) {
             return Mode::Open;
         }
         let mut facets = [0; C];
@@ -202,10 +207,9 @@ impl<const D: usize, const C: usize> Path<D, C> {
     fn step(&self, entering: &Entering) -> Option<(Step<D>, Bordered<D>)> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
-        let row = self.form.row(local, entering.pair);
-        let felt = reaction.hold.tr_mul(&row);
+        let Facet { row, unit } = self.form.pairs_of(local)[entering.pair];
+        let (felt, corner) = reaction.feels(&row, self.form.cover(local, entering.pair, unit));
         let gradient = -local.contact.seen.tr_mul(&felt);
-        let corner = self.form.cover(local, entering.pair) - row.dot(&reaction.cover.of_x);
         let factors = Bordered::new(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
         let mut pushed = SVector::zeros();
         let mut last = 1.0;
@@ -274,7 +278,8 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
         let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
-        let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
+        let Facet { row, unit } = form.pairs_of(local)[entering.pair];
+        let last = row.dot(pushed) - local.perturbation(entering.pair, unit);
         let (y, z0) = factors.solve(&-self.sums.sides[PERTURBED], last);
         let ratio = |candidate: &Candidate| {
             let local = &form.locals[candidate.contact as usize];
@@ -286,9 +291,9 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 -(own + reaction.cover.of_pairs[a] * z0 + reaction.tie.of_pairs[a])
             } else {
                 let x = reaction.hold * stretch - reaction.cover.of_x * z0 - reaction.tie.of_x;
-                let d = form.cover(local, candidate.pair);
-                let perturbed = form.perturbation(local, candidate.pair);
-                form.row(local, candidate.pair).dot(&x) + d * z0 + perturbed
+                let Facet { row, unit } = form.pairs_of(local)[candidate.pair];
+                let d = form.cover(local, candidate.pair, unit);
+                row.dot(&x) + d * z0 + local.perturbation(candidate.pair, unit)
             };
             change / -candidate.vanishing.rate
         };

@@ -6,7 +6,7 @@ use super::basis::TRIAL;
 use super::path::Path;
 use crate::contact::{PolygonState, SMALLEST};
 use crate::numerics::Bordered;
-use crate::object::{CORRECTIONS, Problem};
+use crate::object::{CORRECTIONS, Facet, Problem};
 
 /// Forces out of balance by less than this part of their sizes balance: what is left is mostly
 /// rounding, and another correction would only stir it.
@@ -75,12 +75,12 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             for (z, _) in reaction.multipliers.iter().zip(active.iter()) {
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
             }
-            for pair in (0..local.pairs()).filter(|pair| active.position(*pair).is_none()) {
-                let row = path.form.row(local, pair);
+            let pairs = path.form.pairs_of(local).iter().enumerate();
+            for (_, Facet { row, .. }) in pairs.filter(|(pair, _)| !active.has(*pair)) {
                 worst = worst.max(-row.dot(&x) / (force_level * row.norm()));
             }
             let force = &mut self.forces[contact];
-            if local.contact.gap && active.position(0).is_some() {
+            if local.contact.gap && active.has(0) {
                 // Nothing holds an open contact, whatever its friction.
                 worst = worst.max(x.norm() / force_level);
                 force.fill(0.0);

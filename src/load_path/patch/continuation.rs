@@ -141,8 +141,11 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         let stands = &self.stands;
         let is_here = |contact| stands.iter().any(|stand| stand.contact == contact);
         let at_rest = self.sliding.come_to_rest(&mut self.balance, is_here);
-        at_rest.iter().for_each(|&contact| self.join(contact));
-        !at_rest.is_empty()
+        let any = !at_rest.is_empty();
+        for contact in at_rest {
+            self.join(contact);
+        }
+        any
     }
 
     /// Infinite friction keeps its tangential force until the normal force is gone, and loses it

@@ -133,7 +133,7 @@ impl<const D: usize, const C: usize> MovingContact<D, C> {
             None => [-self.memory, SVector::zeros()],
             Some(hold) => [hold * (self.trial - self.memory) - self.trial, hold * self.rate - self.rate],
         };
-        sums.add(&self.fixed.seen, hold.as_ref(), pushed, weight);
+        sums.add(&self.fixed.seen, hold.as_ref(), Some(pushed), weight);
     }
 
     /// Takes the slip up to here into memory: u becomes x, and that of an open contact keeps its
