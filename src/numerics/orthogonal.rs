@@ -61,15 +61,7 @@ impl<const D: usize> Orthogonal<D> {
         let rows = &mut self.q;
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
-        let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
-        for row in rows.iter() {
-            let squares = row.component_mul(row);
-            full += squares;
-            let size = squares.sum();
-            noise += row.map(|entry| if entry == 0.0 { 0.0 } else { size });
-        }
-        full.apply(|square| *square = square.sqrt());
-        noise.apply(|square| *square = square.sqrt() * ENTRY_NOISE);
+        let (mut full, mut noise) = lengths_and_noise(rows);
         // Norms of what is left of the columns.
         let mut left = full;
         let mut rank = 0;
@@ -222,6 +214,18 @@ impl<const D: usize> Orthogonal<D> {
         }
         basis
     }
+}
+
+/// Lengths of the columns, and of the rounding in them.
+fn lengths_and_noise<const D: usize>(rows: &[SVector<f64, D>]) -> (SVector<f64, D>, SVector<f64, D>) {
+    let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
+    for row in rows {
+        let squares = row.component_mul(row);
+        full += squares;
+        let size = squares.sum();
+        noise += row.map(|entry| if entry == 0.0 { 0.0 } else { size });
+    }
+    (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
 }
 
 /// Products of column k with every column.
