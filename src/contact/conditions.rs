@@ -13,9 +13,7 @@ use nalgebra::SVector;
 use super::law::LocalLaw;
 use super::state::{Mode, State};
 use super::tangential::{cross, tangential_norm};
-
-/// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
-const SMALLEST: f64 = 1e-250;
+use super::tolerances::SMALLEST;
 
 /// Where a contact is: its stretch and its force, or the rates of both.
 #[derive(Debug, Clone, Copy)]

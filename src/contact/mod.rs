@@ -43,5 +43,5 @@ pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
 pub(crate) use stand::Stand;
 pub(crate) use state::{Mode, PolygonState, State};
-pub(crate) use tangential::{tangential, tangential_norm};
-pub(crate) use tolerances::ZERO_SLACK;
+pub(crate) use tangential::{cross, tangential, tangential_norm};
+pub(crate) use tolerances::{SMALLEST, WEIGHTLESS, ZERO_SLACK};

@@ -7,3 +7,6 @@ pub(crate) const ZERO_SLACK: f64 = 5e-14;
 /// A force below this part of its size is none: the contact stands at the apex of its cone. Looser than [`ZERO_SLACK`], since facets
 /// that meet near the apex cannot be told apart there.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;
+
+/// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
+pub(crate) const SMALLEST: f64 = 1e-250;

@@ -10,6 +10,7 @@
 //! | `double_double` | sums in twice the working precision |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
+//! | `waiting_line` | numbered things that wait for their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 
@@ -23,14 +24,16 @@ mod partial_pivoting;
 mod pseudo_random;
 mod unit_vector;
 mod vector_dispatch;
+mod waiting_line;
 
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use factors::Factors;
-pub(crate) use orthogonal::{Orthogonal, orthonormalise_against};
-pub(crate) use pairwise::{SUMMED_IN_TURN, both};
+pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
+pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Loop, wide};
+pub(crate) use waiting_line::WaitingLine;

@@ -6,6 +6,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::pairwise::in_halves;
+
 /// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
 /// It guards against rounding noise (about 1e-16 times a few operations) being taken for a resisted direction; real
 /// geometry comes as close as contacts that are parallel to 1e-12.
@@ -15,6 +17,13 @@ const DEPENDENT: f64 = 1e-13;
 /// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so that a soft spring is
 /// still seen across a direction in which stiff ones have none.
 const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
+
+/// A projection is repeated at most so often: to solve, and again for what rounding left, more than
+/// once where the rows are graded over many decades.
+const PASSES: usize = 4;
+
+/// A projection that moves x by less than this part of it is not made: it would only stir the rounding.
+const PROJECTED: f64 = 1e-15;
 
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
 /// triangular `r x r`, Π permutes columns.
@@ -52,15 +61,7 @@ impl<const D: usize> Orthogonal<D> {
         let rows = &mut self.q;
         let mut r = SMatrix::<f64, D, D>::zeros();
         let mut order: [usize; D] = std::array::from_fn(|j| j);
-        let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
-        for row in rows.iter() {
-            let squares = row.component_mul(row);
-            full += squares;
-            let size = squares.sum();
-            noise += row.map(|entry| if entry == 0.0 { 0.0 } else { size });
-        }
-        full.apply(|square| *square = square.sqrt());
-        noise.apply(|square| *square = square.sqrt() * ENTRY_NOISE);
+        let (mut full, mut noise) = lengths_and_noise(rows);
         // Norms of what is left of the columns.
         let mut left = full;
         let mut rank = 0;
@@ -138,7 +139,27 @@ impl<const D: usize> Orthogonal<D> {
 
     /// Qᵀx.
     pub(crate) fn coordinates(&self, x: &[f64]) -> SVector<f64, D> {
-        self.q.iter().zip(x).fold(SVector::zeros(), |sum, (row, &x)| sum + row * x)
+        let part = |rows: std::ops::Range<usize>| {
+            let terms = self.q[rows.clone()].iter().zip(&x[rows]);
+            terms.fold(SVector::zeros(), |sum, (row, &x)| sum + row * x)
+        };
+        in_halves(0..x.len(), &part, &|a, b| a + b)
+    }
+
+    /// Moves x to the nearest one with `Aᵀx = -w`, for a w that some x reaches. Returns the y of the move
+    /// `x - Q y`.
+    pub(crate) fn project(&self, x: &mut [f64], w: &SVector<f64, D>) -> SVector<f64, D> {
+        let load = self.load_coordinates(w);
+        let mut moved = SVector::zeros();
+        for _ in 0..PASSES {
+            let step = self.coordinates(x) + load;
+            if step.norm() <= PROJECTED * x.iter().map(|x| x * x).sum::<f64>().sqrt() {
+                break;
+            }
+            self.subtract(x, &step);
+            moved += step;
+        }
+        moved
     }
 
     /// x - Q y.
@@ -195,6 +216,18 @@ impl<const D: usize> Orthogonal<D> {
     }
 }
 
+/// Lengths of the columns, and of the rounding in them.
+fn lengths_and_noise<const D: usize>(rows: &[SVector<f64, D>]) -> (SVector<f64, D>, SVector<f64, D>) {
+    let (mut full, mut noise) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
+    for row in rows {
+        let squares = row.component_mul(row);
+        full += squares;
+        let size = squares.sum();
+        noise += row.map(|entry| if entry == 0.0 { 0.0 } else { size });
+    }
+    (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
+}
+
 /// Products of column k with every column.
 fn products<const D: usize>(rows: &[SVector<f64, D>], k: usize) -> SVector<f64, D> {
     rows.iter().fold(SVector::zeros(), |sum, row| sum + row * row[k])
@@ -205,12 +238,15 @@ fn masked<const D: usize>(v: &SVector<f64, D>, keep: std::ops::Range<usize>) -> 
     SVector::from_fn(|j, _| if keep.contains(&j) { v[j] } else { 0.0 })
 }
 
+/// v less its part along the vectors of an orthonormal set.
+pub(crate) fn without<const D: usize>(v: SVector<f64, D>, basis: &[SVector<f64, D>]) -> SVector<f64, D> {
+    basis.iter().fold(v, |v, b| v - b * b.dot(&v))
+}
+
 /// v becomes a unit vector orthogonal to an orthonormal set (two passes).
 pub(crate) fn orthonormalise_against<const D: usize>(v: &mut SVector<f64, D>, basis: &[SVector<f64, D>]) {
     for _ in 0..2 {
-        for b in basis {
-            *v -= b * b.dot(v);
-        }
+        *v = without(*v, basis);
     }
     let norm = v.norm();
     if norm > 0.0 {

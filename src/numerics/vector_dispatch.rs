@@ -1,7 +1,8 @@
 //! Loops compiled for the widest vectors that the processor has.
 //!
-//! Loops are written so that the compiler turns them into vector instructions. With the feature `simd` they are compiled for wider vectors as
-//! well, and the widest that the processor has is chosen at run time. The operations and their order are the same, hence so are all bits.
+//! Loops are written so that the compiler turns them into vector instructions. With the feature
+//! `simd` they are compiled for wider vectors as well, and the widest that the processor has is
+//! chosen at run time. The operations and their order are the same, hence so are all bits.
 
 /// A loop with its operands.
 pub(crate) trait Loop {

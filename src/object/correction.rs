@@ -15,7 +15,7 @@ use super::piece::{MOST_CORRECTIONS, NEARLY, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::DoubleDouble;
+use crate::numerics::{DoubleDouble, without};
 
 /// What is missing of a solution.
 #[derive(Debug, Clone)]
@@ -71,7 +71,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 exact.value()
             })
         };
-        let way = self.without_free_motions(twist.less(from));
+        let way = without(twist.less(from), self.free_motions());
         Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
     }
 

@@ -1,27 +1,43 @@
-//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their own.
+//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their
+//! own.
 //!
-//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything above asks this room for it.
+//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything
+//! above asks this room for it.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `problem` | laws, drives and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
+//! | `free_motions` | motions that no spring resists |
+//! | `energy_coordinates` | contacts where stiffness ratios do not show |
+//! | `sums` | balance there, as sums that change by a few terms |
+//! | `lazy_pricing` | which contacts can reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and balance by steps on it |
 //! | `correction` | how far forces and a twist are from the solution of their piece |
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
 //! | `sizes` | what rounding is measured against |
 
 mod correction;
+mod energy_coordinates;
+mod free_motions;
+mod lazy_pricing;
 mod load;
 mod piece;
 mod precise;
 mod problem;
 mod sizes;
+mod sums;
 mod tangent;
 
+pub(crate) use energy_coordinates::{
+    EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched,
+};
+pub(crate) use free_motions::worked_on;
+pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use piece::{Piece, PieceState, Unbalanced, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::Problem;
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
+pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
 pub(crate) use tangent::{Springs, add_tangent, balance, tangent_stiffness};

@@ -15,16 +15,13 @@ use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::free_motions::{NO_WORK, worked_on};
 use super::load::Load;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::Site;
-use crate::numerics::{CompletePivoting, DoubleDouble, Orthogonal, orthonormalise_against};
-
-/// A load that does this little work on a unit free motion, relative to its size, does none: loads that were computed
-/// to balance carry rounding noise of about 1e-16.
-const NO_WORK: f64 = 1e-13;
+use crate::numerics::{CompletePivoting, DoubleDouble, Orthogonal, orthonormalise_against, without};
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;
@@ -120,15 +117,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// The least motion with these coordinates R q.
     pub(crate) fn motion(&self, coordinates: &SVector<f64, D>) -> SVector<f64, D> {
-        self.without_free_motions(self.right.preimage(coordinates))
-    }
-
-    /// What of a motion is at right angles to all free ones.
-    pub(super) fn without_free_motions(&self, mut motion: SVector<f64, D>) -> SVector<f64, D> {
-        for v in &self.free {
-            motion -= v * v.dot(&motion);
-        }
-        motion
+        without(self.right.preimage(coordinates), &self.free)
     }
 
     /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
@@ -162,7 +151,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         load: impl Into<Load<D>>,
     ) -> Result<PieceState<D, C>, Unbalanced<D>> {
         let load = load.into();
-        if let Some(motion) = self.worked_on(&load.wrench) {
+        if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
@@ -198,7 +187,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 break;
             }
         }
-        let twist = self.without_free_motions(twist.value());
+        let twist = without(twist.value(), &self.free);
         Ok(PieceState { forces: self.forces(&x, drives.len()), twist })
     }
 
@@ -252,14 +241,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// Whether the load works on no motion that nothing here balances.
     pub(crate) fn resists(&self, wrench: &SVector<f64, D>) -> bool {
-        self.worked_on(wrench).is_none()
-    }
-
-    /// The unit motion on which the load works though nothing here balances it.
-    fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
-        let along = self.unbalanced.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
-        let work = along.norm();
-        (work > NO_WORK * wrench.norm()).then(|| along / work)
+        worked_on(&self.unbalanced, wrench).is_none()
     }
 
     /// The springs of every contact that has any, with the places of these springs in the whole list.

@@ -1,24 +1,26 @@
 //! A complementary basis as a list of contact states.
 //!
-//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀ locally:
+//! The pairs A of a contact whose z is basic have w = 0, which determines their z from u and z₀
+//! locally:
 //!
 //! ```text
 //! z_A = -(Z u + ζ z₀),   Z = D⁻¹ L_A,  ζ = D⁻¹ d_A,  D = L_A B_A
 //! x   = P u - k z₀,      P = 1 - B_A Z,  k = B_A ζ
 //! ```
 //!
-//! and leaves d equations for the motion of the object, sums over the contacts of which a pivot changes one or two terms:
-//!
-//! ```text
-//! T y + c₀ z₀ = b,   T = Σ QᵀP Q,  c₀ = Σ Qᵀk,  b = Σ Qᵀ(P - 1) x⁰
-//! ```
+//! and leaves the balance of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1)
+//! x⁰`.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::form::{ContactForm, Local};
+use super::contact_form::{ContactForm, Local};
+use crate::object::{Slipping, Sums, normal};
 
-/// Facets whose normals are parallel to this leave no independent slips.
-const PARALLEL: f64 = 1e-12;
+/// The sides of the balance: what belongs to the trial state, to the covering vector, and to the
+/// vector by which ties are broken.
+pub(super) const TRIAL: usize = 0;
+pub(super) const COVER: usize = 1;
+pub(super) const PERTURBED: usize = 2;
 
 /// The pairs of one contact whose z is basic, by their numbers within the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,6 +44,11 @@ impl<const C: usize> Active<C> {
     pub(crate) fn facets(&self, gap: bool) -> impl Iterator<Item = u16> + '_ {
         let first = u16::from(gap);
         self.pairs[..self.len()].iter().filter_map(move |pair| pair.checked_sub(first))
+    }
+
+    #[inline]
+    pub(super) fn has(&self, pair: usize) -> bool {
+        self.len > 0 && self.position(pair).is_some()
     }
 
     pub(super) fn position(&self, pair: usize) -> Option<usize> {
@@ -73,150 +80,88 @@ pub(super) struct Reaction<const C: usize> {
     pub(super) hold: SMatrix<f64, C, C>,
     /// Rows of Z.
     pub(super) multipliers: [SVector<f64, C>; C],
-    /// ζ.
-    pub(super) cover_jumps: [f64; C],
-    /// k.
-    pub(super) cover: SVector<f64, C>,
+    /// ζ and k.
+    pub(super) cover: Jumps<C>,
     /// ζ and k for the perturbation by which ties are broken.
-    pub(super) tie_jumps: [f64; C],
-    pub(super) tie: SVector<f64, C>,
+    pub(super) tie: Jumps<C>,
+}
+
+/// How far the active pairs of a contact jump, and what that does to x.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Jumps<const C: usize> {
+    pub(super) of_pairs: [f64; C],
+    pub(super) of_x: SVector<f64, C>,
 }
 
 impl<const C: usize> Reaction<C> {
     /// That of a contact without jumps.
     pub(super) fn rolling() -> Self {
-        let zero = SVector::zeros();
-        Self {
-            hold: SMatrix::identity(),
-            multipliers: [zero; C],
-            cover_jumps: [0.0; C],
-            cover: zero,
-            tie_jumps: [0.0; C],
-            tie: zero,
-        }
+        let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; C], of_x: SVector::zeros() });
+        Self { hold: SMatrix::identity(), multipliers: [zero; C], cover: none, tie: none }
     }
-}
 
-/// The sums over the contacts.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sums<const D: usize> {
-    pub(super) stiffness: SMatrix<f64, D, D>,
-    pub(super) cover: SVector<f64, D>,
-    pub(super) trial: SVector<f64, D>,
-    /// The same as `cover` for the perturbation by which ties are broken.
-    pub(super) tie: SVector<f64, D>,
-}
-
-impl<const D: usize> Sums<D> {
-    pub(super) fn zero() -> Self {
-        let zero = SVector::zeros();
-        Self { stiffness: SMatrix::zeros(), cover: zero, trial: zero, tie: zero }
+    /// `row·x + d z₀` as a function of u and z₀: what each is multiplied with.
+    pub(super) fn feels(&self, row: &SVector<f64, C>, d: f64) -> (SVector<f64, C>, f64) {
+        (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
     }
 }
 
 impl<const D: usize, const C: usize> ContactForm<D, C> {
-    /// `None` where the slips of the active pairs are not independent: no exact basis has such a state.
+    /// `None` where the slips of the active pairs are not independent: no exact basis has such a
+    /// state.
     pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
-        let mut r = Reaction::rolling();
-        let (mut gap, mut facets, mut count) = (None, [0; C], 0);
-        let (mut d, mut p) = ([0.0; C], [0.0; C]);
-        let mut rows = [SVector::<f64, C>::zeros(); C];
-        let mut columns = rows;
-        let mut inverse = [[0.0; C]; C];
-        for (a, pair) in active.iter().enumerate() {
-            p[a] = self.perturbation(local, pair);
-            if let Some(facet) = self.facet(local, pair) {
-                rows[a] = facet.row;
-                columns[a] = facet.column();
-                d[a] = self.cover(local, pair, facet.unit);
-                facets[count] = a;
-                count += 1;
-            } else {
-                rows[a][0] = 1.0;
-                columns[a][0] = 1.0;
-                d[a] = self.cover(local, pair, 1.0);
-                gap = Some(a);
-            }
-        }
-        // The tangential block of D⁻¹.
-        match count {
-            0 => {}
-            1 => inverse[facets[0]][facets[0]] = 1.0,
-            2 if C == 3 => {
-                let (a, b) = (facets[0], facets[1]);
-                let cosine = columns[a].dot(&columns[b]);
-                let determinant = 1.0 - cosine * cosine;
-                if determinant < PARALLEL {
-                    return None;
-                }
-                (inverse[a][a], inverse[b][b]) = (1.0 / determinant, 1.0 / determinant);
-                (inverse[a][b], inverse[b][a]) = (-cosine / determinant, -cosine / determinant);
-            }
-            _ => return None,
-        }
-        // Z, tangential part, and what the normal force does to it.
-        for &a in &facets[..count] {
-            let mut slope = 0.0;
-            for &b in &facets[..count] {
-                r.multipliers[a] += columns[b] * inverse[a][b];
-                slope += inverse[a][b] * rows[b][0];
-            }
-            if let Some(gap) = gap {
-                inverse[a][gap] = -slope;
-            } else {
-                r.multipliers[a][0] = slope;
-            }
-        }
-        if let Some(gap) = gap {
-            inverse[gap][gap] = 1.0;
-            r.multipliers[gap][0] = 1.0;
-        }
-        if count + 1 == C {
-            // Every tangential direction slips: exactly nothing is left of u_t.
-            r.hold = SMatrix::zeros();
-            r.hold[(0, 0)] = 1.0;
-            for &a in &facets[..count] {
-                for axis in 1..C {
-                    r.hold[(axis, 0)] -= columns[a][axis] * r.multipliers[a][0];
-                }
-            }
-        } else {
-            for &a in &facets[..count] {
-                r.hold -= columns[a] * r.multipliers[a].transpose();
-            }
-        }
+        let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
+        let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
+        let slipping = Slipping::independent(slipping.map(|(_, pair)| &facets[pair]))?;
+        let mut hold = slipping.hold();
         if gap.is_some() {
-            r.hold[(0, 0)] = 0.0;
+            hold.fill_column(0, 0.0);
         }
+        // The number of an active pair among the facets that slip.
+        let facet = |a: usize| match gap {
+            Some(gap) if a == gap => None,
+            Some(gap) if a > gap => Some(a - 1),
+            _ => Some(a),
+        };
+        let mut multipliers = [SVector::zeros(); C];
         for a in 0..active.len() {
-            for b in 0..active.len() {
-                r.cover_jumps[a] += inverse[a][b] * d[b];
-                r.tie_jumps[a] += inverse[a][b] * p[b];
-            }
-            r.cover += columns[a] * r.cover_jumps[a];
-            r.tie += columns[a] * r.tie_jumps[a];
+            multipliers[a] = match facet(a) {
+                Some(facet) if gap.is_some() => slipping.across[facet],
+                Some(facet) => slipping.slip(facet),
+                None => normal(),
+            };
         }
-        Some(r)
+        let jumps = |d: &dyn Fn(usize, f64) -> f64| {
+            let (mut of_gap, mut of_facets) = (0.0, [0.0; 2]);
+            for (a, pair) in active.iter().enumerate() {
+                let entry = facet(a).map_or(&mut of_gap, |facet| &mut of_facets[facet]);
+                *entry = d(pair, facets[pair].unit);
+            }
+            let of_x = slipping.reaching(of_gap, of_facets);
+            let mut of_pairs = [0.0; C];
+            for a in 0..active.len() {
+                of_pairs[a] = facet(a).map_or(of_gap, |facet| slipping.across[facet].dot(&of_x));
+            }
+            Jumps { of_pairs, of_x }
+        };
+        let cover = jumps(&|pair, unit| self.cover(local, pair, unit));
+        let tie = jumps(&|pair, unit| local.perturbation(pair, unit));
+        Some(Reaction { hold, multipliers, cover, tie })
     }
 
     /// Adds the terms of a contact, `sign` times.
     pub(super) fn accumulate(
         &self,
-        sums: &mut Sums<D>,
+        sums: &mut Sums<D, 3>,
         contact: usize,
         jumped: Option<&Reaction<C>>,
         sign: f64,
     ) {
-        let local = &self.locals[contact];
-        let weight = sign * self.weight;
-        let Some(reaction) = jumped else {
-            sums.stiffness += local.seen.tr_mul(&(local.seen * weight));
-            return;
-        };
-        sums.stiffness += local.seen.tr_mul(&(reaction.hold * local.seen * weight));
-        sums.cover += local.seen.tr_mul(&(reaction.cover * weight));
-        sums.trial += local.seen.tr_mul(&((reaction.hold * local.trial - local.trial) * weight));
-        sums.tie += local.seen.tr_mul(&(reaction.tie * weight));
+        let Local { contact, trial, .. } = &self.locals[contact];
+        let pushed =
+            jumped.map(|reaction| [reaction.hold * trial - trial, reaction.cover.of_x, reaction.tie.of_x]);
+        let hold = jumped.map(|reaction| &reaction.hold);
+        sums.add(&contact.seen, hold, pushed, sign * self.coordinates.weight);
     }
 }
 
@@ -246,7 +191,7 @@ impl<const C: usize> Basis<C> {
     }
 
     pub(super) fn reaction(&self, contact: usize) -> &Reaction<C> {
-        if self.active[contact].len() == 0 { &self.rolling } else { &self.reactions[contact] }
+        self.jumped(contact).unwrap_or(&self.rolling)
     }
 
     /// The reaction of a contact that jumps.
@@ -269,14 +214,9 @@ impl<const C: usize> Basis<C> {
     }
 
     /// All sums afresh.
-    pub(super) fn sums<const D: usize>(&self, form: &ContactForm<D, C>) -> Sums<D> {
-        let mut sums = Sums::zero();
-        for contact in 0..form.len() {
-            form.accumulate(&mut sums, contact, self.jumped(contact), 1.0);
-        }
-        for k in form.rank..D {
-            sums.stiffness[(k, k)] = 1.0;
-        }
-        sums
+    pub(super) fn sums<const D: usize>(&self, form: &ContactForm<D, C>) -> Sums<D, 3> {
+        Sums::over(form.len(), form.coordinates.rank, &|sums, contact| {
+            form.accumulate(sums, contact, self.jumped(contact), 1.0);
+        })
     }
 }

@@ -1,19 +1,28 @@
 //! Lemke's method on lists of contact states, for one contact or a hundred thousand.
 //!
-//! All that couples the contacts is the motion of the object. With every contact in a known state its law is linear, so a
-//! complementary basis is a list of contact states and a pivot solves one system with d + 1 rows; the matrix of the complementarity problem is never
-//! formed. The pivots are those of the dense solver on [`Form`](crate::forms::Form).
+//! All that couples the contacts is the motion of the object. With every contact in a known state
+//! its law is linear. So a complementary basis is a list of contact states, and a pivot solves one
+//! system with d + 1 rows. The matrix of the complementarity problem is never formed. The pivots
+//! are those of the dense solver on [`Form`](crate::forms::Form).
+//!
+//! | file | idea |
+//! |---|---|
+//! | `contact_form` | the kinematic form contact by contact |
+//! | `basis` | a complementary basis as a list of contact states |
+//! | `variables` | how soon a variable of a contact can reach zero |
+//! | `path` | Lemke's path from basis to basis |
+//! | `newton` | a start for many contacts |
+//! | `solution` | an equilibrium in known states, checked |
+//! | `workspace`, `proposal` | who asks: one scene after another, and the ladder |
 
 mod basis;
-mod form;
+mod contact_form;
 mod newton;
 mod path;
-mod pricing;
 mod proposal;
-mod ratio;
 mod solution;
+mod variables;
 mod workspace;
 
-pub(crate) use form::facet_row;
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use workspace::{Search, View, Workspace};

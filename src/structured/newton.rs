@@ -1,47 +1,31 @@
 //! A start for many contacts: semismooth Newton on the return maps.
 //!
-//! Given the motion q of the object every contact's force is explicit: it sticks, or its force is the nearest one of the cone in the metric of its
-//! springs. Equilibrium is then d piecewise linear equations,
+//! Given the motion q of the object every contact's force is explicit. It sticks, or its force is
+//! the nearest one of the cone in the metric of its springs. Equilibrium is then d piecewise linear
+//! equations,
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      T dq = R,   T = Σ G_i (∂F_i/∂v) G_iᵀ
 //! ```
 //!
-//! and where forces balance that is an equilibrium: every inequality of the law is part of the return map. A few steps do at any number of
-//! contacts, but it may go round in circles, most often with few contacts, where Lemke's method does not.
+//! and where forces balance that is an equilibrium: every inequality of the law is part of the
+//! return map. A few steps do at any number of contacts, but it may go round in circles, most often
+//! with few contacts, where Lemke's method does not.
 
 use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::solution::{BALANCED, Solution};
 use crate::contact::{Mode, PolygonState, State};
-use crate::numerics::{Bordered, SUMMED_IN_TURN, both};
+use crate::numerics::{Bordered, SUMMED_IN_TURN, both, in_halves};
 use crate::object::{Problem, add_tangent};
 
 /// Steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 16;
-/// Forces out of balance by less than this part of their sizes balance.
-const BALANCED: f64 = 1e-13;
-
-/// Memory of the method.
-#[derive(Debug, Clone)]
-pub(super) struct Newton<const D: usize, const C: usize> {
-    pub(super) twist: SVector<f64, D>,
-    pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) states: Vec<PolygonState>,
-    /// |R| over the sizes of its terms.
-    pub(super) residual: f64,
-    pub(super) steps: usize,
-}
-
-impl<const D: usize, const C: usize> Default for Newton<D, C> {
-    fn default() -> Self {
-        let twist = SVector::zeros();
-        Self { twist, forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY, steps: 0 }
-    }
-}
 
 /// R, the sizes of its terms and T.
+#[derive(Clone, Copy)]
 struct Imbalance<const D: usize> {
     left: SVector<f64, D>,
     size: f64,
@@ -50,62 +34,58 @@ struct Imbalance<const D: usize> {
     lawful: bool,
 }
 
-impl<const D: usize, const C: usize> Newton<D, C> {
-    /// Whether it has arrived at an equilibrium from the states in which everything sticks. Rates on an edge are not for it.
-    pub(super) fn run(&mut self, problem: &Problem<D, C>) -> bool {
-        self.twist.fill(0.0);
-        self.residual = f64::INFINITY;
-        self.steps = 0;
-        self.forces.clear();
-        self.states.clear();
-        if problem.locals().any(|local| local.is_on_an_edge()) {
-            return false;
-        }
-        self.forces.resize(problem.len(), SVector::zeros());
-        self.states.resize(problem.len(), Mode::Rolling);
-        let mut here = stick(problem, 0..problem.len());
-        here.left += problem.wrench;
-        for _ in 0..STEPS {
-            self.steps += 1;
-            let Some(step) = solve(&here.stiffness, &here.left) else { return false };
-            self.twist += step;
-            here = answer(problem, &self.twist, 0, &mut self.states, &mut self.forces);
-            here.left += problem.wrench;
-            here.size += problem.wrench.norm() + f64::MIN_POSITIVE;
-            self.residual = here.left.norm() / here.size;
-            if self.residual <= BALANCED {
-                return here.lawful;
-            }
-            if !self.residual.is_finite() {
-                return false;
-            }
-        }
-        false
+/// The number of steps after which the method has arrived at an equilibrium from the states in
+/// which everything sticks. Rates on an edge are not for it.
+pub(super) fn newton<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    found: &mut Solution<D, C>,
+) -> Option<usize> {
+    if problem.locals().any(|local| local.is_on_an_edge()) {
+        return None;
     }
+    found.twist.fill(0.0);
+    found.forces.clear();
+    found.states.clear();
+    found.forces.resize(problem.len(), SVector::zeros());
+    found.states.resize(problem.len(), Mode::Rolling);
+    let mut here = stick(problem);
+    here.left += problem.wrench;
+    for step in 1..=STEPS {
+        found.twist += solve(&here.stiffness, &here.left)?;
+        here = answer(problem, &found.twist, 0, &mut found.states, &mut found.forces);
+        here.left += problem.wrench;
+        here.size += problem.wrench.norm() + f64::MIN_POSITIVE;
+        found.residual = here.left.norm() / here.size;
+        if found.residual <= BALANCED {
+            return here.lawful.then_some(step);
+        }
+        if !found.residual.is_finite() {
+            return None;
+        }
+    }
+    None
 }
 
 /// R without the load and T where everything sticks and the object has not moved.
-fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>, contacts: Range<usize>) -> Imbalance<D> {
-    if contacts.len() > SUMMED_IN_TURN {
-        let middle = contacts.start.midpoint(contacts.end);
-        let (near, far) = (contacts.start..middle, middle..contacts.end);
-        let (a, b) = both(contacts.len(), || stick(problem, near), || stick(problem, far));
-        return a.plus(&b);
-    }
-    let mut sum = Imbalance::<D>::zero();
-    for contact in contacts {
-        let (site, local) = (&problem.sites[contact], problem.local(contact));
-        let state = local.unjumped();
-        if !state.is_open() {
-            add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
-            sum.left += site.map * local.springs.force(&problem.drives[contact]);
+fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Imbalance<D> {
+    let part = |contacts: Range<usize>| {
+        let mut sum = Imbalance::zero();
+        for contact in contacts {
+            let (site, local) = (&problem.sites[contact], problem.local(contact));
+            let state = local.unjumped();
+            if !state.is_open() {
+                add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
+                sum.left += site.map * local.springs.force(&problem.drives[contact]);
+            }
         }
-    }
-    sum
+        sum
+    };
+    in_halves(0..problem.len(), &part, &Imbalance::plus)
 }
 
-/// Forces and states of the contacts from number `first` on at a twist, R without the load and T. Sums are made of halves, so that their
-/// rounding grows with the logarithm of their length, and are the same for any number of threads.
+/// Forces and states of the contacts from number `first` on at a twist, R without the load and T.
+/// Sums are made of halves, so that their rounding grows with the logarithm of their length, and
+/// are the same for any number of threads.
 fn answer<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     twist: &SVector<f64, D>,
@@ -122,7 +102,7 @@ fn answer<const D: usize, const C: usize>(
             || answer(problem, twist, first, states, forces),
             || answer(problem, twist, first + middle, more_states, more_forces),
         );
-        return a.plus(&b);
+        return a.plus(b);
     }
     let mut sum = Imbalance::<D>::zero();
     for (contact, (state, force)) in (first..).zip(states.iter_mut().zip(forces)) {
@@ -148,7 +128,7 @@ impl<const D: usize> Imbalance<D> {
         Self { left: SVector::zeros(), size: 0.0, stiffness: SMatrix::zeros(), lawful: true }
     }
 
-    fn plus(&self, other: &Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         Self {
             left: self.left + other.left,
             size: self.size + other.size,

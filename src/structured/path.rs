@@ -1,29 +1,26 @@
 //! Lemke's path through lists of contact states.
 //!
-//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on its rows: between two of them one pair (w, z) has
-//! both variables zero, and one of the two enters. A basic variable that reaches zero first leaves, its partner enters next,
-//! until z₀ leaves.
+//! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on
+//! its rows. Between two pivots one pair (w, z) has both variables zero, and one of the two enters.
+//! A basic variable that reaches zero first leaves, its partner enters next, until z₀ leaves.
 //!
-//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure: among variables that reach zero together the
-//! one with the least change by p per rate leaves first. One more solve with the same factors says which. Nothing is
-//! added to the data. If z₀ is among the tied it leaves, always.
+//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together the one with the least change by p per rate leaves first. One more solve with the same factors says
+//! which. Nothing is added to the data. If z₀ is among the tied it leaves, always.
 
 use nalgebra::SVector;
 
-use super::basis::{Basis, Sums};
-use super::form::{ContactForm, Point, number};
-use super::pricing::Pricing;
-use super::ratio::{Candidate, Entering, GREY, Step};
+use super::basis::{Basis, COVER, PERTURBED, TRIAL};
+use super::contact_form::ContactForm;
+use super::variables::{Candidate, Entering, GREY, Step, TIE, Vanishing};
+use crate::contact::{LocalLaw, Mode, PolygonState};
 use crate::numerics::Bordered;
+use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
+
+/// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
+const FEW: usize = 24;
 
 /// A pivot below this part of the largest change of the step is only made on fresh sums.
 const DOUBTFUL: f64 = 1e-7;
-/// A value may be wrong by this part of itself,
-const TIE: f64 = 1e-12;
-/// and by this part of the terms it is made of. Variables tie that reach zero within these errors of each other.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// The sums over the contacts are made afresh after this many pivots, and a quarter of the number of contacts.
-const REFRESH: usize = 64;
 
 /// How a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,33 +35,16 @@ pub(crate) enum End {
 }
 
 /// A path, with memory that is kept between scenes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Path<const D: usize, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
     pub(super) basis: Basis<C>,
-    pub(super) sums: Sums<D>,
-    /// A load in proportion to z₀ that belongs to the covering vector.
-    pub(super) load: SVector<f64, D>,
+    pub(super) sums: Sums<D, 3>,
     pub(crate) pivots: usize,
     /// Pivots since the sums were made.
     pub(super) age: usize,
-    pricing: Pricing<D>,
+    pricing: LazyPricing<D>,
     candidates: Vec<Candidate>,
-}
-
-impl<const D: usize, const C: usize> Default for Path<D, C> {
-    fn default() -> Self {
-        Self {
-            form: ContactForm::default(),
-            basis: Basis::default(),
-            sums: Sums::zero(),
-            load: SVector::zeros(),
-            pivots: 0,
-            age: 0,
-            pricing: Pricing::default(),
-            candidates: Vec::new(),
-        }
-    }
 }
 
 impl<const D: usize, const C: usize> Path<D, C> {
@@ -77,62 +57,68 @@ impl<const D: usize, const C: usize> Path<D, C> {
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> End {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
-        self.load.fill(0.0);
-        // Q has orthonormal columns.
-        self.sums = Sums::zero();
-        self.sums.stiffness.fill_diagonal(1.0);
+        self.sums = Sums::default();
         self.age = 0;
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
             return End::PivotLimit;
         }
         self.pivots += 1;
-        self.run(first, Point { y: SVector::zeros(), z0 }, limit)
+        self.run(first, Point { y: SVector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair with the least value per entry of the covering vector at the trial state, if one is violated, and z₀ there.
-    fn most_violated(&mut self) -> Option<(Entering, f64)> {
+    /// The pair with the least value per entry of the covering vector at the trial state, if one is
+    /// violated, and z₀ there.
+    fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
         let mut least = 0.0_f64;
-        let visit = |visit: &mut dyn FnMut(u32, usize, f64, f64)| {
-            for (contact, local) in (0..).zip(&form.locals) {
-                if local.gap {
-                    visit(contact, 0, local.trial[0], form.cover(local, 0, 1.0));
-                }
-                for (pair, facet) in (usize::from(local.gap)..).zip(form.facets(local)) {
-                    visit(contact, pair, facet.row.dot(&local.trial), form.cover(local, pair, facet.unit));
-                }
+        for local in &form.locals {
+            for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
+                least = least.min(row.dot(&local.trial) / form.cover(local, pair, *unit));
             }
-        };
-        visit(&mut |_, _, value, d| least = least.min(value / d));
+        }
         if least >= 0.0 {
             return None;
         }
-        let mut best: Option<(Entering, f64)> = None;
-        visit(&mut |contact, pair, value, d| {
-            if value < 0.0 && value - least * d <= TIE * value.abs() {
-                let ratio = form.perturbation(&form.locals[contact as usize], pair) / d;
-                if best.is_none_or(|(_, least)| ratio < least) {
-                    best = Some((Entering { contact, pair, jump: true }, ratio));
+        let (mut first, mut least_tie) = (None, f64::INFINITY);
+        for (contact, local) in (0..).zip(&form.locals) {
+            for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
+                let (value, d) = (row.dot(&local.trial), form.cover(local, pair, *unit));
+                if value < 0.0 && value - least * d <= TIE * value.abs() {
+                    let tie = local.perturbation(pair, *unit) / d;
+                    if tie < least_tie {
+                        (first, least_tie) = (Some(Entering { contact, pair, jump: true }), tie);
+                    }
                 }
             }
-        });
-        best.map(|(entering, _)| (entering, -least))
+        }
+        first.map(|entering| (entering, -least))
+    }
+
+    /// The present state of a contact with this law.
+    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_, C>) -> PolygonState {
+        let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
+        if law.is_absent() || (gap && active.has(0)) {
+            return Mode::Open;
+        }
+        let mut facets = [0; C];
+        facets.iter_mut().zip(active.facets(gap)).for_each(|(slot, facet)| *slot = facet);
+        let facets = &mut facets[..active.len()];
+        facets.sort_unstable();
+        law.slipping_state(facets)
     }
 
     /// The sums afresh.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
-        self.sums.cover -= self.load;
         self.age = 0;
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
     pub(super) fn run(&mut self, mut entering: Entering, at: Point<D>, limit: usize) -> End {
-        self.pricing.clear(self.form.len(), &Point::default());
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
-        if self.pricing.lazy {
+        if self.is_lazy() {
             let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
             self.line_up(entering.contact, &at, &first.along);
         }
@@ -140,7 +126,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             if self.pivots >= limit {
                 return End::PivotLimit;
             }
-            if self.age > REFRESH + self.form.len() / 4 {
+            if are_stale(self.age, self.form.len()) {
                 self.refresh();
             }
             let Some((step, factors)) = self.step(&entering) else {
@@ -153,8 +139,8 @@ impl<const D: usize, const C: usize> Path<D, C> {
             let leaving = self.blocking(&step, &factors, &entering);
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
-                Leaving::Covering => step.along.z0.abs() < DOUBTFUL * step.largest,
-                Leaving::Variable(candidate) => candidate.rate.abs() < DOUBTFUL * step.largest,
+                Leaving::Covering => step.along.s.abs() < DOUBTFUL * step.largest,
+                Leaving::Variable(candidate) => candidate.vanishing.rate.abs() < DOUBTFUL * step.largest,
             };
             if doubtful && self.age > 0 {
                 self.refresh();
@@ -176,126 +162,110 @@ impl<const D: usize, const C: usize> Path<D, C> {
             if self.exchange(&entering, Some(&leaving)).is_none() {
                 return End::Breakdown;
             }
-            let length = leaving.value.max(0.0) / -leaving.rate;
-            let at =
-                Point { y: step.here.y + step.along.y * length, z0: step.here.z0 + step.along.z0 * length };
-            let turned = self.pricing.lazy && self.pricing.advance(length, &step.along);
+            let length = leaving.vanishing.ratio();
+            let at = step.here.plus(length, &step.along);
             let left = entering.contact;
             entering = Entering { contact: leaving.contact, pair: leaving.pair, jump: !leaving.jump };
-            if turned {
-                self.line_up(entering.contact, &at, &step.along);
-            } else {
-                self.requeue(left, entering.contact, &at);
+            if self.is_lazy() {
+                self.pricing.advance(length, &step.along);
+                if self.pricing.has_turned() {
+                    self.line_up(entering.contact, &at, &step.along);
+                } else {
+                    self.requeue(left, entering.contact, &at);
+                }
             }
         }
+    }
+
+    fn is_lazy(&self) -> bool {
+        self.form.len() >= FEW
     }
 
     /// Everybody waits, but for the contact whose pair is out of the basis.
     fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
-        self.pricing.clear(self.form.len(), along);
-        for contact in 0..number(self.form.len()) {
-            if contact != out {
-                self.await_turn(contact, at);
-            }
-        }
+        let Self { form, basis, pricing, .. } = self;
+        pricing.line_up(form.len(), along, &|contact, e| {
+            (0, if contact == out { f64::INFINITY } else { form.slack(basis, contact, at, e) })
+        });
     }
 
-    /// Those that the step has looked at wait again, but for the contact whose pair is out of the basis now: it is looked at anyway.
+    /// The contacts that the step has looked at wait again, but for that whose pair is out of the
+    /// basis now: it is looked at anyway.
     fn requeue(&mut self, left: u32, out: u32, at: &Point<D>) {
-        if !self.pricing.lazy {
-            return;
-        }
-        let looked = std::mem::take(&mut self.pricing.looked);
-        for &contact in &looked {
+        let Self { form, basis, pricing, .. } = self;
+        pricing.looked.push(left);
+        while let Some(contact) = pricing.looked.pop() {
             if contact != out {
-                self.await_turn(contact, at);
+                let slack = form.slack(basis, contact, at, &pricing.towards);
+                pricing.line.wait(contact, 0, slack);
             }
         }
-        if left != out {
-            self.await_turn(left, at);
-        }
-        self.pricing.looked = looked;
-        self.pricing.looked.clear();
     }
 
-    fn await_turn(&mut self, contact: u32, at: &Point<D>) {
-        if !self.pricing.lazy {
-            return;
-        }
-        let slack = self.form.slack(&self.basis, contact, at, &self.pricing.reference);
-        self.pricing.wait(contact, slack);
-    }
-
-    /// The vertex at which both variables of the pair are zero, and the direction in which the entering one grows by one.
+    /// The vertex at which both variables of the pair are zero, and the direction in which the
+    /// entering one grows by one.
     fn step(&self, entering: &Entering) -> Option<(Step<D>, Bordered<D>)> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
-        let row = self.form.row(local, entering.pair);
-        let unit = self.form.facet(local, entering.pair).map_or(1.0, |facet| facet.unit);
-        let felt = reaction.hold.tr_mul(&row);
-        let gradient = -local.seen.tr_mul(&felt);
-        let corner = self.form.cover(local, entering.pair, unit) - row.dot(&reaction.cover);
-        let factors = Bordered::new(&self.sums.stiffness, &self.sums.cover, &gradient, corner)?;
+        let Facet { row, unit } = self.form.pairs_of(local)[entering.pair];
+        let (felt, corner) = reaction.feels(&row, self.form.cover(local, entering.pair, unit));
+        let gradient = -local.contact.seen.tr_mul(&felt);
+        let factors = Bordered::new(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
         let mut pushed = SVector::zeros();
         let mut last = 1.0;
         if entering.jump {
             let column = self.form.column(local, entering.pair);
-            pushed = local.seen.tr_mul(&(reaction.hold * column * self.form.weight));
+            pushed = local.contact.seen.tr_mul(&(reaction.hold * column * self.form.coordinates.weight));
             last = -felt.dot(&column);
         }
-        let sides = [(&self.sums.trial, -felt.dot(&local.trial)), (&pushed, last)];
-        let [here, along] = factors.solve_each(sides).map(|(y, z0)| Point { y, z0 });
-        let largest = along.z0.abs().max(along.y.amax() * self.form.widest).max(1.0);
+        let sides = [(&self.sums.sides[TRIAL], -felt.dot(&local.trial)), (&pushed, last)];
+        let [here, along] = factors.solve_each(sides).map(|(y, s)| Point { y, s });
+        let largest = along.s.abs().max(along.y.amax() * self.form.widest).max(1.0);
         Some((Step { here, along, largest }, factors))
     }
 
     /// The variable that reaches zero first as the entering one grows.
     fn blocking(&mut self, step: &Step<D>, factors: &Bordered<D>, entering: &Entering) -> Leaving {
+        let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
-        let covering = Candidate {
-            contact: u32::MAX,
-            pair: 0,
-            jump: true,
-            value: step.here.z0,
-            rate: step.along.z0,
-            level: step.here.size(),
-        };
-        let mut length =
-            if covering.rate < -GREY * step.largest { longest(&covering) } else { f64::INFINITY };
+        let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
+        let z0_shrinks = covering.rate < -GREY * step.largest;
+        let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
         let mut look = |contact: u32, length: &mut f64| {
             form.decreasing(basis, contact, step, entering, |candidate| {
-                if ratio(&candidate) <= *length {
-                    *length = length.min(longest(&candidate));
+                if candidate.vanishing.ratio() <= *length {
+                    *length = length.min(candidate.vanishing.longest());
                     candidates.push(candidate);
                 }
             });
         };
         look(entering.contact, &mut length);
-        if pricing.lazy {
+        if lazy {
             // After a second look at the same step.
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
-            let (e, speed) = (pricing.reference, pricing.speed(&step.along));
-            let slack = |contact: u32| form.slack(basis, contact, &step.here, &e);
-            while let Some(contact) = pricing.next(length * speed * (1.0 + TIE), slack) {
-                look(contact, &mut length);
-            }
-        } else {
-            for contact in 0..number(form.len()) {
-                if contact != entering.contact {
+            let speed = pricing.speed(&step.along);
+            let within = |length: f64| length * speed * (1.0 + TIE);
+            while let Some((contact, stamp)) = pricing.line.next_within(within(length)) {
+                let slack = form.slack(basis, contact, &step.here, &pricing.towards);
+                if !pricing.puts_off(within(length), contact, stamp, slack) {
                     look(contact, &mut length);
                 }
+            }
+        } else {
+            for (contact, _) in (0..).zip(&form.locals).filter(|(contact, _)| *contact != entering.contact) {
+                look(contact, &mut length);
             }
         }
         if length == f64::INFINITY {
             return Leaving::Nobody;
         }
-        if covering.rate < -GREY * step.largest && ratio(&covering) <= length {
+        if z0_shrinks && covering.ratio() <= length {
             return Leaving::Covering;
         }
-        candidates.retain(|candidate| ratio(candidate) <= length);
+        candidates.retain(|candidate| candidate.vanishing.ratio() <= length);
         match candidates.as_slice() {
             [] => Leaving::Nobody,
             [only] => Leaving::Variable(*only),
@@ -307,35 +277,32 @@ impl<const D: usize, const C: usize> Path<D, C> {
     fn break_tie(&self, factors: &Bordered<D>, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
-        let pushed = &self.basis.reaction(entering.contact as usize).tie;
-        let last = form.row(local, entering.pair).dot(pushed) - form.perturbation(local, entering.pair);
-        let (y, z0) = factors.solve(&-self.sums.tie, last);
-        let moved = Point { y, z0 };
-        let mut best: Option<(Candidate, f64)> = None;
-        for candidate in &self.candidates {
+        let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
+        let Facet { row, unit } = form.pairs_of(local)[entering.pair];
+        let last = row.dot(pushed) - local.perturbation(entering.pair, unit);
+        let (y, z0) = factors.solve(&-self.sums.sides[PERTURBED], last);
+        let ratio = |candidate: &Candidate| {
             let local = &form.locals[candidate.contact as usize];
             let active = &self.basis.active[candidate.contact as usize];
             let reaction = self.basis.reaction(candidate.contact as usize);
-            let stretch = -(local.seen * moved.y);
+            let stretch = -(local.contact.seen * y);
             let change = if let Some(a) = active.position(candidate.pair) {
                 let own = reaction.multipliers[a].dot(&stretch);
-                -(own + reaction.cover_jumps[a] * moved.z0 + reaction.tie_jumps[a])
+                -(own + reaction.cover.of_pairs[a] * z0 + reaction.tie.of_pairs[a])
             } else {
-                let row = form.row(local, candidate.pair);
-                let unit = form.facet(local, candidate.pair).map_or(1.0, |facet| facet.unit);
-                let x = reaction.hold * stretch - reaction.cover * moved.z0 - reaction.tie;
+                let x = reaction.hold * stretch - reaction.cover.of_x * z0 - reaction.tie.of_x;
+                let Facet { row, unit } = form.pairs_of(local)[candidate.pair];
                 let d = form.cover(local, candidate.pair, unit);
-                row.dot(&x) + d * moved.z0 + form.perturbation(local, candidate.pair)
+                row.dot(&x) + d * z0 + local.perturbation(candidate.pair, unit)
             };
-            let ratio = change / -candidate.rate;
-            if best.is_none_or(|(_, least)| ratio < least) {
-                best = Some((*candidate, ratio));
-            }
-        }
-        best.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(candidate))
+            change / -candidate.vanishing.rate
+        };
+        let first = self.candidates.iter().map(|c| (c, ratio(c))).min_by(|a, b| a.1.total_cmp(&b.1));
+        first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
-    /// The entering variable becomes basic, the leaving one zero. `None` for a state that no exact basis has.
+    /// The entering variable becomes basic, the leaving one zero. `None` for a state that no exact
+    /// basis has.
     fn exchange(&mut self, entering: &Entering, leaving: Option<&Candidate>) -> Option<()> {
         let enters = entering.jump.then_some(entering.contact as usize);
         let leaves = leaving.filter(|l| l.jump).map(|l| l.contact as usize);
@@ -360,15 +327,4 @@ enum Leaving {
     Nobody,
     Covering,
     Variable(Candidate),
-}
-
-fn ratio(candidate: &Candidate) -> f64 {
-    candidate.value.max(0.0) / -candidate.rate
-}
-
-/// The step after which a variable is below zero by as much as its rounding: variables that reach zero before the least of these
-/// cannot be told apart.
-fn longest(candidate: &Candidate) -> f64 {
-    let value = candidate.value.max(0.0);
-    (value + TIE * value + ROUNDING * candidate.level) / -candidate.rate
 }

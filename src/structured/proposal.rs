@@ -1,8 +1,9 @@
 //! Contact states for the ladder of `equilibrium`, which solves and checks them.
 
-use super::newton::Newton;
+use super::newton::newton;
 use super::path::{End, Path};
-use crate::contact::{Mode, State};
+use super::solution::Solution;
+use crate::contact::State;
 use crate::object::{Piece, PieceState, Problem};
 
 /// What a search for contact states took, and its end.
@@ -20,11 +21,13 @@ pub(crate) struct Proposal<const C: usize> {
 pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vec<State<C>>> {
-    let mut newton = Newton::default();
-    newton.run(problem).then(|| newton.states.iter().map(|state| State::from(*state)).collect())
+    let mut solution = Solution::default();
+    newton(problem, &mut solution)?;
+    Some(solution.states.into_iter().map(State::from).collect())
 }
 
-/// Follows Lemke's path on the kinematic form from the trial state, and those of as many other covering vectors after a ray.
+/// Follows Lemke's path on the kinematic form from the trial state, and those of as many other
+/// covering vectors after a ray.
 pub(crate) fn propose<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
@@ -45,7 +48,8 @@ pub(crate) fn propose<const D: usize, const C: usize>(
         proposal.pivots = path.pivots;
         match end {
             End::Complementary => {
-                proposal.states = Some(path.states(problem));
+                let states = problem.locals().enumerate().map(|(i, law)| path.state(i, &law).into());
+                proposal.states = Some(states.collect());
                 return proposal;
             }
             End::Ray => {}
@@ -53,24 +57,4 @@ pub(crate) fn propose<const D: usize, const C: usize>(
         }
     }
     proposal
-}
-
-impl<const D: usize, const C: usize> Path<D, C> {
-    /// The contact states of the present basis.
-    fn states(&self, problem: &Problem<D, C>) -> Vec<State<C>> {
-        let state = |contact: usize| {
-            let (gap, local) = (self.form.opens(contact), problem.local(contact));
-            let active = &self.basis.active[contact];
-            if gap && active.position(0).is_some() {
-                return Mode::Open;
-            }
-            if active.len() == 0 {
-                return local.unjumped();
-            }
-            let mut facets: Vec<u16> = active.facets(gap).collect();
-            facets.sort_unstable();
-            local.slipping_state(&facets).into()
-        };
-        (0..self.form.len()).map(state).collect()
-    }
 }

@@ -1,61 +1,65 @@
-//! From the last basis of a path to forces, with a check of every condition.
+//! An equilibrium in known states, with a check of every condition.
 
 use nalgebra::SVector;
 
+use super::basis::TRIAL;
 use super::path::Path;
+use crate::contact::{PolygonState, SMALLEST};
 use crate::numerics::Bordered;
-use crate::object::Problem;
+use crate::object::{CORRECTIONS, Facet, Problem};
 
-/// Corrections of the motion by what its forces leave out of balance.
-const CORRECTIONS: usize = 2;
-/// What is left out of balance by less than this part of its terms is corrected once.
-const BALANCED: f64 = 1e-13;
-/// After so few pivots the sums have hardly lost anything.
+/// Forces out of balance by less than this part of their sizes balance: what is left is mostly
+/// rounding, and another correction would only stir it.
+pub(super) const BALANCED: f64 = 1e-13;
+/// After so few pivots the sums have hardly lost anything, and need not be made afresh for the
+/// solution.
 const FRESH: usize = 16;
-/// No solution has a larger residual.
+/// No solution has a larger residual: a vertex of a wrong basis breaks its conditions by much more.
 const ACCURATE: f64 = 1e-10;
 /// Forces below this part of those in the trial state are its rounding.
 const ROUNDING: f64 = 1e-5;
-/// Below, numbers are subnormal somewhere on the way and have no relative precision.
-const SMALLEST: f64 = 1e-250;
 
+/// An equilibrium, by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
 pub(super) struct Solution<const D: usize, const C: usize> {
+    /// The least motion of the object, in inside coordinates.
+    pub(super) twist: SVector<f64, D>,
     pub(super) forces: Vec<SVector<f64, C>>,
-    /// Motion of the object in the trial state, in the coordinates of Q; then of the solution.
-    pub(super) travelled: SVector<f64, D>,
-    pub(super) moved: SVector<f64, D>,
+    /// Where Newton's method has led to it.
+    pub(super) states: Vec<PolygonState>,
+    /// The largest violation of a condition, over the sizes of its terms.
     pub(super) residual: f64,
 }
 
 impl<const D: usize, const C: usize> Default for Solution<D, C> {
     fn default() -> Self {
-        let zero = SVector::zeros();
-        Self { forces: Vec::new(), travelled: zero, moved: zero, residual: f64::INFINITY }
+        Self { twist: SVector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
     }
 }
 
 impl<const D: usize, const C: usize> Solution<D, C> {
-    /// Solves the equations of the present states at z₀ = 0; whether every inequality holds there, too.
-    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> bool {
-        if path.age <= FRESH && self.check(path, problem) {
-            return true;
+    /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
+    /// of the trial state if every inequality holds there, too.
+    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> Option<SVector<f64, D>> {
+        if path.age <= FRESH
+            && let Some(y) = self.check(path, problem)
+        {
+            return Some(y);
         }
         path.refresh();
         self.check(path, problem)
     }
 
-    fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> bool {
+    fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> Option<SVector<f64, D>> {
         self.residual = f64::INFINITY;
-        let Some(y) = path.vertex() else { return false };
-        self.moved = self.travelled + y / path.form.weight.sqrt();
+        let y = path.vertex()?;
         self.forces.clear();
         let mut largest = problem.wrench.norm();
         for (contact, (local, site)) in path.form.locals.iter().zip(problem.sites).enumerate() {
             let x = path.basis.reaction(contact).hold * local.stretch(&y);
             let force = x.component_mul(&site.springs.root());
-            largest =
-                largest.max(force.norm()).max(ROUNDING * site.springs.stiffest().sqrt() * local.trial.norm());
+            let trial = site.springs.stiffest().sqrt() * local.trial.norm();
+            largest = largest.max(force.norm()).max(ROUNDING * trial);
             self.forces.push(force);
         }
         let mut worst = 0.0_f64;
@@ -65,27 +69,27 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             let stretch = local.stretch(&y);
             let x = reaction.hold * stretch;
             let level = SMALLEST + local.trial.norm() + stretch.norm();
-            // A force is known from its stretch or from balance with the others, whichever is better.
+            // A force is known from its stretch or from balance with the others, whichever is
+            // better.
             let force_level = SMALLEST + x.norm() + level.min(largest / site.springs.softest().sqrt());
-            let force = &mut self.forces[contact];
-            for (a, pair) in active.iter().enumerate() {
-                let z = &reaction.multipliers[a];
+            for (z, _) in reaction.multipliers.iter().zip(active.iter()) {
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
-                if local.gap && pair == 0 {
-                    // Nothing holds an open contact, whatever its friction.
-                    worst = worst.max(x.norm() / force_level);
-                    force.fill(0.0);
-                }
             }
-            for pair in (0..local.pairs()).filter(|pair| active.position(*pair).is_none()) {
-                let row = path.form.row(local, pair);
+            let pairs = path.form.pairs_of(local).iter().enumerate();
+            for (_, Facet { row, .. }) in pairs.filter(|(pair, _)| !active.has(*pair)) {
                 worst = worst.max(-row.dot(&x) / (force_level * row.norm()));
+            }
+            let force = &mut self.forces[contact];
+            if local.contact.gap && active.has(0) {
+                // Nothing holds an open contact, whatever its friction.
+                worst = worst.max(x.norm() / force_level);
+                force.fill(0.0);
             }
             sum += site.map * *force;
             size += force.norm() + ROUNDING * site.springs.stiffest().sqrt() * level.min(local.trial.norm());
         }
         self.residual = worst.max(sum.norm() / (size + SMALLEST));
-        self.residual <= ACCURATE
+        (self.residual <= ACCURATE).then_some(y)
     }
 }
 
@@ -97,15 +101,16 @@ impl<const D: usize, const C: usize> Path<D, C> {
         }
         let zero = SVector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
-        let mut y = factors.solve(&self.sums.trial, 0.0).0;
+        let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
         for _ in 0..CORRECTIONS {
             let (mut left, mut size) = (SVector::<f64, D>::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
+                let seen = &local.contact.seen;
                 let x = self.basis.reaction(contact).hold * local.stretch(&y) - local.trial;
-                left += local.seen.tr_mul(&x);
-                size += local.seen.norm_squared() * x.norm_squared();
+                left += seen.tr_mul(&x);
+                size += seen.norm_squared() * x.norm_squared();
             }
-            y += factors.solve(&(left * self.form.weight), 0.0).0;
+            y += factors.solve(&(left * self.form.coordinates.weight), 0.0).0;
             if left.norm_squared() <= BALANCED * BALANCED * size {
                 break;
             }

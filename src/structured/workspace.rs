@@ -4,37 +4,37 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::newton::Newton;
+use super::newton::newton;
 use super::path::{End, Path};
 use super::solution::Solution;
-use crate::contact::{Law, Mode, Polygon, PolygonCone};
+use crate::contact::{Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Grasp, Site, Twist, Wrench};
-use crate::numerics::Orthogonal;
-use crate::object::Problem;
+use crate::numerics::{Orthogonal, without};
+use crate::object::{Problem, spring_rows, stretched, worked_on};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
 /// From this many contacts on Newton's method is tried first.
 const MANY: usize = 32;
-/// A load that does this little work on a unit free motion, relative to its size, does none.
-const NO_WORK: f64 = 1e-13;
 
-/// Memory for equilibria under one load after another, by Lemke's method on lists of contact states.
+/// Memory for equilibria under one load after another, by Lemke's method on lists of contact
+/// states.
 ///
-/// After the first scene it allocates nothing for scenes with no more contacts (with thousands of them the thread pool of the feature `parallel`
-/// may). It looks for one equilibrium, in space
-/// on the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where it finds none.
-/// [`Grasp::solve`] knows more ways to one, proofs that there is none, the round cone and the answer as physics.
+/// After the first scene it allocates nothing for scenes with no more contacts (with thousands of
+/// them the thread pool of the feature `parallel` may). It looks for one equilibrium, in space on
+/// the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where
+/// it finds none. [`Grasp::solve`] knows more ways to one, proofs that there is none, the round
+/// cone and the answer as physics.
 ///
-/// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the next one. `D` and `C` are 3 and 2 in the
-/// plane, 6 and 3 in space.
+/// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the
+/// next one. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
 #[derive(Debug, Clone)]
 pub struct Workspace<const D: usize, const C: usize> {
     path: Path<D, C>,
-    /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the last scene if only load, commands or
-    /// friction have changed.
+    /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the
+    /// last scene if only load, commands or friction have changed.
     springs: Vec<SVector<f64, D>>,
     factor: Orthogonal<D>,
     /// x⁰, spring by spring.
@@ -44,8 +44,10 @@ pub struct Workspace<const D: usize, const C: usize> {
     cone: PolygonCone,
     polygon: Arc<Polygon<C>>,
     solution: Solution<D, C>,
-    newton: Newton<D, C>,
-    by_newton: bool,
+    /// R q in the trial state.
+    travelled: SVector<f64, D>,
+    /// Steps of Newton's method, if they led to the solution.
+    newton_steps: Option<usize>,
     twist: Twist<D>,
 }
 
@@ -57,8 +59,9 @@ pub enum Search<'a, const D: usize, const C: usize> {
     Found(View<'a, D, C>),
     /// The load works on a motion that no contact resists: there is no equilibrium.
     FreeMotion,
-    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the kinematic form) or on a point that does not satisfy every
-    /// condition: there may be an equilibrium or none.
+    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
+    /// kinematic form) or on a point that does not satisfy every condition. There may be an
+    /// equilibrium or none.
     NotFound {
         /// Pivots of all paths.
         pivots: usize,
@@ -72,30 +75,29 @@ pub struct View<'a, const D: usize, const C: usize> {
 }
 
 impl<'a, const D: usize, const C: usize> View<'a, D, C> {
-    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp: (`F_n`, `F_t`…), `F_n` > 0 pushes.
+    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp:
+    /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
     #[must_use]
     pub fn forces(&self) -> &'a [SVector<f64, C>] {
-        if self.workspace.by_newton { &self.workspace.newton.forces } else { &self.workspace.solution.forces }
+        &self.workspace.solution.forces
     }
 
-    /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if the contacts leave it free motions.
+    /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
+    /// the contacts leave it free motions.
     #[must_use]
     pub fn twist(&self) -> Twist<D> {
         self.workspace.twist
     }
 
-    /// The largest violation of a condition, relative to the sizes of its terms: balance of forces and moments, friction cones,
-    /// gaps and slips. At most 1e-10, as a rule a few roundings.
+    /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
+    /// and moments, friction cones, gaps and slips. At most 1e-10, as a rule a few roundings.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        if self.workspace.by_newton {
-            self.workspace.newton.residual
-        } else {
-            self.workspace.solution.residual
-        }
+        self.workspace.solution.residual
     }
 
-    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to the equilibrium.
+    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to
+    /// the equilibrium.
     #[must_use]
     pub fn pivots(&self) -> usize {
         self.workspace.path.pivots
@@ -104,11 +106,12 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     /// Steps of Newton's method, if they led to it: then no pivot was needed.
     #[must_use]
     pub fn newton_steps(&self) -> Option<usize> {
-        self.workspace.by_newton.then_some(self.workspace.newton.steps)
+        self.workspace.newton_steps
     }
 
-    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact: none for a contact that rolls,
-    /// [`Row::Gap`] for one that is open, one [`Row::Slip`] for one that slides across a facet, two at a corner of the polygon.
+    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact. A
+    /// contact that rolls has none, and one that is open has its [`Row::Gap`]. One that slides
+    /// across a facet has one [`Row::Slip`], at a corner of the polygon it has two.
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
         let workspace = self.workspace;
         (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
@@ -122,7 +125,8 @@ impl<const D: usize, const C: usize> Default for Workspace<D, C> {
 }
 
 impl<const D: usize, const C: usize> Workspace<D, C> {
-    /// A workspace without memory yet, for answers on this polygonal cone, which is looked at in space only.
+    /// A workspace without memory yet, for answers on this polygonal cone, which is looked at in
+    /// space only.
     #[must_use]
     pub fn new(cone: PolygonCone) -> Self {
         Self {
@@ -135,8 +139,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             cone,
             polygon: Polygon::shared(&cone),
             solution: Solution::default(),
-            newton: Newton::default(),
-            by_newton: false,
+            travelled: SVector::zeros(),
+            newton_steps: None,
             twist: Twist::from_vector(SVector::zeros()),
         }
     }
@@ -147,8 +151,9 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         self.cone
     }
 
-    /// An equilibrium of a grasp under a load on the object: from 32 contacts on by Newton's method if it arrives, else along up to four of Lemke's paths
-    /// from the elastic trial state. A step of Newton's method and a pivot cost O(n) with n contacts.
+    /// An equilibrium of a grasp under a load on the object. It is found by Newton's method from 32
+    /// contacts on, if that arrives, else along up to four of Lemke's paths from the elastic trial
+    /// state. A step of Newton's method and a pivot cost O(n) with n contacts.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -176,7 +181,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         self.solve_along(OTHER_PATHS, grasp, load)
     }
 
-    /// The same along Lemke's first path only, that of the covering vector of ones, whatever the number of contacts.
+    /// The same along Lemke's first path only, that of the covering vector of ones, whatever the
+    /// number of contacts.
     ///
     /// # Errors
     /// As for [`Workspace::solve`].
@@ -212,95 +218,53 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             infinite_friction_has_edges: false,
             round: false,
         };
-        self.by_newton = other_paths > 0 && problem.len() >= MANY && self.newton.run(&problem);
-        let balanced = self.by_newton || self.stick(&problem);
-        let found = self.by_newton || (balanced && self.search(&problem, other_paths));
+        let by_newton = other_paths > 0 && problem.len() >= MANY;
+        self.newton_steps = by_newton.then(|| newton(&problem, &mut self.solution)).flatten();
+        let balanced = self.newton_steps.is_some() || self.stick(&problem);
+        let found = self.newton_steps.is_some() || (balanced && self.search(&problem, other_paths));
         (self.laws, self.drives) = (problem.laws, problem.drives);
-        if found {
-            let twist = if self.by_newton { self.newton.twist } else { self.least_twist() };
-            self.twist = grasp.outside(&twist);
-        }
-        if !balanced {
-            return Ok(Search::FreeMotion);
-        }
         let pivots = self.path.pivots;
-        Ok(if found { Search::Found(View { workspace: self }) } else { Search::NotFound { pivots } })
+        Ok(if !balanced {
+            Search::FreeMotion
+        } else if found {
+            self.twist = grasp.outside(&self.solution.twist);
+            Search::Found(View { workspace: self })
+        } else {
+            Search::NotFound { pivots }
+        })
     }
 
     /// The rows of a contact whose jumps are basic.
     fn rows(&self, contact: usize) -> [Option<Row>; 3] {
-        let mut rows = [None; 3];
-        let slip = |facet: usize| Some(Row::Slip { contact, facet });
-        if self.by_newton {
-            match self.newton.states[contact] {
-                Mode::Open => rows[0] = Some(Row::Gap { contact }),
-                Mode::Rolling => {}
-                Mode::Facet(j) => rows[0] = slip(usize::from(j)),
-                Mode::Corner(j) => {
-                    let j = usize::from(j);
-                    rows = [slip(j), slip((j + 1) % self.polygon.normals.len()), None];
-                }
-                Mode::Round(never) => match never {},
-            }
-            return rows;
+        let gap = Row::Gap { contact };
+        let slip = |facet| Row::Slip { contact, facet };
+        if self.newton_steps.is_some() {
+            let state = &self.solution.states[contact];
+            let [first, second] = state.own_facets(self.polygon.normals.len());
+            return [state.is_open().then_some(gap), first.map(slip), second.map(slip)];
         }
-        let gap = self.path.form.opens(contact);
-        for (row, pair) in rows.iter_mut().zip(self.path.basis.active[contact].iter()) {
-            *row = if gap && pair == 0 { Some(Row::Gap { contact }) } else { slip(pair - usize::from(gap)) };
-        }
-        rows
+        let gaps = usize::from(self.path.form.locals[contact].contact.gap);
+        let row = |pair: usize| pair.checked_sub(gaps).map_or(gap, slip);
+        let mut rows = self.path.basis.active[contact].iter().map(row);
+        std::array::from_fn(|_| rows.next())
     }
 
     /// The trial state in which every contact sticks; `false` if no contact resists the load.
     fn stick(&mut self, problem: &Problem<D, C>) -> bool {
-        let springs = || {
-            problem
-                .sites
-                .iter()
-                .enumerate()
-                .flat_map(|(i, site)| (0..site.springs.axes()).map(move |axis| (i, site, axis)))
-        };
-        let row = |(_, site, axis): (usize, &Site<D, C>, usize)| {
-            site.map.column(axis) * site.springs.root_along(axis)
-        };
-        if !springs().map(row).eq(self.springs.iter().copied()) {
+        let sites = problem.sites;
+        if !spring_rows(sites).eq(self.springs.iter().copied()) {
             self.springs.clear();
-            self.springs.extend(springs().map(row));
+            self.springs.extend(spring_rows(sites));
             self.factor.assign(&self.springs);
         }
-        let wrench = problem.wrench;
-        if self.factor.rank() < D {
-            let free = self.factor.null_vectors();
-            let work =
-                free[..D - self.factor.rank()].iter().map(|v| v.dot(&wrench)).fold(0.0_f64, f64::hypot);
-            if work > NO_WORK * wrench.norm() {
-                return false;
-            }
+        let free = self.factor.null_vectors();
+        if worked_on(&free[..D - self.factor.rank()], &problem.wrench).is_some() {
+            return false;
         }
         self.x.clear();
-        self.x
-            .extend(springs().map(|(i, site, axis)| site.springs.root_along(axis) * problem.drives[i][axis]));
-        let load = self.factor.load_coordinates(&wrench);
-        let mut travelled = SVector::zeros();
-        // Once to solve, twice more to remove what rounding left of it.
-        for _ in 0..3 {
-            let step = self.factor.coordinates(&self.x) + load;
-            self.factor.subtract(&mut self.x, &step);
-            travelled += step;
-        }
-        self.solution.travelled = travelled;
+        self.x.extend(stretched(sites, |contact| problem.drives[contact]));
+        self.travelled = self.factor.project(&mut self.x, &problem.wrench);
         true
-    }
-
-    /// The twist of least norm of the solution.
-    fn least_twist(&self) -> SVector<f64, D> {
-        let mut twist = self.factor.preimage(&self.solution.moved);
-        if self.factor.rank() < D {
-            for v in &self.factor.null_vectors()[..D - self.factor.rank()] {
-                twist -= v * v.dot(&twist);
-            }
-        }
-        twist
     }
 
     fn search(&mut self, problem: &Problem<D, C>, other_paths: usize) -> bool {
@@ -308,7 +272,13 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         let limit = self.path.pivot_limit();
         for attempt in 0..=other_paths {
             let end = self.path.run_from_trial(attempt, self.path.pivots + limit);
-            if end == End::Complementary && self.solution.take(&mut self.path, problem) {
+            if end == End::Complementary
+                && let Some(y) = self.solution.take(&mut self.path, problem)
+            {
+                let moved = self.travelled + y / self.path.form.coordinates.weight.sqrt();
+                let free = self.factor.null_vectors();
+                let free = &free[..D - self.factor.rank()];
+                self.solution.twist = without(self.factor.preimage(&moved), free);
                 return true;
             }
         }

@@ -122,7 +122,9 @@ fn check_minimum<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     rolling_scenes: &Cell<u32>,
 ) -> Result<(), TestCaseError> {
-    let outcome = scene.grasp().solve(&scene.wrench()).expect("a finite load");
+    // Only the first rung of the ladder is looked at here. Long searches on the last rung would say nothing about it.
+    let settings = Settings::default().with_most_states(0);
+    let outcome = scene.grasp().solve_with(&scene.wrench(), &settings).expect("a finite load");
     let expected = rolling::forces(scene);
     if let (Outcome::NoEquilibrium(NoEquilibrium { proof: Proof::FreeMotion { .. }, .. }), None) =
         (&outcome, &expected)

@@ -110,6 +110,11 @@ fn compare<const D: usize, const C: usize>(
     if let (Some(a), Some((_, _, b))) = (short.state(), long.position()) {
         alike(&a, &b)?;
     }
+    tally.checked += 1;
+    if matches!(short.end(), Some(PathEnd::NoStart(_))) {
+        // A path without a start has no way on which it could stop.
+        return Ok(());
+    }
     // The same once more, with a stop in the middle of every leg.
     let mut slow = grasp.follow_patch(scene.start(), &scene.legs()).unwrap();
     let mut told = 0;
@@ -131,7 +136,6 @@ fn compare<const D: usize, const C: usize>(
         events.extend(parts.by_ref());
     }
     prop_assert_eq!(&events, &list);
-    tally.checked += 1;
     Ok(())
 }
 

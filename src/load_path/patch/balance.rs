@@ -1,96 +1,308 @@
-//! Balance of the object, summed over contacts of which an event changes one or two.
+//! The contacts in known states, and the motion of the object in which they balance the load.
 //!
-//! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`: d equations for the motion y on top of
-//! the elastic trial motion,
+//! With every contact in a known state balance is d equations for the motion y on top of the
+//! elastic trial motion. They are affine in the fraction τ of the leg, and an event changes a term
+//! or two of them:
 //!
 //! ```text
 //! T y = b + τ b',   T = Σ QᵀP Q,   b = Σ Qᵀ((P - 1) x⁰ - P m),   b' = Σ Qᵀ(P - 1) x⁰'
 //! ```
-//!
-//! T is the identity where everything sticks, whatever the stiffnesses.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
-use super::local::Local;
-use crate::contact::Mode;
-use crate::numerics::{Factors, SUMMED_IN_TURN, both};
+use super::moving_contact::{MovingContact, for_each_slip, size};
+use super::stand::Stand;
+use super::trial_leg::TrialLeg;
+use crate::contact::{PolygonState, WEIGHTLESS, tangential};
+use crate::grasp::Site;
+use crate::numerics::{Factors, orthonormalise_against};
+use crate::object::{CORRECTIONS, EnergyCoordinates, Facet, MARGIN, Point, Problem, Sums, are_stale, slack};
 
-/// T, b and b'.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sums<const D: usize> {
-    pub(super) stiffness: SMatrix<f64, D, D>,
-    pub(super) base: SVector<f64, D>,
-    pub(super) rate: SVector<f64, D>,
+/// Up to so many contacts the sums are made afresh for every solve: that costs no more than the
+/// solve.
+const FEW: usize = 64;
+
+/// The contacts in their states, and where the path stands.
+#[derive(Debug)]
+pub(super) struct Balance<const D: usize, const C: usize> {
+    pub(super) contacts: Vec<MovingContact<D, C>>,
+    coordinates: EnergyCoordinates<C>,
+    /// T, b and b'.
+    sums: Sums<D, 2>,
+    /// Changes since the sums were made.
+    age: usize,
+    factors: Factors<D>,
+    /// The fraction of the leg at which the path stands.
+    pub(super) tau: f64,
+    /// Motion on top of the trial state there, scaled as Q is, and its rate.
+    pub(super) y: SVector<f64, D>,
+    pub(super) y_rate: SVector<f64, D>,
+    /// A unit of time along the leg that weighs as much as one of y.
+    pub(super) pace: f64,
+    /// How often a contact has been looked at.
+    pub(super) looked_at: usize,
 }
 
-impl<const D: usize> Sums<D> {
-    pub(super) fn zero() -> Self {
-        Self { stiffness: SMatrix::zeros(), base: SVector::zeros(), rate: SVector::zeros() }
+impl<const D: usize, const C: usize> Balance<D, C> {
+    /// Everything sticks.
+    pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D>) -> Self {
+        let (mut contacts, mut coordinates) =
+            (Vec::with_capacity(problem.len()), EnergyCoordinates::default());
+        coordinates.lay_out(problem, &trial.factor, |_, contact| contacts.push(MovingContact::new(contact)));
+        let (sums, zero) = (Sums::default(), SVector::zeros());
+        Self {
+            contacts,
+            coordinates,
+            age: 0,
+            factors: Factors::new(&sums.stiffness),
+            sums,
+            tau: 0.0,
+            y: zero,
+            y_rate: zero,
+            pace: 1.0,
+            looked_at: 0,
+        }
     }
 
-    /// Afresh. Entries of y from `rank` on move nothing.
-    pub(super) fn of<const C: usize>(
-        locals: &[Local<D, C>],
-        all: &[SVector<f64, C>],
-        weight: f64,
-        rank: usize,
-    ) -> Self {
-        let mut sums = Self::in_halves(locals, all, weight);
-        for k in rank..D {
-            sums.stiffness[(k, k)] = 1.0;
-        }
-        sums
+    pub(super) fn contact(&self, contact: u32) -> &MovingContact<D, C> {
+        &self.contacts[contact as usize]
     }
 
-    /// Rounding grows with the logarithm of the number of contacts only, and is the same for any number of threads.
-    fn in_halves<const C: usize>(locals: &[Local<D, C>], all: &[SVector<f64, C>], weight: f64) -> Self {
-        if locals.len() > SUMMED_IN_TURN {
-            let (near, far) = locals.split_at(locals.len() / 2);
-            let (a, b) = both(
-                locals.len(),
-                || Self::in_halves(near, all, weight),
-                || Self::in_halves(far, all, weight),
-            );
-            return Self {
-                stiffness: a.stiffness + b.stiffness,
-                base: a.base + b.base,
-                rate: a.rate + b.rate,
-            };
-        }
-        let mut sums = Self::zero();
-        for local in locals {
-            sums.add(local, all, weight);
-        }
-        sums
+    pub(super) fn facets(&self, contact: &MovingContact<D, C>) -> &[Facet<C>] {
+        self.coordinates.facets(&contact.fixed)
     }
 
-    /// Adds the terms of a contact.
-    pub(super) fn add<const C: usize>(&mut self, local: &Local<D, C>, all: &[SVector<f64, C>], weight: f64) {
-        let code = local.code;
-        match code {
-            Mode::Open => {
-                self.base -= local.seen.tr_mul(&(local.trial * weight));
-                self.rate -= local.seen.tr_mul(&(local.rate * weight));
+    /// √ of the weight of the scaled Q: R q is y over this.
+    pub(super) fn scale(&self) -> f64 {
+        self.coordinates.weight.sqrt()
+    }
+
+    /// u of a contact where the path stands.
+    pub(super) fn stretch(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+        contact.stretch(&self.y, self.tau)
+    }
+
+    /// u' of a contact.
+    pub(super) fn stretch_rate(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+        contact.stretch_rate(&self.y_rate)
+    }
+
+    /// x' of a contact.
+    pub(super) fn force_rate(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+        contact.force(&self.stretch_rate(contact), self.facets(contact))
+    }
+
+    /// Size of the terms that u' of a contact is made of.
+    pub(super) fn rate_level(&self, contact: &MovingContact<D, C>) -> f64 {
+        contact.rate_level(self.y_rate.norm())
+    }
+
+    /// How much relative rounding errors grow in a rate of the motion, at least 1.
+    pub(super) fn growth(&self) -> f64 {
+        self.factors.growth()
+    }
+
+    /// The direction of the path in motion and time.
+    pub(super) fn course(&self) -> Point<D> {
+        Point { y: self.y_rate, s: self.pace }
+    }
+
+    /// Puts a contact into a state.
+    pub(super) fn put(&mut self, contact: u32, state: PolygonState) {
+        let Self { contacts, coordinates, sums, .. } = self;
+        let contact = &mut contacts[contact as usize];
+        if contact.state != state {
+            let facets = coordinates.facets(&contact.fixed);
+            contact.add_to(sums, facets, -coordinates.weight);
+            contact.state = state;
+            contact.add_to(sums, facets, coordinates.weight);
+            self.age += 1;
+        }
+    }
+
+    /// The slip of a contact up to here becomes memory.
+    pub(super) fn remember(&mut self, contact: u32) {
+        let contact = &mut self.contacts[contact as usize];
+        let u = contact.stretch(&self.y, self.tau);
+        contact.remember(&u, self.coordinates.facets(&contact.fixed));
+    }
+
+    /// The slip of all contacts up to here becomes memory.
+    pub(super) fn remember_all(&mut self) {
+        for contact in (0..).take(self.contacts.len()) {
+            if self.contact(contact).state.slides() {
+                self.remember(contact);
             }
-            Mode::Rolling => {
-                self.stiffness += local.seen.tr_mul(&(local.seen * weight));
-                self.base -= local.seen.tr_mul(&(local.memory * weight));
-            }
-            Mode::Facet(_) | Mode::Corner(_) => {
-                let hold = local.hold(all);
-                self.stiffness += local.seen.tr_mul(&(hold * local.seen * weight));
-                let pushed = hold * (local.trial - local.memory) - local.trial;
-                self.base += local.seen.tr_mul(&(pushed * weight));
-                self.rate += local.seen.tr_mul(&((hold * local.rate - local.rate) * weight));
-            }
         }
     }
 
-    pub(super) fn side(&self, tau: f64) -> SVector<f64, D> {
-        self.base + self.rate * tau
+    /// The sums afresh.
+    pub(super) fn renew(&mut self) {
+        let (rank, weight) = (self.coordinates.rank, self.coordinates.weight);
+        self.sums = Sums::over(self.contacts.len(), rank, &|sums, contact| {
+            let contact = &self.contacts[contact];
+            contact.add_to(sums, self.facets(contact), weight);
+        });
+        self.refactor();
+        self.age = 0;
+        self.looked_at += self.contacts.len();
     }
 
-    pub(super) fn factors(&self) -> Factors<D> {
-        Factors::new(&self.stiffness)
+    /// The factors of the sums as they have become.
+    pub(super) fn refactor(&mut self) {
+        self.factors = Factors::new(&self.sums.stiffness);
+    }
+
+    /// A leg begins, with x⁰ and its change along the leg, spring by spring.
+    pub(super) fn begin_leg(&mut self, sites: &[Site<D, C>], [trial, rate]: &[Vec<f64>; 2]) {
+        let mut springs = trial.iter().zip(rate);
+        for (contact, site) in self.contacts.iter_mut().zip(sites) {
+            for (axis, (x, change)) in springs.by_ref().take(site.springs.axes()).enumerate() {
+                (contact.trial[axis], contact.rate[axis]) = (*x, *change);
+            }
+        }
+        // Where the trial state does not change, nothing does.
+        let mean = (rate.iter().map(|x| x * x).sum::<f64>() / sites.len() as f64).sqrt();
+        self.pace = if mean > 0.0 { mean } else { 1.0 };
+        self.tau = 0.0;
+    }
+
+    /// Removes what rounding leaves of balance at a fraction of the leg.
+    pub(super) fn settle_at(&mut self, tau: f64) {
+        self.tau = tau;
+        let [base, rate] = &self.sums.sides;
+        let left = base + rate * tau - self.sums.stiffness * self.y;
+        self.y += self.factors.solve(&left);
+    }
+
+    /// Goes along the present piece up to a fraction of the leg.
+    pub(super) fn go_to(&mut self, tau: f64) {
+        self.y += self.y_rate * (tau - self.tau);
+        self.settle_at(tau);
+    }
+
+    /// Solves for the rate of the motion in the present states. `false` if nothing balances the
+    /// load there.
+    pub(super) fn solve_rates(&mut self, trial: &TrialLeg<D>) -> bool {
+        if self.contacts.len() <= FEW || are_stale(self.age, self.contacts.len()) {
+            self.renew();
+        } else {
+            self.refactor();
+        }
+        let [_, side] = &self.sums.sides;
+        let terms = 1.0 + side.amax().max(self.pace);
+        let Some(rate) = self.factors.solve_exactly(side, terms) else { return false };
+        self.y_rate = rate;
+        self.rest_along_free_motions(trial);
+        self.y_rate.iter().all(|x| x.is_finite())
+    }
+
+    /// Nothing drives the object along motions that nothing resists.
+    fn rest_along_free_motions(&mut self, trial: &TrialLeg<D>) {
+        let kernel = self.factors.kernel();
+        if kernel.is_empty() {
+            return;
+        }
+        let scale = self.scale();
+        let preimage = |y: &SVector<f64, D>| trial.factor.preimage(&(y / scale));
+        // Pairs of a motion and the same in the coordinates of y, the motions orthonormal.
+        let mut known: Vec<(SVector<f64, D>, SVector<f64, D>)> =
+            trial.free.iter().map(|v| (*v, SVector::zeros())).collect();
+        for mut y in kernel {
+            let mut v = preimage(&y);
+            for _ in 0..2 {
+                for (w, z) in &known {
+                    let along = w.dot(&v);
+                    v -= w * along;
+                    y -= z * along;
+                }
+            }
+            let size = v.norm();
+            known.push((v / size, y / size));
+        }
+        let rate = trial.factor.preimage(&trial.rate) + preimage(&self.y_rate);
+        for (v, y) in known {
+            self.y_rate -= y * v.dot(&rate);
+        }
+    }
+
+    /// y with what rounding leaves of balance removed from it, summed afresh.
+    pub(super) fn balanced(&self) -> SVector<f64, D> {
+        let mut y = self.y;
+        for _ in 0..CORRECTIONS {
+            let mut left = SVector::<f64, D>::zeros();
+            for contact in &self.contacts {
+                let x = contact.force(&contact.stretch(&y, self.tau), self.facets(contact));
+                left += contact.fixed.seen.tr_mul(&(x - contact.trial - contact.rate * self.tau));
+            }
+            y += self.factors.solve(&(left * self.coordinates.weight));
+        }
+        y
+    }
+
+    /// The twist at which y stands on top of the trial state: the least one.
+    pub(super) fn twist(&self, trial: &TrialLeg<D>, y: &SVector<f64, D>) -> SVector<f64, D> {
+        trial.twist(&(trial.travelled + trial.rate * self.tau + y / self.scale()))
+    }
+
+    /// The motion in which the object goes on.
+    pub(super) fn twist_rate(&self, trial: &TrialLeg<D>) -> SVector<f64, D> {
+        trial.twist(&(trial.rate + self.y_rate / self.scale()))
+    }
+
+    /// Unit motions that nothing resists here.
+    pub(super) fn free_motions(&self, trial: &TrialLeg<D>) -> Vec<SVector<f64, D>> {
+        let mut motions = trial.free.clone();
+        for v in self.factors.kernel() {
+            let mut v = trial.factor.preimage(&v);
+            orthonormalise_against(&mut v, &motions);
+            motions.push(v);
+        }
+        motions
+    }
+
+    /// The time in which no bound of a contact can be used up, on the clock of the direction e.
+    pub(super) fn slack(&self, contact: &MovingContact<D, C>, e: &Point<D>) -> f64 {
+        let u = self.stretch(contact);
+        let margin = MARGIN * contact.level(&u, self.y.norm());
+        let change = contact.change_along(e, self.pace);
+        let mut least = f64::INFINITY;
+        contact.for_each_bound(self.facets(contact), |_, felt| {
+            let value = felt.dot(&u) - margin * size(felt);
+            least = least.min(slack(value, felt.dot(&change), contact.steepest(felt, self.pace)));
+        });
+        least
+    }
+
+    /// The least slip rate of a contact that slides, and by how much the direction of the path must
+    /// change until it can vanish.
+    pub(super) fn slip_margin(&self, contact: &MovingContact<D, C>) -> (f64, f64) {
+        let du = self.stretch_rate(contact);
+        let size = self.course().size();
+        let (mut least, mut slack) = (f64::INFINITY, f64::INFINITY);
+        for_each_slip(contact.state, self.facets(contact), |felt| {
+            let rate = felt.dot(&du);
+            let steepest = contact.steepest(felt, self.pace);
+            least = least.min(rate / felt.amax());
+            if steepest > 0.0 && size > 0.0 {
+                slack = slack.min((rate / size).max(0.0) / steepest);
+            }
+        });
+        (least, slack)
+    }
+
+    /// What a contact stands on.
+    pub(super) fn stand_of(&self, number: u32) -> Stand<C> {
+        let contact = self.contact(number);
+        let u = self.stretch(contact);
+        contact.stand(number, &u, contact.level(&u, self.y.norm()), self.facets(contact))
+    }
+
+    /// Whether a contact holds a tangential force.
+    pub(super) fn holds_along(&self, number: u32) -> bool {
+        let contact = self.contact(number);
+        let u = self.stretch(contact);
+        let x = tangential(&contact.force(&u, self.facets(contact)));
+        x.norm() > WEIGHTLESS * contact.level(&u, self.y.norm())
     }
 }

@@ -1,125 +1,128 @@
-//! Where a path starts: contacts laid out, and the equilibrium under the first load.
+//! Where a path starts, and where each leg of it does.
 
 use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::PatchPath;
-use super::balance::Sums;
-use super::layout::{Springs, lay_out};
-use super::local::size;
-use super::queue::{Course, Queue};
-use crate::contact::ZERO_SLACK;
-use crate::contact::{Mode, Polygon};
+use super::balance::Balance;
+use super::bounds_ahead::BoundsAhead;
+use super::moving_contact::size;
+use super::patch_path::{Due, PatchPath};
+use super::sliding_on::SlidingOn;
+use super::stand::Stand;
+use super::trial_leg::{TrialLeg, loads};
+use crate::contact::{Mode, Polygon, ZERO_SLACK};
 use crate::grasp::Grasp;
 use crate::load_path::event::PathEnd;
 use crate::load_path::leg::Program;
-use crate::object::{Load, Problem};
+use crate::object::{Load, Problem, stretched};
 use crate::search::{Settings, Settled, settle};
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
+    /// The path from the equilibrium under a load.
     pub(super) fn new(
         grasp: &'g Grasp<D, C>,
         program: Program<D, C>,
         polygon: Arc<Polygon<C>>,
         settings: Settings,
+        wrench: &SVector<f64, D>,
     ) -> Self {
-        let springs = Springs::new(grasp.sites());
-        let weight = springs.factor.rank().max(1) as f64 / grasp.len() as f64;
-        let zero = SVector::zeros();
-        Self {
+        let load = Load::from(wrench);
+        let problem = Problem::at_rest(grasp.sites(), polygon.clone(), false, grasp.drives(), &load);
+        let trial = TrialLeg::new(grasp.sites());
+        let mut path = Self {
             grasp,
             settings,
             polygon,
             program,
-            springs,
-            locals: Vec::new(),
-            facets: Vec::new(),
-            weight,
-            sums: Sums::zero(),
-            age: 0,
-            factors: Sums::zero().factors(),
-            travelled: zero,
-            travel_rate: zero,
-            tau: 0.0,
-            y: zero,
-            y_rate: zero,
-            pace: 1.0,
-            ahead: Queue::default(),
-            reference: Course::default(),
-            last_heading: None,
-            gone: 0.0,
-            steps: 0,
-            stride: 1.0,
-            slipping: Queue::default(),
-            heading: Course::default(),
-            resting: Vec::new(),
-            looked: Vec::new(),
-            exits: Vec::new(),
+            balance: Balance::new(&problem, &trial),
+            trial,
+            ahead: BoundsAhead::new(),
+            sliding: SlidingOn::default(),
             stands: Vec::new(),
-            before: Vec::new(),
-            at_node: false,
-            sets_out: false,
+            due: Due::Nothing,
             stalls: 0,
             told: Vec::new(),
-            looked_at: 0,
             end: None,
+        };
+        let moves = path.program.begin_leg();
+        path.lay_leg();
+        if (path.trial.worked_on(wrench).is_some() || !path.everything_sticks())
+            && let Err(end) = path.settle(&problem)
+        {
+            path.balance.contacts.clear();
+            path.end = Some(end);
+        } else if moves {
+            path.set_out();
+        } else {
+            path.end = Some(PathEnd::Completed);
         }
+        path
     }
 
-    /// The equilibrium to start from.
-    pub(super) fn start(&mut self, wrench: &SVector<f64, D>) {
-        let drives = self.grasp.drives();
-        let load = Load::from(wrench);
-        let problem = Problem::at_rest(self.grasp.sites(), self.polygon.clone(), false, drives, &load);
-        (self.locals, self.facets) = lay_out(&problem, &self.springs, self.weight);
-        let moves = self.program.begin_leg();
-        self.lay_trial();
-        self.renew();
-        self.factors = self.sums.factors();
-        if self.springs.worked_on(wrench).is_some() || !self.everything_sticks() {
-            let (settled, effort) = settle(&problem, &self.settings);
-            let Settled::Found(found, _) = settled else {
-                let cone = self.cone_answered();
-                let load = self.program.load_at(0.0);
-                let outcome = self.grasp.outcome(&problem, &load, settled, &effort, cone);
-                self.end = Some(PathEnd::NoStart(Box::new(outcome)));
-                self.locals.clear();
-                return;
-            };
-            for (i, state) in (0..).zip(&found.states) {
-                let code = state.on_polygon().unwrap_or(Mode::Open);
-                self.put(i, code);
-            }
-            let x: Vec<f64> = (self.grasp.sites().iter())
-                .flat_map(|site| {
-                    (0..site.springs.axes())
-                        .map(|axis| site.springs.root_along(axis) * site.map.column(axis).dot(&found.twist))
-                })
-                .collect();
-            self.y = (self.springs.factor.coordinates(&x) - self.travelled) * self.weight.sqrt();
-            self.renew();
-            self.factors = self.sums.factors();
-            self.settle_at(0.0);
-            self.arrive_all();
+    /// The elastic trial state on the present leg.
+    fn lay_leg(&mut self) {
+        let x = self.trial.lay(self.grasp, &self.program);
+        self.balance.begin_leg(self.grasp.sites(), &x);
+    }
+
+    /// Whether the trial state is an equilibrium.
+    fn everything_sticks(&self) -> bool {
+        let mut holds = true;
+        for contact in &self.balance.contacts {
+            let u = self.balance.stretch(contact);
+            let level = contact.level(&u, 0.0);
+            contact.for_each_bound(self.balance.facets(contact), |_, felt| {
+                holds &= felt.dot(&u) >= -ZERO_SLACK * size(felt) * level;
+            });
         }
-        if moves {
+        holds
+    }
+
+    /// Puts the contacts into the states of the equilibrium to start from, if there is one.
+    fn settle(&mut self, problem: &Problem<'g, D, C>) -> Result<(), PathEnd<D, C>> {
+        let (settled, effort) = settle(problem, &self.settings);
+        let Settled::Found(found, _) = settled else {
+            let (cone, load) = (self.cone_answered(), self.program.load_at(0.0));
+            let outcome = self.grasp.outcome(problem, &load, settled, &effort, cone);
+            return Err(PathEnd::NoStart(Box::new(outcome)));
+        };
+        for (contact, state) in (0..).zip(&found.states) {
+            self.balance.put(contact, state.on_polygon().unwrap_or(Mode::Open));
+        }
+        let sites = self.grasp.sites();
+        let x: Vec<f64> = stretched(sites, |i| sites[i].map.tr_mul(&found.twist)).collect();
+        let travelled = self.trial.factor.coordinates(&x) - self.trial.travelled;
+        self.balance.y = travelled * self.balance.scale();
+        self.balance.renew();
+        self.balance.settle_at(0.0);
+        self.balance.remember_all();
+        Ok(())
+    }
+
+    /// Sets out on the present leg, or completes the path.
+    pub(super) fn begin_leg(&mut self) {
+        if self.program.begin_leg() {
+            self.lay_leg();
             self.set_out();
         } else {
             self.end = Some(PathEnd::Completed);
         }
     }
 
-    /// Whether the trial state is an equilibrium.
-    fn everything_sticks(&self) -> bool {
-        let mut holds = true;
-        for local in &self.locals {
-            let u = local.stretch(&self.y, 0.0);
-            let level = local.level(&u, 0.0);
-            local.for_each_bound(&self.facets, |_, felt| {
-                holds &= felt.dot(&u) >= -ZERO_SLACK * size(felt) * level;
-            });
+    /// Sets out on the present leg, whose trial state is known.
+    fn set_out(&mut self) {
+        let (_, change) = loads(self.grasp, &self.program);
+        if let Some(v) = self.trial.worked_on(&change) {
+            let motion = self.grasp.outside(&v);
+            self.end = Some(PathEnd::GivesWay { leg: self.program.leg, fraction: 0.0, motion });
+            return;
         }
-        holds
+        self.balance.renew();
+        self.balance.settle_at(0.0);
+        let all = (0..).take(self.balance.contacts.len()).map(|contact| self.balance.stand_of(contact));
+        self.stands.clear();
+        self.stands.extend(all.filter(|stand: &Stand<C>| !stand.is_nowhere()));
+        self.due = Due::Start;
     }
 }

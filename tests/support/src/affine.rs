@@ -47,16 +47,13 @@ impl Affine<Rational> {
         }
     }
 
-    pub(crate) fn at(&self, q: &[Rational; 3]) -> Rational {
-        dot(&self.slope, q) + &self.constant
+    /// Times the common denominator.
+    pub(crate) fn in_integers(&self) -> Affine<BigInt> {
+        self.times(&common_denominator(self.numbers()))
     }
 
-    /// How far below zero, relative to the size of the terms.
-    pub(crate) fn missed(&self, q: &[Rational; 3]) -> f64 {
-        let size =
-            self.slope.iter().zip(q).map(|(s, x)| (s * x).abs()).fold(self.constant.abs(), |sum, x| sum + x);
-        let value = self.at(q);
-        if value.is_negative() { float(&(-value / size)) } else { 0.0 }
+    pub(crate) fn at(&self, q: &[Rational; 3]) -> Rational {
+        dot(&self.slope, q) + &self.constant
     }
 }
 
@@ -66,10 +63,28 @@ impl Affine<BigInt> {
         Affine { slope: self.slope.each_ref().map(whole), constant: whole(&self.constant) }
     }
 
-    /// The value at N/d times d (d > 0), and whether it is small compared with its terms.
-    pub(crate) fn value_and_closeness(&self, n: &[BigInt; 3], d: &BigInt) -> (BigInt, bool) {
-        let terms =
-            [&self.slope[0] * &n[0], &self.slope[1] * &n[1], &self.slope[2] * &n[2], &self.constant * d];
+    /// The terms of the value at a point, times its denominator.
+    fn terms(&self, q: &Point) -> [BigInt; 4] {
+        let along = |k: usize| &self.slope[k] * &q.numerators[k];
+        [along(0), along(1), along(2), &self.constant * &q.denominator]
+    }
+
+    /// The value at a point, times its denominator.
+    pub(crate) fn at(&self, q: &Point) -> BigInt {
+        self.terms(q).iter().sum()
+    }
+
+    /// How far below zero at a point, relative to the size of the terms.
+    pub(crate) fn missed(&self, q: &Point) -> f64 {
+        let terms = self.terms(q);
+        let value: BigInt = terms.iter().sum();
+        let size: BigInt = terms.iter().map(Signed::abs).sum();
+        if value.is_negative() { quotient(-value, size) } else { 0.0 }
+    }
+
+    /// The value at a point, times its denominator, and whether it is small compared with its terms.
+    pub(crate) fn value_and_closeness(&self, q: &Point) -> (BigInt, bool) {
+        let terms = self.terms(q);
         let size = terms.iter().map(BigInt::bits).max().unwrap_or(0);
         let value: BigInt = terms.iter().sum();
         let close = value.bits() + CLOSE_BITS <= size;
@@ -77,8 +92,38 @@ impl Affine<BigInt> {
     }
 }
 
-/// The solution N/d of `rows = 0` with d > 0, or `None` if the rows are dependent.
-pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<([BigInt; 3], BigInt)> {
+/// N/d with d > 0. Fractions in lowest terms would cost far more than all that is done with the larger numbers.
+#[derive(Debug, Clone)]
+pub(crate) struct Point {
+    pub(crate) numerators: [BigInt; 3],
+    pub(crate) denominator: BigInt,
+}
+
+impl Point {
+    pub(crate) fn of(q: [f64; 3]) -> Self {
+        let q = q.map(rational);
+        let denominator = common_denominator(q.iter());
+        Self { numerators: q.each_ref().map(|x| times(x, &denominator)), denominator }
+    }
+
+    pub(crate) fn floats(&self) -> [f64; 3] {
+        self.numerators.each_ref().map(|n| quotient(n.clone(), self.denominator.clone()))
+    }
+
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        let same =
+            |k: usize| &self.numerators[k] * &other.denominator == &other.numerators[k] * &self.denominator;
+        (0..3).all(same)
+    }
+}
+
+/// The nearest floating point number to n/d.
+pub(crate) fn quotient(n: BigInt, d: BigInt) -> f64 {
+    float(&Rational::new_raw(n, d))
+}
+
+/// The solution of `rows = 0`, or `None` if the rows are dependent.
+pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<Point> {
     let [a, b, c] = rows.each_ref().map(|row| &row.slope);
     let cross = |u: &[BigInt; 3], v: &[BigInt; 3]| -> [BigInt; 3] {
         std::array::from_fn(|k| {
@@ -96,13 +141,13 @@ pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<([BigInt; 3], BigInt)
         let n = &bc[k] * &rows[0].constant + &ca[k] * &rows[1].constant + &ab[k] * &rows[2].constant;
         if flip { n } else { -n }
     });
-    Some((numerators, det.abs()))
+    Some(Point { numerators, denominator: det.abs() })
 }
 
 /// What elimination leaves of three rows that do not contradict each other.
 pub(crate) struct Consistent {
     /// Independent rows that say the same.
-    pub(crate) rows: Vec<Affine<Rational>>,
+    pub(crate) rows: Vec<Affine<BigInt>>,
     /// Where they all vanish.
     pub(crate) point: [Rational; 3],
     /// A basis of the directions along which they stay zero.
@@ -152,7 +197,8 @@ pub(crate) fn eliminate(rows: &[Affine<BigInt>; 3]) -> Result<Consistent, Contra
         direction
     });
     let directions = directions.collect();
-    Ok(Consistent { rows: reduced, point, directions })
+    let rows = reduced.iter().map(Affine::in_integers).collect();
+    Ok(Consistent { rows, point, directions })
 }
 
 /// Fourier-Motzkin: is there an x with `along·x + constant >= 0` for every pair?
@@ -181,18 +227,24 @@ pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns:
 }
 
 /// The nearest point (rad and m alike) at which the independent rows vanish.
-pub(crate) fn project(rows: &[Affine<Rational>], q: &[Rational; 3]) -> [Rational; 3] {
-    // Gram-Schmidt, one row after the other: moving along a row's part orthogonal to those before keeps them at zero.
-    let mut directions: Vec<[Rational; 3]> = Vec::new();
-    let mut q = q.clone();
+pub(crate) fn project(rows: &[Affine<BigInt>], q: Point) -> Point {
+    let dot = |a: &[BigInt; 3], b: &[BigInt; 3]| -> BigInt { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+    // Gram-Schmidt, one row after the other: moving along a row's part orthogonal to those before keeps them at zero. Each part is
+    // multiplied by what would divide it.
+    let mut directions: Vec<[BigInt; 3]> = Vec::new();
+    let mut q = q;
     for row in rows {
         let mut direction = row.slope.clone();
         for known in &directions {
-            let part = dot(&direction, known) / dot(known, known);
-            direction = std::array::from_fn(|k| &direction[k] - &known[k] * &part);
+            let (part, whole) = (dot(&direction, known), dot(known, known));
+            direction = std::array::from_fn(|k| &direction[k] * &whole - &known[k] * &part);
         }
-        let step = row.at(&q) / dot(&row.slope, &direction);
-        q = std::array::from_fn(|k| &q[k] - &direction[k] * &step);
+        // Positive: the square of the direction over what it was multiplied by.
+        let (value, way) = (row.at(&q), dot(&row.slope, &direction));
+        q = Point {
+            numerators: std::array::from_fn(|k| &q.numerators[k] * &way - &direction[k] * &value),
+            denominator: q.denominator * way,
+        };
         directions.push(direction);
     }
     q

@@ -20,8 +20,8 @@ use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use super::affine::{
-    Affine, Consistent, Rational, common_denominator, cramer, dot, eliminate, feasible, float, project,
-    rational, times,
+    Affine, Consistent, Point, Rational, common_denominator, cramer, dot, eliminate, feasible, project,
+    quotient, rational, times,
 };
 use super::scene as plain;
 
@@ -80,16 +80,26 @@ pub struct Entry {
     /// States that describe it; a tie is described by more than one combination, this is the first.
     pub states: Vec<State>,
     solution: Solution,
-    force: Vec<[Affine<Rational>; 2]>,
 }
+
+/// Twist and forces in the nearest floating point numbers.
+#[derive(Debug, Clone)]
+struct Rounded {
+    twist: [f64; 3],
+    forces: Vec<[f64; 2]>,
+}
+
+/// The force of a contact: functions of the twist, each over a common denominator.
+type Force = [(Affine<BigInt>, BigInt); 2];
 
 #[derive(Debug, Clone)]
 enum Solution {
-    Point([Rational; 3]),
+    Point(Point, Rounded),
     /// The rows span what T says, the conditions are all `>= 0`.
     Family {
-        rows: Vec<Affine<Rational>>,
+        rows: Vec<Affine<BigInt>>,
         conditions: Vec<Affine<BigInt>>,
+        forces: Vec<Force>,
     },
 }
 
@@ -150,7 +160,7 @@ impl Scene {
                 state,
                 force,
                 wrench: std::array::from_fn(|row| wrench[row].times(&scale[row])),
-                conditions: conditions.iter().map(|c| c.times(&common_denominator(c.numbers()))).collect(),
+                conditions: conditions.iter().map(Affine::in_integers).collect(),
             };
             states.into_iter().map(branch).collect()
         });
@@ -214,12 +224,12 @@ impl Census {
             }
         }
         let conditions = chosen.iter().flat_map(|b| &b.conditions);
-        let Some((numerators, denominator)) = cramer(&rows) else {
+        let Some(point) = cramer(&rows) else {
             return self.try_family(chosen, &rows, conditions.cloned().collect());
         };
         let (mut failed, mut clearly, mut tied, mut narrow) = (false, false, false, false);
         for condition in conditions {
-            let (value, close) = condition.value_and_closeness(&numerators, &denominator);
+            let (value, close) = condition.value_and_closeness(&point);
             narrow |= close && !value.is_zero();
             tied |= value.is_zero();
             failed |= value.is_negative();
@@ -230,10 +240,10 @@ impl Census {
             return;
         }
         self.tied |= tied;
-        let point = numerators.map(|n| Rational::new(n, denominator.clone()));
-        let known = |e: &Entry| matches!(&e.solution, Solution::Point(p) if *p == point);
+        let known = |e: &Entry| matches!(&e.solution, Solution::Point(p, _) if p.is(&point));
         if !self.entries.iter().any(known) {
-            self.entries.push(Entry::new(chosen, Solution::Point(point)));
+            let rounded = Rounded::at(&point, &forces(chosen));
+            self.entries.push(Entry::new(chosen, Solution::Point(point, rounded)));
         }
     }
 
@@ -257,7 +267,8 @@ impl Census {
         });
         if feasible(within.collect(), directions.len()) {
             self.families = true;
-            self.entries.push(Entry::new(chosen, Solution::Family { rows, conditions }));
+            let forces = forces(chosen);
+            self.entries.push(Entry::new(chosen, Solution::Family { rows, conditions, forces }));
         }
     }
 
@@ -268,33 +279,45 @@ impl Census {
     }
 }
 
+fn forces(chosen: &[&Branch]) -> Vec<Force> {
+    let whole = |f: &Affine<Rational>| {
+        let scale = common_denominator(f.numbers());
+        (f.times(&scale), scale)
+    };
+    chosen.iter().map(|branch| branch.force.each_ref().map(whole)).collect()
+}
+
+impl Rounded {
+    fn at(point: &Point, forces: &[Force]) -> Self {
+        let value = |(f, scale): &(Affine<BigInt>, BigInt)| quotient(f.at(point), scale * &point.denominator);
+        Self {
+            twist: point.floats(),
+            forces: forces.iter().map(|force| force.each_ref().map(value)).collect(),
+        }
+    }
+}
+
 impl Entry {
     fn new(chosen: &[&Branch], solution: Solution) -> Self {
-        Self {
-            states: chosen.iter().map(|b| b.state).collect(),
-            force: chosen.iter().map(|b| b.force.clone()).collect(),
-            solution,
-        }
+        Self { states: chosen.iter().map(|b| b.state).collect(), solution }
     }
 
     fn distance(&self, scene: &Scene, returned: &planar::Equilibrium) -> f64 {
-        let (twist, outside) = match &self.solution {
-            Solution::Point(point) => (point.clone(), 0.0),
-            Solution::Family { rows, conditions } => {
-                let given: [f64; 3] = (*returned.twist.as_vector()).into();
-                let nearest = project(rows, &given.map(rational));
-                let missed = conditions.iter().map(|c| c.rational().missed(&nearest));
-                let worst = missed.fold(0.0, f64::max);
-                (nearest, worst)
+        let nearest;
+        let (exact, outside) = match &self.solution {
+            Solution::Point(_, rounded) => (rounded, 0.0),
+            Solution::Family { rows, conditions, forces } => {
+                let point = project(rows, Point::of((*returned.twist.as_vector()).into()));
+                nearest = Rounded::at(&point, forces);
+                (&nearest, conditions.iter().map(|c| c.missed(&point)).fold(0.0, f64::max))
             }
         };
-        let exact = |f: &Affine<Rational>| float(&f.at(&twist));
-        let exact_twist = planar::Twist::from_vector(std::array::from_fn::<_, 3, _>(|k| float(&twist[k])));
+        let exact_twist = planar::Twist::from_vector(exact.twist);
         let mut force_size = scene.load[0].hypot(scene.load[1]);
         let (mut motion_size, mut command) = (f64::MIN_POSITIVE, 0.0_f64);
         let (mut force_off, mut motion_off) = (0.0_f64, 0.0_f64);
-        for ((contact, force), answer) in scene.contacts.iter().zip(&self.force).zip(&returned.contacts) {
-            let [f_n, f_t] = [exact(&force[0]), exact(&force[1])];
+        for ((contact, force), answer) in scene.contacts.iter().zip(&exact.forces).zip(&returned.contacts) {
+            let [f_n, f_t] = *force;
             force_size = force_size.max(f_n.hypot(f_t));
             force_off = force_off.max((answer.force[0] - f_n).hypot(answer.force[1] - f_t));
             let [a, b] = exact_twist.displacement_at(contact.point);

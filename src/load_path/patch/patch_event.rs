@@ -9,12 +9,13 @@ use crate::load_path::event::Change;
 pub struct PatchEvent<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1, exact up to rounding, which grows where a stiff contact slides and soft ones hold what it
-    /// has held.
+    /// How much of the leg has been gone, from 0 to 1, exact up to rounding. That grows where a
+    /// stiff contact slides and soft ones hold what it has held.
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
-    /// The contact, from 0. What changes together follows one after the other at the same fraction, by the numbers of the contacts.
+    /// The contact, from 0. What changes together follows one after the other at the same fraction,
+    /// by the numbers of the contacts.
     pub contact: usize,
     /// What it does from here on.
     pub change: Change<C>,

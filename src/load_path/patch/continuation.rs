@@ -1,0 +1,217 @@
+//! What comes next at an event, decided among the contacts that stand on an edge.
+//!
+//! In rates each of them answers a motion of the object by a law of its own. On an edge of the cone
+//! a contact slides along or leaves inwards; at the apex it has its whole law again. Everything
+//! else goes on as it is. Each choice of states for those contacts gives T and with it the rate of
+//! the motion, which must be one that they answer by these states. That is Newton's method on the
+//! rates. It starts from the guess that mostly holds, and is then the whole work, one solve.
+//!
+//! Contacts that slide elsewhere stand on an edge, too, but as a rule slide on (see `sliding_on`).
+//! They join those that stand here once their slip comes to rest.
+
+use nalgebra::SVector;
+
+use super::moving_contact::MovingContact;
+use super::patch_event::PatchEvent;
+use super::patch_path::{Due, PatchPath};
+use super::stand::Stand;
+use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
+use crate::load_path::event::PathEnd;
+use crate::load_path::transition::change;
+
+/// A motion that is shorter by less than this part is none that is shorter: it is the same up to
+/// rounding.
+const LESS: f64 = 1e-9;
+/// Newton's method takes a few steps or goes round in circles.
+const STEPS: usize = 24;
+/// Rounding is not believed to grow beyond this part of the rates: it would hide a contact that
+/// does move.
+const MOST_ROUNDING: f64 = 1e-10;
+
+impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
+    /// Decides how the path goes on from here; the changes are told.
+    pub(super) fn decide(&mut self, due: Due) -> Result<(), PathEnd<D, C>> {
+        let decided = self.decide_among_stands(due);
+        if decided.is_ok() {
+            self.take_over();
+        } else {
+            // The path ends in the states that it has come in.
+            self.put_each(|_, stand| stand.was);
+            self.balance.refactor();
+            self.balance.settle_at(self.balance.tau);
+        }
+        decided
+    }
+
+    fn decide_among_stands(&mut self, due: Due) -> Result<(), PathEnd<D, C>> {
+        for stand in &self.stands {
+            self.balance.remember(stand.contact);
+        }
+        let found = if due == Due::Start {
+            self.sliding.clear();
+            // Nothing changes; or everything that stands on an edge sticks to begin with.
+            self.newton() || {
+                self.put_each(|_, _| Mode::Rolling);
+                self.newton()
+            }
+        } else {
+            self.put_each(MovingContact::guess);
+            self.newton()
+        };
+        if !found {
+            self.ask_about_all()?;
+        }
+        self.part_idle_contacts()?;
+        self.check_infinite_friction()
+    }
+
+    /// A contact that touches without force, and gets none, does not drag the object along. Where
+    /// it may as well part from the object, which moves less then, it parts; forces are the same.
+    fn part_idle_contacts(&mut self) -> Result<(), PathEnd<D, C>> {
+        let balance = &self.balance;
+        let is_idle = |stand: &&Stand<C>| {
+            let contact = balance.contact(stand.contact);
+            stand.apex
+                && contact.fixed.gap
+                && !contact.state.is_open()
+                && balance.force_rate(contact).norm() <= ZERO_SLACK * balance.rate_level(contact)
+        };
+        let idle: Vec<u32> = self.stands.iter().filter(is_idle).map(|stand| stand.contact).collect();
+        if idle.is_empty() {
+            return Ok(());
+        }
+        let states: Vec<PolygonState> =
+            self.stands.iter().map(|stand| balance.contact(stand.contact).state).collect();
+        let moved = balance.twist_rate(&self.trial).norm();
+        for contact in idle {
+            self.balance.put(contact, Mode::Open);
+        }
+        if self.newton() && self.balance.twist_rate(&self.trial).norm() < moved * (1.0 - LESS) {
+            return Ok(());
+        }
+        // Contacts that have joined since then slide as before.
+        for (k, stand) in self.stands.iter().enumerate() {
+            self.balance.put(stand.contact, states.get(k).copied().unwrap_or(stand.was));
+        }
+        if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided()) }
+    }
+
+    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &Stand<C>) -> PolygonState) {
+        for stand in &self.stands {
+            let state = state(self.balance.contact(stand.contact), stand);
+            self.balance.put(stand.contact, state);
+        }
+    }
+
+    /// Whether states of the contacts that stand here have been found that answer their own rates.
+    fn newton(&mut self) -> bool {
+        for _ in 0..STEPS {
+            if !self.balance.solve_rates(&self.trial) {
+                return false;
+            }
+            let mut tolerance = ZERO_SLACK;
+            let mut changed = false;
+            for stand in &self.stands {
+                self.balance.looked_at += 1;
+                let contact = self.balance.contact(stand.contact);
+                let (du, facets) = (self.balance.stretch_rate(contact), self.balance.facets(contact));
+                let margin = contact.margin(stand, contact.state, &du, facets);
+                let level = self.balance.rate_level(contact);
+                if margin < -tolerance * level && margin >= -MOST_ROUNDING * level {
+                    tolerance = (ZERO_SLACK * self.balance.growth()).min(MOST_ROUNDING);
+                }
+                if margin < -tolerance * level {
+                    // Also where no state answers as it should: what others do may help, or nothing
+                    // does.
+                    changed = true;
+                    let answer = contact.answer(stand, &du, facets);
+                    self.balance.put(stand.contact, answer);
+                }
+            }
+            if !changed && !self.others_come_to_rest() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Contacts that slide elsewhere and would slip backwards join those that stand here. Whether
+    /// any does.
+    fn others_come_to_rest(&mut self) -> bool {
+        let stands = &self.stands;
+        let is_here = |contact| stands.iter().any(|stand| stand.contact == contact);
+        let at_rest = self.sliding.come_to_rest(&mut self.balance, is_here);
+        let any = !at_rest.is_empty();
+        for contact in at_rest {
+            self.join(contact);
+        }
+        any
+    }
+
+    /// Infinite friction keeps its tangential force until the normal force is gone, and loses it
+    /// all at once.
+    fn check_infinite_friction(&mut self) -> Result<(), PathEnd<D, C>> {
+        for k in 0..self.stands.len() {
+            let Stand { contact, was, .. } = self.stands[k];
+            let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
+            if !opens || !self.grasp.sites()[contact as usize].friction.is_infinite() {
+                continue;
+            }
+            // It sticks up to here.
+            let motion = self.unit_motion();
+            self.balance.put(contact, was);
+            if self.balance.holds_along(contact) {
+                return Err(PathEnd::Snap(self.loss(motion)));
+            }
+            self.balance.put(contact, Mode::Open);
+        }
+        Ok(())
+    }
+
+    /// Tells what has changed, and puts the contacts that stand here in line again.
+    fn take_over(&mut self) {
+        let load = self.program.load_at(self.balance.tau);
+        self.told.clear();
+        for stand in &self.stands {
+            let number = stand.contact as usize;
+            let is = self.balance.contacts[number].state;
+            let before = (State::from(stand.was), self.outward(number, stand.was));
+            let after = (State::from(is), self.slip_direction(number));
+            if let Some(change) = change(before, after) {
+                let (leg, fraction) = (self.program.leg, self.balance.tau);
+                self.told.push(PatchEvent { leg, fraction, load, contact: number, change });
+            }
+            if is.is_open() {
+                // Slip is remembered from where it closes.
+                self.balance.contacts[number].memory = stand.memory;
+            }
+            self.ahead.call_back(&mut self.balance, stand.contact);
+            if is.slides() {
+                self.sliding.wait(&self.balance, stand.contact);
+            }
+        }
+        self.told.sort_unstable_by_key(|event| std::cmp::Reverse(event.contact));
+    }
+
+    /// The middle of the directions in which a sliding contact may slip, coordinate axes.
+    fn outward(&self, contact: usize, state: PolygonState) -> Option<SVector<f64, C>> {
+        let normals = &self.polygon.normals;
+        let [first, second] = state.own_facets(normals.len());
+        let outward = normals[first?] + second.map_or_else(SVector::zeros, |second| normals[second]);
+        Some(self.grasp.sites()[contact].frame * outward.normalize())
+    }
+
+    /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip
+    /// rate is zero, that in which it would start.
+    fn slip_direction(&self, contact: usize) -> Option<SVector<f64, C>> {
+        let (moving, site) = (&self.balance.contacts[contact], &self.grasp.sites()[contact]);
+        let outward = self.outward(contact, moving.state)?;
+        let mut slip = self.balance.stretch_rate(moving) - self.balance.force_rate(moving);
+        slip[0] = 0.0;
+        for axis in 1..C {
+            slip[axis] /= site.springs.root_along(axis);
+        }
+        let along = site.frame * slip;
+        Some(if slip.norm() > 0.0 && along.dot(&outward) > 0.0 { along.normalize() } else { outward })
+    }
+}

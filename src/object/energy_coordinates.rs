@@ -1,0 +1,234 @@
+//! Contacts in energy coordinates: what one of them sees of the motion, and where it may slip.
+//!
+//! ```text
+//! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
+//! ```
+//!
+//! x⁰ is the elastic trial state in which every contact sticks, and y the motion of the object on
+//! top of it. P is what the state of the contact lets through. A facet is `κ x_n + c·x_t >= 0` with
+//! c of length one; slip across it moves x along (0, c). Contacts that are alike and neighbours
+//! share their facets.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::problem::Problem;
+use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
+use crate::grasp::Site;
+use crate::numerics::Orthogonal;
+
+/// Facets whose normals enclose an angle with a sine below this leave no independent slips.
+const PARALLEL: f64 = 1e-6;
+
+/// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
+/// a contact that may open, as a facet (1, 0).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Facet<const C: usize> {
+    /// (κ, c), c of length one.
+    pub(crate) row: SVector<f64, C>,
+    /// One over the length of the tangential part of the row of length one.
+    pub(crate) unit: f64,
+}
+
+impl<const C: usize> Facet<C> {
+    /// The facet `μ F_n - h·F_t = 0`.
+    fn new(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> Self {
+        let row = law.springs.root().component_mul(&law.cone().facet_row(h));
+        let row = row / tangential_norm(&row);
+        Self { row, unit: row.norm() }
+    }
+
+    /// (0, c).
+    pub(crate) fn column(&self) -> SVector<f64, C> {
+        tangential(&self.row)
+    }
+}
+
+/// A contact in energy coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnergyContact<const D: usize, const C: usize> {
+    /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
+    pub(crate) seen: SMatrix<f64, C, D>,
+    /// Where its facets start, after the normal force if it may open.
+    first: usize,
+    pub(crate) facet_count: u16,
+    /// Whether the contact may open.
+    pub(crate) gap: bool,
+}
+
+impl<const D: usize, const C: usize> EnergyContact<D, C> {
+    /// How many conditions the contact has: for its gap, and for each facet.
+    pub(crate) fn pairs(&self) -> usize {
+        usize::from(self.gap) + usize::from(self.facet_count)
+    }
+}
+
+/// What the contacts of a scene share in energy coordinates.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EnergyCoordinates<const C: usize> {
+    facets: Vec<Facet<C>>,
+    /// What the scaled `QᵀQ` is multiplied with to give the identity.
+    pub(crate) weight: f64,
+    /// Entries of y from here on move nothing.
+    pub(crate) rank: usize,
+}
+
+impl<const C: usize> EnergyCoordinates<C> {
+    /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
+    /// order.
+    pub(crate) fn lay_out<const D: usize>(
+        &mut self,
+        problem: &Problem<'_, D, C>,
+        factor: &Orthogonal<D>,
+        mut visit: impl FnMut(&LocalLaw<'_, C>, EnergyContact<D, C>),
+    ) {
+        self.rank = factor.rank();
+        self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
+        let scale = 1.0 / self.weight.sqrt();
+        self.facets.clear();
+        // Room for what only some scenes need, so that no later scene of this size has to allocate.
+        self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
+        let mut spring = 0;
+        let mut before: Option<(LocalLaw<'_, C>, (usize, u16))> = None;
+        for law in problem.locals() {
+            let mut seen = SMatrix::<f64, C, D>::zeros();
+            if !law.is_absent() {
+                for axis in 0..law.springs.axes() {
+                    for (k, entry) in factor.row(spring).iter().enumerate() {
+                        seen[(axis, k)] = entry * scale;
+                    }
+                    spring += 1;
+                }
+            }
+            // Contacts without polygons of their own have the same one.
+            let alike = before.filter(|(neighbour, _)| {
+                problem.turned.is_empty()
+                    && law.may_open() == neighbour.may_open()
+                    && law.has_the_facets_of(neighbour)
+            });
+            let facets = alike.map_or_else(|| self.add_facets(&law), |(_, facets)| facets);
+            let ((first, facet_count), gap) = (facets, law.may_open());
+            let contact = EnergyContact { seen, first, facet_count, gap };
+            visit(&law, contact);
+            before = Some((law, facets));
+        }
+    }
+
+    fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (usize, u16) {
+        let first = self.facets.len();
+        if law.may_open() {
+            self.facets.push(Facet { row: normal(), unit: 1.0 });
+        }
+        let mut count = 0;
+        for h in law.facets() {
+            self.facets.push(Facet::new(law, h));
+            count += 1;
+        }
+        (first, count)
+    }
+
+    /// The facets of a contact.
+    #[inline]
+    pub(crate) fn facets<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+        &self.pairs(contact)[usize::from(contact.gap)..]
+    }
+
+    /// The normal force of a contact if it may open, and its facets.
+    #[inline]
+    pub(crate) fn pairs<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+        &self.facets[contact.first..contact.first + contact.pairs()]
+    }
+}
+
+/// A closed contact that slips across some of its facets, at most C - 1.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slipping<const C: usize> {
+    rows: [SVector<f64, C>; 2],
+    /// Tangents z_a with `z_a·c_b = 1` where a and b are the same facet, else 0.
+    pub(crate) across: [SVector<f64, C>; 2],
+    pub(crate) count: usize,
+}
+
+impl<const C: usize> Slipping<C> {
+    /// Across these facets, which are neighbours.
+    pub(crate) fn new(facets: [Option<&Facet<C>>; 2]) -> Self {
+        let zero = SVector::zeros();
+        let rows = facets.map(|facet| facet.map_or(zero, |facet| facet.row));
+        let mut slipping = Self { rows, across: [zero; 2], count: facets.iter().flatten().count() };
+        slipping.across[0] = tangential(&rows[0]);
+        if slipping.count == 2 {
+            let ([a, b], turn) = (rows, cross(&rows[0], &rows[1]));
+            let [of_a, of_b] = &mut slipping.across;
+            (of_a[1], of_a[2]) = (b[2] / turn, -b[1] / turn);
+            (of_b[1], of_b[2]) = (-a[2] / turn, a[1] / turn);
+        }
+        slipping
+    }
+
+    /// Across any facets; `None` where their slips are not independent.
+    pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet<C>>) -> Option<Self> {
+        let pair = [facets.next(), facets.next()];
+        match pair {
+            _ if facets.next().is_some() => None,
+            [Some(a), Some(b)] if C == 2 || cross(&a.row, &b.row).abs() < PARALLEL => None,
+            pair => Some(Self::new(pair)),
+        }
+    }
+
+    /// The z with `row_a·z = d_a` on its facets and `z_n = n`: without d, x on the edge for `x_n =
+    /// n`.
+    pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, C> {
+        let mut z = SVector::zeros();
+        for a in 0..self.count {
+            z += self.across[a] * (d[a] - self.rows[a][0] * n);
+        }
+        z[0] = n;
+        z
+    }
+
+    /// Z_a: slip a is `-Z_a·u`.
+    pub(crate) fn slip(&self, a: usize) -> SVector<f64, C> {
+        if self.count == 1 {
+            return self.rows[0];
+        }
+        let mut z = self.across[a];
+        z[0] = -z.dot(&self.reaching(1.0, [0.0; 2]));
+        z
+    }
+
+    /// P.
+    pub(crate) fn hold(&self) -> SMatrix<f64, C, C> {
+        if self.count + 1 == C {
+            // Every tangential direction slips: exactly nothing is left of u_t.
+            let mut hold = SMatrix::<f64, C, C>::zeros();
+            hold.set_column(0, &self.reaching(1.0, [0.0; 2]));
+            return hold;
+        }
+        // Of two tangential directions one slips, or none.
+        SMatrix::identity() - tangential(&self.rows[0]) * self.rows[0].transpose()
+    }
+}
+
+/// `(1, 0…)`.
+pub(crate) fn normal<const C: usize>() -> SVector<f64, C> {
+    SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
+}
+
+/// The rows of K^{1/2}Gᵀ, spring by spring.
+pub(crate) fn spring_rows<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+) -> impl Iterator<Item = SVector<f64, D>> {
+    sites.iter().flat_map(|site| {
+        (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis))
+    })
+}
+
+/// K^{1/2}v for these stretches of the contacts, spring by spring.
+pub(crate) fn stretched<const D: usize, const C: usize>(
+    sites: &[Site<D, C>],
+    stretch: impl Fn(usize) -> SVector<f64, C>,
+) -> impl Iterator<Item = f64> {
+    sites.iter().enumerate().flat_map(move |(contact, site)| {
+        let v = stretch(contact);
+        (0..site.springs.axes()).map(move |axis| site.springs.root_along(axis) * v[axis])
+    })
+}

@@ -1,0 +1,117 @@
+//! The kinematic form contact by contact: the matrix M is never formed.
+//!
+//! In energy coordinates, jumps z on top of the elastic trial state x⁰ give
+//!
+//! ```text
+//! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
+//! ```
+//!
+//! All that couples the contacts is y, the motion of the object, with as many entries as the object
+//! has degrees of freedom. Rows and columns are those of `forms/kinematic`. Columns and the rows of
+//! gaps have length one; a facet has the row (κ, c), over its tangential length, and the column (0,
+//! c). The path is driven by the covering variable z₀: it is the s of its points.
+
+use nalgebra::SVector;
+
+use crate::numerics::{Orthogonal, generic};
+use crate::object::{EnergyContact, EnergyCoordinates, Facet, Problem, normal};
+
+/// A contact with its pairs (w, z).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Local<const D: usize, const C: usize> {
+    pub(super) contact: EnergyContact<D, C>,
+    /// x⁰_i.
+    pub(super) trial: SVector<f64, C>,
+    /// The number of its first pair in the whole problem. Pair 0 of a contact that may open is its
+    /// gap.
+    pub(super) first: usize,
+}
+
+impl<const D: usize, const C: usize> Local<D, C> {
+    /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
+    pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
+        unit * generic(self.first + pair)
+    }
+
+    /// u = x⁰ - Q y.
+    pub(super) fn stretch(&self, y: &SVector<f64, D>) -> SVector<f64, C> {
+        self.trial - self.contact.seen * y
+    }
+}
+
+/// The kinematic form.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ContactForm<const D: usize, const C: usize> {
+    pub(super) locals: Vec<Local<D, C>>,
+    pub(super) coordinates: EnergyCoordinates<C>,
+    /// Pairs of all contacts.
+    pub(super) pairs: usize,
+    /// The largest |Q_i|.
+    pub(super) widest: f64,
+    /// The covering vector d entry by entry, in the units of the rows; none for ones on rows of
+    /// length one.
+    covering: Vec<f64>,
+}
+
+impl<const D: usize, const C: usize> ContactForm<D, C> {
+    /// Lays out the form on the trial state in which every contact sticks, with the factor of its
+    /// springs and x⁰, spring by spring.
+    pub(crate) fn assign(&mut self, problem: &Problem<D, C>, factor: &Orthogonal<D>, x: &[f64]) {
+        let Self { locals, coordinates, pairs, widest, covering } = self;
+        locals.clear();
+        covering.clear();
+        covering.reserve(problem.len() * (problem.polygon.normals.len() + 1));
+        (*pairs, *widest) = (0, 0.0);
+        let mut x = x.iter();
+        coordinates.lay_out(problem, factor, |law, contact| {
+            let springs = if law.is_absent() { 0 } else { law.springs.axes() };
+            let mut trial = SVector::<f64, C>::zeros();
+            for (trial, x) in trial.iter_mut().zip(x.by_ref().take(springs)) {
+                *trial = *x;
+            }
+            let local = Local { contact, trial, first: *pairs };
+            *pairs += contact.pairs();
+            *widest = widest.max(contact.seen.norm());
+            locals.push(local);
+        });
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.locals.len()
+    }
+
+    /// The pairs of a contact: the row of each, and what an entry for a row of length one is
+    /// multiplied with in its unit.
+    #[inline]
+    pub(super) fn pairs_of(&self, local: &Local<D, C>) -> &[Facet<C>] {
+        self.coordinates.pairs(&local.contact)
+    }
+
+    /// The column of a pair.
+    pub(super) fn column(&self, local: &Local<D, C>, pair: usize) -> SVector<f64, C> {
+        let is_gap = local.contact.gap && pair == 0;
+        if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
+    }
+
+    /// The entry of the covering vector for a pair, in the unit of its row.
+    #[inline]
+    pub(super) fn cover(&self, local: &Local<D, C>, pair: usize, unit: f64) -> f64 {
+        self.covering.get(local.first + pair).copied().unwrap_or(unit)
+    }
+
+    /// A fixed covering vector without structure, another for every number: entries between 1/8 and
+    /// 8. Number 0 is all ones.
+    pub(super) fn scatter(&mut self, attempt: usize) {
+        let mut covering = std::mem::take(&mut self.covering);
+        covering.clear();
+        if attempt > 0 {
+            for local in &self.locals {
+                covering.extend(self.pairs_of(local).iter().enumerate().map(|(pair, facet)| {
+                    let number = attempt * 1_000_003 + local.first + pair;
+                    facet.unit * (6.0 * (generic(number) - 1.0)).exp2()
+                }));
+            }
+        }
+        self.covering = covering;
+    }
+}

@@ -1,0 +1,152 @@
+//! What the variables of one contact do along a step, and how soon one of them can reach zero.
+
+use nalgebra::SVector;
+
+use super::basis::Basis;
+use super::contact_form::{ContactForm, Local};
+use crate::object::{Facet, MARGIN, Point, slack};
+
+/// The pair that is out of the basis (both its variables are zero), and which of the two enters.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entering {
+    pub(super) contact: u32,
+    pub(super) pair: usize,
+    pub(super) jump: bool,
+}
+
+/// A basic variable that a step takes towards zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    pub(super) contact: u32,
+    pub(super) pair: usize,
+    /// Whether it is the z of the pair.
+    pub(super) jump: bool,
+    pub(super) vanishing: Vanishing,
+}
+
+/// A value that a step takes towards zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Vanishing {
+    pub(super) value: f64,
+    pub(super) rate: f64,
+    /// Size of the terms that the value is made of.
+    pub(super) level: f64,
+}
+
+impl Vanishing {
+    /// The step after which the value is zero.
+    pub(super) fn ratio(&self) -> f64 {
+        self.value.max(0.0) / -self.rate
+    }
+
+    /// The step after which the value is below zero by as much as its rounding: variables that
+    /// reach zero before the least of these cannot be told apart.
+    pub(super) fn longest(&self) -> f64 {
+        let value = self.value.max(0.0);
+        (value + TIE * value + ROUNDING * self.level) / -self.rate
+    }
+}
+
+/// A value may be wrong by this part of itself: variables tie that reach zero within such errors of
+/// each other. Smaller, and a symmetric scene leaves a tie to its rounding; larger, and a variable
+/// goes below zero.
+pub(super) const TIE: f64 = 1e-12;
+/// A value may be wrong by this part of the terms it is made of, for the same reason.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Where a step starts and where it goes, for a unit change of the entering variable.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step<const D: usize> {
+    pub(super) here: Point<D>,
+    pub(super) along: Point<D>,
+    /// Size of the largest changes of variables.
+    pub(super) largest: f64,
+}
+
+/// A rate below this part of its terms is rounding of zero: a path that took it for a rate would
+/// end far away.
+const NOISE: f64 = 1e-11;
+/// A rate below this part of the largest changes is rounding of zero, whatever its terms.
+pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
+
+impl<const D: usize, const C: usize> ContactForm<D, C> {
+    /// Visits the basic variables of a contact that decrease along a step. A rate much smaller than
+    /// the largest changes counts only if it is not small beside the terms it is made of.
+    pub(super) fn decreasing(
+        &self,
+        basis: &Basis<C>,
+        contact: u32,
+        step: &Step<D>,
+        entering: &Entering,
+        mut visit: impl FnMut(Candidate),
+    ) {
+        let local = &self.locals[contact as usize];
+        let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
+        let (z0, dz0, own) = (step.here.s, step.along.s, entering.contact == contact);
+        let stretch = local.stretch(&step.here.y);
+        let mut change = -(local.contact.seen * step.along.y);
+        if own && entering.jump {
+            change += self.column(local, entering.pair);
+        }
+        let level = local.level(&stretch, z0);
+        let own_size = if own { 1.0 } else { 0.0 };
+        let mut consider = |pair: usize, jump: bool, value: f64, rate: f64, size: f64| {
+            if rate >= -GREY * step.largest || (own && pair == entering.pair) {
+                return;
+            }
+            let terms = || size * (local.contact.seen.norm() * step.along.y.norm() + dz0.abs() + own_size);
+            if rate > -NOISE * step.largest && rate > -NOISE * terms() {
+                return;
+            }
+            let vanishing = Vanishing { value, rate, level: level * size };
+            visit(Candidate { contact, pair, jump, vanishing });
+        };
+        for (a, pair) in active.iter().enumerate() {
+            let (z, zeta) = (&reaction.multipliers[a], reaction.cover.of_pairs[a]);
+            let (value, rate) = (z.dot(&stretch) + zeta * z0, z.dot(&change) + zeta * dz0);
+            consider(pair, true, -value, -rate, 1.0 + z.amax());
+        }
+        let x = reaction.hold * stretch - reaction.cover.of_x * z0;
+        let dx = reaction.hold * change - reaction.cover.of_x * dz0;
+        for (pair, Facet { row, unit }) in self.pairs_of(local).iter().enumerate() {
+            if !active.has(pair) {
+                let d = self.cover(local, pair, *unit);
+                consider(pair, false, row.dot(&x) + d * z0, row.dot(&dx) + d * dz0, *unit);
+            }
+        }
+    }
+
+    /// The time in which no variable of this contact can reach zero on the clock of the direction
+    /// e.
+    pub(super) fn slack(&self, basis: &Basis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
+        let local = &self.locals[contact as usize];
+        let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
+        let (stretch, change) = (local.stretch(&at.y), -(local.contact.seen * e.y));
+        let (margin, width) = (MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
+        let mut least = f64::INFINITY;
+        // A variable is `felt·u + d z₀`.
+        let mut consider = |felt: &SVector<f64, C>, d: f64, size: f64| {
+            let value = felt.dot(&stretch) + d * at.s - margin * size;
+            let rate = felt.dot(&change) + d * e.s;
+            least = least.min(slack(value, rate, felt.norm() * width + d.abs()));
+        };
+        for a in 0..active.len() {
+            let z = &reaction.multipliers[a];
+            consider(&-z, -reaction.cover.of_pairs[a], 1.0 + z.amax());
+        }
+        for (pair, Facet { row, unit }) in self.pairs_of(local).iter().enumerate() {
+            if !active.has(pair) {
+                let (felt, d) = reaction.feels(row, self.cover(local, pair, *unit));
+                consider(&felt, d, *unit);
+            }
+        }
+        least
+    }
+}
+
+impl<const D: usize, const C: usize> Local<D, C> {
+    /// Size of the terms that the variables of the contact are made of.
+    fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
+        self.trial.amax() + stretch.amax() + z0.abs()
+    }
+}
