@@ -25,6 +25,7 @@ mod bracket;
 mod decomposition;
 mod distinct;
 mod questions;
+mod recomputed;
 mod residuals;
 mod write_out;
 

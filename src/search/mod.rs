@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `answer` | what a search ends with, and what it took |
 //! | `settings` | what a caller may choose |
+//! | `scene` | what a rung is given, and what it has to say |
 //! | `ladder` | the list of rungs and the loop over them |
 //! | `rungs` | each way to find an equilibrium or a proof |
 //! | `touching` | everything that touches rolls |
@@ -22,6 +23,7 @@ mod polish;
 mod proposals;
 mod round_pieces;
 mod rungs;
+mod scene;
 mod sector_conditions;
 mod sectors;
 mod settings;

@@ -1,14 +1,12 @@
 //! Lemke's method proposes contact states, which are solved and checked; on the round cone Newton's method goes on from there.
 
-use nalgebra::SVector;
-
 use super::answer::{Doubt, Found};
 use super::candidate::{Verdict, try_states};
 use super::enumerate::combinations;
-use super::ladder::{Log, Scene};
 use super::polish::{polish, solution_near};
+use super::scene::{Log, Scene};
 use super::settings::Settings;
-use crate::contact::{Fit, Polygon, PolygonCone, State};
+use crate::contact::{Fit, PolygonCone, State};
 use crate::forms::Form;
 use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
@@ -32,20 +30,6 @@ pub(super) fn enumerable<const D: usize, const C: usize>(
     settings: &Settings,
 ) -> bool {
     combinations(problem) <= settings.most_states as f64
-}
-
-/// The problem with the polygon of each contact turned so that it has a corner along the trial traction: as long as the traction
-/// keeps its direction that polygon is as good as the round cone.
-pub(super) fn on_polygons<'g, const D: usize, const C: usize>(
-    problem: &Problem<'g, D, C>,
-    cone: PolygonCone,
-    trial: &[SVector<f64, C>],
-) -> Problem<'g, D, C> {
-    let polygon = Polygon::new(&cone);
-    let turn = |traction: &SVector<f64, C>| {
-        if traction[1] == 0.0 && traction[2] == 0.0 { polygon.clone() } else { polygon.turned_to(traction) }
-    };
-    Problem { turned: trial.iter().map(turn).collect(), ..problem.clone() }
 }
 
 /// Polygons on which Lemke proposes again where those of the settings led to nothing: outside the cone instead of inside,

@@ -3,8 +3,8 @@
 use super::answer::{Doubt, Rung, Settled};
 use super::candidate::{Verdict, admit};
 use super::enumerate::search;
-use super::ladder::{Attempt, Log, Scene};
-use super::proposals::{climb, enumerable, finer_polygons, on_polygons, propose_dense, propose_structured};
+use super::proposals::{climb, enumerable, finer_polygons, propose_dense, propose_structured};
+use super::scene::{Attempt, Log, Scene, on_polygons};
 use super::sectors::{Sectors, search_sectors};
 use super::touching::touching_contacts;
 use crate::contact::State;

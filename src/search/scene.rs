@@ -1,0 +1,90 @@
+//! What a rung of the ladder is given, and what it has to say.
+
+use std::cell::OnceCell;
+
+use nalgebra::SVector;
+
+use super::answer::{Doubt, Effort, Found, Rung, Settled};
+use super::settings::Settings;
+use crate::contact::{Polygon, PolygonCone, State};
+use crate::object::{Piece, PieceState, Problem};
+
+/// A question for an equilibrium, with its elastic trial state.
+pub(super) struct Scene<'s, 'g, const D: usize, const C: usize> {
+    pub(super) problem: &'s Problem<'g, D, C>,
+    pub(super) settings: &'s Settings,
+    /// The states of the trial: everything that is there sticks.
+    pub(super) unjumped: Vec<State<C>>,
+    pub(super) trial: Piece<D, C>,
+    pub(super) state: PieceState<D, C>,
+    proposing: OnceCell<Problem<'g, D, C>>,
+    with_edges: OnceCell<Option<Problem<'g, D, C>>>,
+}
+
+impl<'s, 'g, const D: usize, const C: usize> Scene<'s, 'g, D, C> {
+    pub(super) fn new(
+        problem: &'s Problem<'g, D, C>,
+        settings: &'s Settings,
+        unjumped: Vec<State<C>>,
+        trial: Piece<D, C>,
+        state: PieceState<D, C>,
+    ) -> Self {
+        let (proposing, with_edges) = (OnceCell::new(), OnceCell::new());
+        Self { problem, settings, unjumped, trial, state, proposing, with_edges }
+    }
+
+    /// The problem that Lemke's method proposes on: for the round cone that with polygons turned to the trial tractions.
+    pub(super) fn proposing(&self) -> &Problem<'g, D, C> {
+        if !self.problem.round {
+            return self.problem;
+        }
+        self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
+    }
+
+    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact has to let go of its tangential force when it
+    /// opens, and only facets do that.
+    pub(super) fn with_edges(&self) -> Option<&Problem<'g, D, C>> {
+        let infinite = || self.problem.locals().any(|local| local.never_slides());
+        let make =
+            || infinite().then(|| Problem { infinite_friction_has_edges: true, ..self.proposing().clone() });
+        self.with_edges.get_or_init(make).as_ref()
+    }
+}
+
+/// What one rung has to say.
+pub(super) enum Attempt<const D: usize, const C: usize> {
+    Found(Found<D, C>, Rung),
+    /// No equilibrium, and why.
+    Proof(Settled<D, C>),
+    /// Neither; the next rung has its turn.
+    Nothing,
+    /// Neither, and the rungs above cost more than the answer is worth.
+    Stop,
+}
+
+impl<const D: usize, const C: usize> Attempt<D, C> {
+    pub(super) fn by(rung: Rung, found: Option<Found<D, C>>) -> Self {
+        found.map_or(Self::Nothing, |found| Self::Found(found, rung))
+    }
+}
+
+/// What the rungs leave behind for those above, and for the answer.
+pub(super) struct Log {
+    pub(super) effort: Effort,
+    /// Why nothing could be said, if nothing can be said in the end.
+    pub(super) doubt: Doubt,
+}
+
+/// The problem with the polygon of each contact turned so that it has a corner along the trial traction: as long as the traction
+/// keeps its direction that polygon is as good as the round cone.
+pub(super) fn on_polygons<'g, const D: usize, const C: usize>(
+    problem: &Problem<'g, D, C>,
+    cone: PolygonCone,
+    trial: &[SVector<f64, C>],
+) -> Problem<'g, D, C> {
+    let polygon = Polygon::new(&cone);
+    let turn = |traction: &SVector<f64, C>| {
+        if traction[1] == 0.0 && traction[2] == 0.0 { polygon.clone() } else { polygon.turned_to(traction) }
+    };
+    Problem { turned: trial.iter().map(turn).collect(), ..problem.clone() }
+}
