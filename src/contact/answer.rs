@@ -71,15 +71,19 @@ impl<const C: usize> LocalLaw<'_, C> {
             return rolling;
         }
         let lambda = slip_per_force(self.springs, &force, traction, r, near);
-        let mut direction = SVector::zeros();
-        for a in 1..C {
-            direction[a] = force[a] * self.springs.softening(a, lambda);
-        }
-        let slide = Slide::new(&direction, lambda);
+        let slide = self.slide_onto_the_cone(&mut force, r, lambda);
+        Answer { state: Mode::Round(slide), force }
+    }
+
+    /// Puts a trial force on the cone of radius r, along what the slip of λ per force leaves of its traction.
+    fn slide_onto_the_cone(&self, force: &mut SVector<f64, C>, r: f64, lambda: f64) -> Slide<C> {
+        let softened =
+            SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
+        let slide = Slide::new(&softened, lambda);
         for a in 1..C {
             force[a] = slide.direction[a] * r;
         }
-        Answer { state: Mode::Round(slide), force }
+        slide
     }
 
     /// The force of a contact that slides whichever way it has to: with |T| < r the slip is against the friction force, λ < 0. `None`
@@ -93,12 +97,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             return None;
         }
         let lambda = slip_per_force(self.springs, &force, traction, r, 0.0);
-        let softened =
-            SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
-        let slide = Slide::new(&softened, lambda);
-        for a in 1..C {
-            force[a] = slide.direction[a] * r;
-        }
+        let slide = self.slide_onto_the_cone(&mut force, r, lambda);
         Some((force, slide))
     }
 

@@ -92,12 +92,7 @@ impl<const C: usize> Compliance<C> {
         self.k[axis].sqrt()
     }
 
-    /// `k_n / k` along an axis with a spring.
-    pub(crate) fn normal_over(&self, axis: usize) -> f64 {
-        self.k[0] / self.k[axis]
-    }
-
-    /// `k_t1 / k_t2` of two tangential axes.
+    /// The stiffness along one axis over that along another with a spring.
     pub(crate) fn ratio(&self, one: usize, other: usize) -> f64 {
         self.k[one] / self.k[other]
     }

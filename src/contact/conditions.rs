@@ -12,7 +12,7 @@ use nalgebra::SVector;
 
 use super::law::LocalLaw;
 use super::state::{Mode, State};
-use super::tangential::{cross, tangential_norm};
+use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
 /// Where a contact is: its stretch and its force, or the rates of both.
@@ -87,11 +87,11 @@ impl<const C: usize> LocalLaw<'_, C> {
             Mode::Round(_) => {}
             Mode::Rolling
                 if self.on_round_cone
-                    && self.is_whole()
+                    && self.has_a_whole_cone()
                     && !cone.is_infinite()
                     && !self.is_frictionless() =>
             {
-                visit(cone.limit(f[0]) - tangential_norm(f), force_size * cone.round_weight());
+                visit(cone.round_margin(f), force_size * cone.round_weight());
             }
             _ => {
                 let facets = self.facets();
@@ -103,9 +103,5 @@ impl<const C: usize> LocalLaw<'_, C> {
                 }
             }
         }
-    }
-
-    fn is_whole(&self) -> bool {
-        matches!(self.law, super::law::Law::Cone { .. })
     }
 }

@@ -41,7 +41,7 @@ impl Coulomb {
         if self.mu.is_finite() {
             return self;
         }
-        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.normal_over(C - 1).sqrt().max(1.0) }
+        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.ratio(0, C - 1).sqrt().max(1.0) }
     }
 
     /// `μ F_n`, the most that a tangential force can be.
@@ -90,10 +90,6 @@ impl Coulomb {
 
     /// The least that a force of the round cone with length one can do on a stretch rate u: that along `e_n - μ u_t/|u_t|`.
     pub(crate) fn least_power<const C: usize>(self, u: &SVector<f64, C>) -> f64 {
-        self.limit_less(u[0], tangential_norm(u)) / 1.0_f64.hypot(self.mu)
-    }
-
-    fn limit_less(self, normal: f64, tangential: f64) -> f64 {
-        normal - self.mu * tangential
+        (u[0] - self.mu * tangential_norm(u)) / 1.0_f64.hypot(self.mu)
     }
 }

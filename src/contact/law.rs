@@ -66,7 +66,13 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     /// Whether the contact has a whole friction cone, neither empty nor without limit.
     #[inline(always)]
     pub(crate) fn may_slide(&self) -> bool {
-        matches!(self.law, Law::Cone { .. }) && self.friction.has_edges()
+        self.has_a_whole_cone() && self.friction.has_edges()
+    }
+
+    /// Whether the law is that of rest, or of the apex in rates.
+    #[inline(always)]
+    pub(super) fn has_a_whole_cone(&self) -> bool {
+        matches!(self.law, Law::Cone { .. })
     }
 
     /// Whether the contact has a round friction cone.
@@ -108,8 +114,8 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
 
     /// Whether two contacts with one polygon have the same facets in energy coordinates.
     pub(crate) fn has_the_facets_of(&self, other: &Self) -> bool {
-        let whole = |local: &Self| matches!(local.law, Law::Cone { .. });
-        self.springs == other.springs && self.friction == other.friction && whole(self) && whole(other)
+        let alike = self.springs == other.springs && self.friction == other.friction;
+        alike && self.has_a_whole_cone() && other.has_a_whole_cone()
     }
 
     /// Complementary pairs of the contact: one for the gap, one for each facet.
