@@ -36,7 +36,7 @@ pub(crate) struct First {
     pub(crate) who: String,
 }
 
-/// Settings for onsets alone: what lies beyond them is asked of load paths, not of every combination of contact states.
+/// Settings for many directions: where no equilibrium is found none is sought among all combinations of contact states.
 pub(crate) fn quick(settings: &Settings) -> Settings {
     (*settings).with_most_states(0)
 }

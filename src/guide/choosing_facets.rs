@@ -40,14 +40,12 @@
 //! let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
 //! let base = Wrench::force([0.0, 0.0, -12.0]);
 //! let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-//! // What comes beyond the onset is not asked for.
-//! let alone = Settings::default().with_most_states(0);
 //! for k in 0..16 {
 //!     let angle = PI * f64::from(k) / 8.0;
 //!     let ramp = Ramp::load(base, Wrench::force([angle.cos(), angle.sin(), 0.0]));
-//!     let round = grasp.onset_with(&ramp, &alone)?.factor().ok_or("it slides")?;
+//!     let round = grasp.onset(&ramp)?.factor().ok_or("it slides")?;
 //!     assert!((round - 3.0 * 0.5 * 4.0).abs() < 1e-12);
-//!     let eight = alone.clone().with_cone(PolygonCone::new(8, Fit::Inscribed)?);
+//!     let eight = Settings::default().with_cone(PolygonCone::new(8, Fit::Inscribed)?);
 //!     let polygon = grasp.onset_with(&ramp, &eight.on_the_polygon())?.factor().ok_or("it slides")?;
 //!     (least, most) = (least.min(polygon / round), most.max(polygon / round));
 //! }

@@ -1,11 +1,13 @@
 //! The answers to the question for the onset of sliding.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
-use crate::contact::{Stand, State};
+use super::ramp::Ramp;
+use super::segment::Segment;
+use crate::contact::Stand;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::grasp::Wrench;
-use crate::search::Rung;
+use crate::search::{Found, Rung};
 
 /// The answer to "at which load factor τ >= 0 does the first contact leave rolling?"
 #[derive(Debug, Clone)]
@@ -71,24 +73,56 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
     pub(super) local: RollingState<D, C>,
 }
 
-/// Where everything rolls and some contacts stand on the edge of their cone, and where the ramp leads from there.
+/// Where everything rolls and some contacts stand on the edge of their cone, and where the ramp leads from there. Loads are in inside
+/// coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct RollingState<const D: usize, const C: usize> {
+    pub(super) found: Found<D, C>,
     pub(super) rule: Rung,
-    pub(super) states: Vec<State<C>>,
-    pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) stands: Vec<Stand<C>>,
-    /// In inside coordinates, as the load and its rate.
-    pub(super) twist: SVector<f64, D>,
-    pub(super) free_motions: Vec<SVector<f64, D>>,
     pub(super) wrench: SVector<f64, D>,
     pub(super) wrench_rate: SVector<f64, D>,
     pub(super) drives: Vec<SVector<f64, C>>,
     pub(super) drive_rates: Vec<SVector<f64, C>>,
     /// Slips of contacts that have closed on the way.
     pub(super) slips: Vec<SVector<f64, C>>,
-    /// Sizes of the forces and displacements that these are sums of.
-    pub(super) sizes: [f64; 2],
+}
+
+impl<const D: usize, const C: usize> OnsetEvent<D, C> {
+    /// The event at a factor of a ramp, with the rolling state there and what its contacts stand on.
+    pub(super) fn new(
+        segment: &Segment<'_, D, C>,
+        ramp: &Ramp<D, C>,
+        factor: f64,
+        leaving: Vec<Leaving<C>>,
+        stands: Vec<Stand<C>>,
+        (found, rule): (Found<D, C>, Rung),
+    ) -> Self {
+        let local = RollingState {
+            found,
+            rule,
+            stands,
+            wrench: segment.problem.wrench + segment.direction * factor,
+            wrench_rate: segment.direction,
+            drives: segment.drives(factor),
+            drive_rates: segment.change.clone(),
+            slips: segment.problem.slips.clone(),
+        };
+        Self { factor, load: ramp.load_at(factor), leaving, cone: segment.cone, local }
+    }
+}
+
+impl<const C: usize> Leaving<C> {
+    /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.
+    pub(super) fn driven_out(contact: usize, stand: &Stand<C>, frame: &SMatrix<f64, C, C>) -> Self {
+        let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
+        let how = if outward.norm() == 0.0 {
+            Departure::Opens
+        } else {
+            Departure::Slides { direction: frame * outward.normalize() }
+        };
+        Self { contact, how }
+    }
 }
 
 /// A contact that leaves rolling.

@@ -138,14 +138,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     #[must_use]
     pub fn state_at_onset(&self, event: &OnsetEvent<D, C>) -> Option<Equilibrium<D, C>> {
         let problem = self.problem_at_onset(event)?;
-        let local = &event.local;
-        let found = Found {
-            free_motions: local.free_motions.clone(),
-            sizes: local.sizes,
-            ..Found::new(local.states.clone(), local.forces.clone(), local.twist)
-        };
-        let effort = Effort::default();
-        Some(self.equilibrium(&problem, &event.load, &found, local.rule, &effort, event.cone))
+        let (local, effort) = (&event.local, Effort::default());
+        Some(self.equilibrium(&problem, &event.load, &local.found, local.rule, &effort, event.cone))
     }
 
     /// What comes after an onset, with default [`Settings`]; see [`Self::beyond_with`].
@@ -175,7 +169,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let (local, cone) = (&event.local, event.cone);
         let (change, direction) = (local.drive_rates.clone(), local.wrench_rate);
         let segment = Segment { grasp: self, cone, problem, change, direction };
-        let rates = segment.rates(segment.laws_of_rates(&local.stands, &local.states));
+        let rates = segment.rates(segment.laws_of_rates(&local.stands, &local.found.states));
         let (settled, effort) = settle(&rates, settings);
         Some(just_beyond(self, &segment.problem, &rates, settled, &effort, settings, cone))
     }
@@ -183,7 +177,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The local problem at an onset.
     fn problem_at_onset(&self, event: &OnsetEvent<D, C>) -> Option<Problem<'_, D, C>> {
         let local = &event.local;
-        if local.states.len() != self.len() {
+        if local.found.states.len() != self.len() {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = event.cone { cone } else { PolygonCone::default() };

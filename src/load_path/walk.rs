@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::onset::{Departure, Leaving, Onset, OnsetEvent, RollingState};
+use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
 use crate::contact::{Stand, State, ZERO_SLACK};
@@ -95,14 +95,14 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         rates: &Problem<D, C>,
         settled: Settled<D, C>,
     ) -> Onset<D, C> {
-        let segment = &self.segment;
+        let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let slid = if let Settled::Found(found, _) = settled { Some(found) } else { None };
         let state_next = |contact: usize| {
             slid.as_ref().map(|found| segment.grasp.contact_answer(rates, found, contact).state)
         };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
         let leaves = |contact: usize| match state_next(contact) {
-            None => Some(self.driven_out(contact, &stands[contact])),
+            None => Some(Leaving::driven_out(contact, &stands[contact], &sites[contact].frame)),
             Some(ContactState::Sliding { direction }) => {
                 Some(Leaving { contact, how: Departure::Slides { direction } })
             }
@@ -112,45 +112,19 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             Some(_) => None,
         };
         let leaving = standing.filter_map(leaves).collect();
-        let load = self.ramp.load_at(self.factor);
-        let problem = segment.problem_at(self.factor);
-        let event = OnsetEvent {
-            factor: self.factor,
-            load,
-            leaving,
-            cone: segment.cone,
-            local: RollingState {
-                rule: self.rule,
-                states,
-                forces: here.lines.iter().map(|line| line.force).collect(),
-                stands,
-                twist: here.twist,
-                free_motions: here.free_motions.clone(),
-                wrench: problem.wrench,
-                wrench_rate: segment.direction,
-                drives: problem.drives,
-                drive_rates: segment.change.clone(),
-                slips: problem.slips,
-                sizes: here.sizes,
-            },
+        let forces = here.lines.iter().map(|line| line.force).collect();
+        let found = Found {
+            free_motions: here.free_motions.clone(),
+            sizes: here.sizes,
+            ..Found::new(states, forces, here.twist)
         };
+        let event = OnsetEvent::new(segment, self.ramp, self.factor, leaving, stands, (found, self.rule));
         match segment.grasp.state_at_onset(&event) {
             Some(state) if state.residuals.worst() > ACCURATE => {
                 Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })
             }
             _ => Onset::At(Box::new(event)),
         }
-    }
-
-    /// How the load drives a contact out of its cone when there is no equilibrium to show where it would go.
-    fn driven_out(&self, contact: usize, stand: &Stand<C>) -> Leaving<C> {
-        let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
-        let how = if outward.norm() == 0.0 {
-            Departure::Opens
-        } else {
-            Departure::Slides { direction: self.segment.grasp.sites()[contact].frame * outward.normalize() }
-        };
-        Leaving { contact, how }
     }
 }
 
