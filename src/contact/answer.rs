@@ -18,6 +18,7 @@ use super::law::{Law, LocalLaw};
 use super::polygon::corner;
 use super::slide::Slide;
 use super::state::{Mode, PolygonState, State};
+use super::tangent::Tangent;
 use super::tangential::{cross, tangential_norm};
 
 /// Newton's steps on the secular equation: from its lower bound it gains digits from the first step on.
@@ -58,7 +59,7 @@ impl<const C: usize> LocalLaw<'_, C> {
                 if excess <= 0.0 {
                     return rolling;
                 }
-                let pull = Slide::new(&facets[0], 0.0).pull(self.springs);
+                let pull = Slide { direction: facets[0], lambda: 0.0 }.edge(self.springs).pull;
                 return Answer { state: Mode::Facet(0), force: force - pull * excess };
             }
             Law::Cone { gap: true } if force[0] <= 0.0 => return Answer::open(),
@@ -101,39 +102,48 @@ impl<const C: usize> LocalLaw<'_, C> {
         Some((force, slide))
     }
 
-    /// State and force at a stretch on the polygon: the nearest force of the cone in the metric K⁻¹.
+    /// State, force and tangent at a stretch on the polygon: the nearest force of the cone in the metric K⁻¹.
     #[inline]
-    pub(crate) fn answer_on_polygon(&self, stretch: &SVector<f64, C>) -> (PolygonState, SVector<f64, C>) {
+    pub(crate) fn answer_on_polygon(
+        &self,
+        stretch: &SVector<f64, C>,
+    ) -> (PolygonState, SVector<f64, C>, Tangent<C>) {
         let trial = self.springs.force(stretch);
         let facets = self.facets();
-        let state = if trial[0] <= 0.0 && self.may_open() {
-            Mode::Open
-        } else if facets.is_empty() {
-            Mode::Rolling
-        } else {
-            let r = self.cone().limit(trial[0]);
-            if C == 3 {
-                self.nearest_of_polygon(facets, &trial, r)
-            } else if trial[1].abs() <= r {
-                Mode::Rolling
-            } else {
-                Mode::Facet(u16::from(trial[1] < 0.0))
+        let state = self.state_on_polygon(facets, &trial);
+        match state {
+            Mode::Open => (state, SVector::zeros(), Tangent::Open),
+            Mode::Rolling => (state, trial, Tangent::Rolling(self.springs.diagonal())),
+            Mode::Facet(j) => {
+                let h = facets[usize::from(j)];
+                let edge = Slide { direction: h, lambda: 0.0 }.edge(self.springs);
+                let excess = -self.cone().facet_margin(&trial, &h);
+                (state, trial - edge.pull * excess, self.sliding_tangent(&edge))
             }
-        };
-        (state, self.force_on_polygon(state, &trial))
+            Mode::Corner(_) => {
+                let edge = self.edge(&State::from(state));
+                (state, self.cone().generator(&edge.pull) * trial[0], self.sliding_tangent(&edge))
+            }
+            Mode::Round(never) => match never {},
+        }
     }
 
-    /// The force of a state on the polygon whose springs, all holding, would carry this trial force.
-    fn force_on_polygon(&self, state: PolygonState, trial: &SVector<f64, C>) -> SVector<f64, C> {
-        match state {
-            Mode::Open => SVector::zeros(),
-            Mode::Rolling => *trial,
-            Mode::Facet(j) => {
-                let excess = -self.cone().facet_margin(trial, &self.facets()[usize::from(j)]);
-                trial - self.edge_direction(&State::from(state)) * excess
-            }
-            Mode::Corner(_) => self.cone().generator(&self.edge_direction(&State::from(state))) * trial[0],
-            Mode::Round(never) => match never {},
+    /// The state at a trial force, which springs that all hold would carry.
+    #[inline]
+    fn state_on_polygon(&self, facets: &[SVector<f64, C>], trial: &SVector<f64, C>) -> PolygonState {
+        if trial[0] <= 0.0 && self.may_open() {
+            return Mode::Open;
+        }
+        if facets.is_empty() {
+            return Mode::Rolling;
+        }
+        let r = self.cone().limit(trial[0]);
+        if C == 3 {
+            self.nearest_of_polygon(facets, trial, r)
+        } else if trial[1].abs() <= r {
+            Mode::Rolling
+        } else {
+            Mode::Facet(u16::from(trial[1] < 0.0))
         }
     }
 

@@ -6,7 +6,7 @@
 //!
 //! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the energy stored. Stiffness ratios do not show in it.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use crate::numerics::DoubleDouble;
 
@@ -48,9 +48,10 @@ impl<const C: usize> Compliance<C> {
         self.k[axis] * stretch
     }
 
-    /// K.
-    pub(crate) fn stiffness(&self) -> SMatrix<f64, C, C> {
-        SMatrix::from_diagonal(&self.k)
+    /// The diagonal of K.
+    #[inline(always)]
+    pub(crate) fn diagonal(&self) -> SVector<f64, C> {
+        self.k
     }
 
     /// `K⁻¹F`, zero along axes without a spring.

@@ -10,7 +10,8 @@
 //! | `state`, `slide` | what the contact does, with all that belongs to it |
 //! | `law` | which of its conditions count: at rest, in rates, on an edge |
 //! | `answer` | stretch → state and force |
-//! | `springs` | in a known state: left and right factors, tangent |
+//! | `springs` | in a known state: left and right factors |
+//! | `tangent` | how its force changes with its stretch |
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `exits` | how far a straight line stays in a state |
 //! | `stand` | what it stands on at an event, and the law of its rates |
@@ -27,6 +28,7 @@ mod slide;
 mod springs;
 mod stand;
 mod state;
+mod tangent;
 mod tangential;
 mod tolerances;
 
@@ -43,5 +45,6 @@ pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
 pub(crate) use stand::Stand;
 pub(crate) use state::{Mode, PolygonState, State};
+pub(crate) use tangent::Tangent;
 pub(crate) use tangential::{cross, tangential, tangential_norm};
 pub(crate) use tolerances::{SMALLEST, WEIGHTLESS, ZERO_SLACK};

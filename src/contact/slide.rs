@@ -6,7 +6,7 @@
 //! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
 //! ```
 //!
-//! d the unit tangent across p: a facet of the cone with normal p, and a spring across the slip, softened by the slip.
+//! d the tangent across p: a facet of the cone with normal p, and a spring across the slip, softened by the slip.
 
 use nalgebra::SVector;
 
@@ -22,26 +22,50 @@ pub(crate) struct Slide<const C: usize> {
     pub(crate) lambda: f64,
 }
 
+/// Where on its cone a contact slides, to first order: `F_t = μ F_n P + κ d (d·v)`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Edge<const C: usize> {
+    /// P, the friction force for μ F_n = 1 from which the spring across counts.
+    pub(crate) pull: SVector<f64, C>,
+    /// d, the tangent across the slip, as long as the direction of the slip is.
+    pub(crate) across: SVector<f64, C>,
+    /// κ, N/m; zero in the plane, at a corner of a polygon and without tangential springs.
+    pub(crate) stiffness: f64,
+}
+
+impl<const C: usize> Edge<C> {
+    /// An edge that leaves the contact no direction to hold in.
+    #[inline]
+    pub(super) fn without_spring(pull: SVector<f64, C>) -> Self {
+        Self { pull, across: SVector::zeros(), stiffness: 0.0 }
+    }
+}
+
 impl<const C: usize> Slide<C> {
     /// The slide of a contact with a friction force along this vector and this slip per force λ.
     pub(crate) fn new(friction: &SVector<f64, C>, lambda: f64) -> Self {
         Self { direction: tangential(friction) / tangential_norm(friction), lambda }
     }
 
-    /// P, the friction force for μ F_n = 1 from which the spring across counts, and the stiffness κ of that spring.
-    pub(super) fn pull_and_stiffness(&self, springs: &Compliance<C>) -> (SVector<f64, C>, f64) {
+    /// The edge of the cone that the contact is on. The normal h of a facet serves as a direction whatever its length: P and
+    /// `κ d dᵀ` are those of the facet `h·F_t <= μ F_n`.
+    #[inline]
+    pub(super) fn edge(&self, springs: &Compliance<C>) -> Edge<C> {
+        if C == 2 {
+            return Edge::without_spring(self.direction);
+        }
         let softened = springs.softened(self.lambda);
         let pulled = softened.component_mul(&self.direction);
         let along = 1.0 / self.direction.dot(&pulled);
-        (pulled * along, softened[1] * (softened[C - 1] * along))
+        Edge {
+            pull: pulled * along,
+            across: self.across(),
+            stiffness: softened[1] * (softened[C - 1] * along),
+        }
     }
 
-    /// P: the friction force for μ F_n = 1 from which the spring across counts.
-    pub(super) fn pull(&self, springs: &Compliance<C>) -> SVector<f64, C> {
-        self.pull_and_stiffness(springs).0
-    }
-
-    /// The unit tangent across the slip.
+    /// The direction of the slip turned by a right angle, in space.
+    #[inline]
     pub(crate) fn across(&self) -> SVector<f64, C> {
         let mut across = SVector::<f64, C>::zeros();
         (across[1], across[C - 1]) = (-self.direction[C - 1], self.direction[1]);
@@ -56,11 +80,10 @@ impl<const C: usize> Slide<C> {
         force: &SVector<f64, C>,
         r: f64,
     ) -> SVector<f64, C> {
-        let (pull, stiffness) = self.pull_and_stiffness(springs);
+        let Edge { pull, across, stiffness } = self.edge(springs);
         if stiffness == 0.0 {
             return SVector::zeros();
         }
-        let across = self.across();
         let rest = r * pull.dot(&across) - across.dot(force);
         across * (across.dot(stretch) + rest / stiffness)
     }

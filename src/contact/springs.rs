@@ -9,10 +9,11 @@
 //! open             none
 //! ```
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::law::LocalLaw;
 use super::polygon::corner;
+use super::slide::{Edge, Slide};
 use super::state::{Mode, State};
 use crate::numerics::rounding_of;
 
@@ -78,74 +79,27 @@ impl<const C: usize> LocalLaw<'_, C> {
                     .for_each(|axis| visit(Spring::along_axis(axis, self.springs.force_along(axis, 1.0))));
             }
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
-                let pull = self.edge_direction(state);
-                visit(Spring::dragging(self.springs.force_along(0, 1.0), self.cone().limit(1.0), &pull));
-                if let Some(spring) = self.spring_across(state) {
-                    visit(Spring::straight(spring));
+                let edge = self.edge(state);
+                visit(Spring::dragging(self.springs.force_along(0, 1.0), self.cone().limit(1.0), &edge.pull));
+                if edge.stiffness > 0.0 {
+                    visit(Spring::straight(edge.across * edge.stiffness.sqrt()));
                 }
             }
         }
     }
 
-    /// What of the tangential springs of a sliding contact still holds, across the slip.
-    fn spring_across(&self, state: &State<C>) -> Option<SVector<f64, C>> {
-        match state {
-            Mode::Round(slide) => {
-                let stiffness = slide.pull_and_stiffness(self.springs).1;
-                (stiffness > 0.0).then(|| slide.across() * stiffness.sqrt())
-            }
-            Mode::Facet(j) if C == 3 => {
-                // √K_t times the unit vector at right angles to √K_t h.
-                let root = self.springs.root();
-                let stretched = root.component_mul(&self.facets()[usize::from(*j)]);
-                let length = stretched[1].hypot(stretched[2]);
-                let mut across = SVector::zeros();
-                (across[1], across[2]) = (-root[1] * stretched[2] / length, root[2] * stretched[1] / length);
-                Some(across)
-            }
-            _ => None,
-        }
-    }
-
-    /// `C_i = Σ left rightᵀ` of the contact in a state: how its force changes with its stretch.
-    ///
-    /// Of a sliding contact it is `k_n (e_n + μ P) e_nᵀ + κ d dᵀ`: the normal spring drags friction along, the spring across holds.
+    /// The edge of the cone on which a contact in this state slides: the point `P = K_t h / (h·K_t h)` of a facet with the spring
+    /// across, or a corner.
     #[inline]
-    pub(crate) fn tangent(&self, state: &State<C>) -> SMatrix<f64, C, C> {
-        let (pull, mut stiffness) = match state {
-            Mode::Open => return SMatrix::zeros(),
-            Mode::Rolling => return self.springs.stiffness(),
-            Mode::Round(slide) => {
-                let (pull, held) = slide.pull_and_stiffness(self.springs);
-                let across = slide.across();
-                (pull, across * (across * held).transpose())
-            }
-            Mode::Facet(_) | Mode::Corner(_) => {
-                let held = self.spring_across(state).map_or_else(SMatrix::zeros, |d| d * d.transpose());
-                (self.edge_direction(state), held)
-            }
-        };
-        let drag = self.springs.force_along(0, 1.0);
-        stiffness[(0, 0)] = drag;
-        for a in 1..C {
-            stiffness[(a, 0)] = drag * self.cone().limit(pull[a]);
-        }
-        stiffness
-    }
-
-    /// The tangential force of a sliding contact for μ F_n = 1: the corner between two facets, or on one facet the point
-    /// `K_t h / (h·K_t h)` from which the springs across the slip count.
-    pub(crate) fn edge_direction(&self, state: &State<C>) -> SVector<f64, C> {
+    pub(crate) fn edge(&self, state: &State<C>) -> Edge<C> {
         if let Mode::Round(slide) = state {
-            return slide.pull(self.springs);
+            return slide.edge(self.springs);
         }
         let facets = self.facets();
-        let [first, second] = state.own_facets(facets.len());
-        let Some(h) = first.map(|first| &facets[first]) else { return SVector::zeros() };
-        if let Some(second) = second {
-            return corner(h, &facets[second]);
+        match state.own_facets(facets.len()) {
+            [Some(a), Some(b)] => Edge::without_spring(corner(&facets[a], &facets[b])),
+            [Some(a), None] => Slide { direction: facets[a], lambda: 0.0 }.edge(self.springs),
+            [None, _] => Edge::without_spring(SVector::zeros()),
         }
-        let stretched = self.springs.force(h);
-        stretched / h.dot(&stretched)
     }
 }

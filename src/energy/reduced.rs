@@ -1,6 +1,6 @@
 //! The quadratic program that is left when the displacements of the surfaces are eliminated.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::program::QuadraticProgram;
 use super::program_rows::ProgramRows;
@@ -120,7 +120,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 s[(0, gap)] = -1.0;
             }
             let pushed = local.springs.force(drive);
-            h += s.transpose() * local.springs.stiffness() * &s;
+            h += s.transpose() * SMatrix::from_diagonal(&local.springs.diagonal()) * &s;
             g -= s.tr_mul(&pushed);
             constant += 0.5 * drive.dot(&pushed);
             let mut push = |says: ReducedRow, law: &SVector<f64, C>| {

@@ -136,7 +136,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                 } else if states[i].is_rolling() {
                     forces[i] = site.springs.force(&v);
                 }
-                springs[i] = local.tangent(&states[i]);
+                springs[i] = local.tangent(&states[i]).matrix();
             }
             let solved = if let Some(solved) = balanced(sites, &springs, &wrench, &forces, twist) {
                 solved

@@ -326,7 +326,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         if !state.slides() {
             return SVector::zeros();
         }
-        self.problem.local(contact).edge_direction(state) * self.forces[contact][0]
+        self.problem.local(contact).edge(state).pull * self.forces[contact][0]
     }
 
     /// (∂K/∂k) v of one contact along one axis.
@@ -341,7 +341,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         if state.is_rolling() {
             f[axis] = stretch;
         } else if axis == 0 {
-            f = local.edge_direction(state) * local.cone().limit(stretch);
+            f = local.edge(state).pull * local.cone().limit(stretch);
             f[0] = stretch;
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
@@ -349,7 +349,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n; on the round cone softened by the slip.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
-            f = local.edge_direction(state) * (-h[axis] * softened);
+            f = local.edge(state).pull * (-h[axis] * softened);
             f[axis] += softened;
         }
         f

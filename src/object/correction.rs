@@ -171,13 +171,13 @@ fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force:
             for a in 1..C {
                 inside.add_product_of_twice((-h[a], 0.0), force[a]);
             }
-            let pull = local.edge_direction(state) * inside.value();
+            let pull = local.edge(state).pull * inside.value();
             for a in 1..C {
                 force[a].add(pull[a]);
             }
         }
         Mode::Corner(_) => {
-            let p = local.edge_direction(state);
+            let p = local.edge(state).pull;
             for (a, force) in force.iter_mut().enumerate().skip(1) {
                 *force = DoubleDouble::default();
                 force.add_product_of_twice((p[a], 0.0), limit);

@@ -33,8 +33,7 @@ pub(crate) fn tangent_stiffness<const D: usize, const C: usize>(
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
-#[inline]
-pub(crate) fn add_tangent<const D: usize, const C: usize>(
+fn add_tangent<const D: usize, const C: usize>(
     t: &mut SMatrix<f64, D, D>,
     site: &Site<D, C>,
     springs: &Springs<C>,

@@ -53,8 +53,9 @@ pub(super) fn newton<const D: usize, const C: usize>(
         let again = tangent.filter(|_| serves_again);
         let current = again.unwrap_or_else(|| {
             tangents.clear();
-            tangents
-                .extend(contacts.iter().zip(problem.locals()).map(|(at, local)| local.tangent(&at.state)));
+            tangents.extend(
+                contacts.iter().zip(problem.locals()).map(|(at, local)| local.tangent(&at.state).matrix()),
+            );
             Factors::new(&tangent_stiffness(problem.sites, &tangents))
         });
         let step = current.solve(&here.left);

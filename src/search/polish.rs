@@ -57,7 +57,8 @@ fn regular_solution<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
 ) -> Option<PieceState<D, C>> {
-    let springs: Vec<_> = problem.locals().zip(states).map(|(local, state)| local.tangent(state)).collect();
+    let springs: Vec<_> =
+        problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &springs))?;
     let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
     let mut near = PieceState { forces, twist: SVector::zeros() };

@@ -17,9 +17,10 @@ use std::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use super::solution::{BALANCED, Solution};
-use crate::contact::{Mode, PolygonState, State};
+use crate::contact::{Mode, PolygonState, Tangent};
+use crate::grasp::Site;
 use crate::numerics::{Bordered, SUMMED_IN_TURN, both, in_halves};
-use crate::object::{Problem, add_tangent};
+use crate::object::Problem;
 
 /// Steps: it converges in a few of them or goes round in circles.
 const STEPS: usize = 16;
@@ -111,16 +112,42 @@ fn answer<const D: usize, const C: usize>(
             *state = Mode::Open;
             continue;
         }
-        (*state, *force) = local.answer_on_polygon(&problem.stretch(contact, twist));
+        let tangent;
+        (*state, *force, tangent) = local.answer_on_polygon(&problem.stretch(contact, twist));
         if state.is_open() {
             continue;
         }
         sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
-        add_tangent(&mut sum.stiffness, site, &local.tangent(&State::from(*state)));
+        add_tangent(&mut sum.stiffness, site, &tangent);
         sum.left += site.map * *force;
         sum.size += force.norm();
     }
     sum
+}
+
+/// Adds `G_i C_i G_iᵀ` of one contact to T, dyad by dyad.
+#[inline]
+fn add_tangent<const D: usize, const C: usize>(
+    t: &mut SMatrix<f64, D, D>,
+    site: &Site<D, C>,
+    tangent: &Tangent<C>,
+) {
+    match tangent {
+        Tangent::Open => {}
+        Tangent::Rolling(k) => {
+            for (axis, k) in k.iter().enumerate() {
+                let g = site.map.column(axis);
+                t.ger(*k, &g, &g, 1.0);
+            }
+        }
+        Tangent::Sliding { drag, across, stiffness } => {
+            t.ger(1.0, &(site.map * drag), &site.map.column(0), 1.0);
+            if *stiffness > 0.0 {
+                let g = site.map * across;
+                t.ger(*stiffness, &g, &g, 1.0);
+            }
+        }
+    }
 }
 
 impl<const D: usize> Imbalance<D> {

@@ -3,11 +3,7 @@
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, PathEnd, Wrench};
 use grasp_lcp::spatial;
-
-/// A fixed sequence without structure in [0, 1).
-fn uneven(i: usize) -> f64 {
-    (i as f64 * 0.618_033_988_749_894_9 + 0.37).fract()
-}
+use support::patches::uneven;
 
 /// A pad pressed unevenly, sheared and tilted, let go and sheared the other way: events, contacts looked at, residual.
 fn planar(n: usize) -> (usize, usize, f64) {
@@ -47,22 +43,7 @@ fn the_work_grows_about_like_the_number_of_events() {
 
 #[test]
 fn the_same_in_space() {
-    let n = 1000;
-    let place = |i: usize| {
-        let r = ((i as f64 + 0.5) / n as f64).sqrt();
-        (r, i as f64 * 2.4, (1.0 - r * r).sqrt() * (0.95 + 0.1 * uneven(i)))
-    };
-    let contact = |i: usize| {
-        let (r, angle, press) = place(i);
-        let (sin, cos) = angle.sin_cos();
-        spatial::Contact::new([r * cos, r * sin, 0.0], [0.0, 0.0, 1.0])
-            .tangent([1.0, 0.0, 0.0])
-            .series_stiffness(1.0, 0.8)
-            .friction(0.3)
-            .command([press, 0.0, 0.0])
-    };
-    let grasp = spatial::Grasp::new((0..n).map(contact)).unwrap();
-    let pressed: f64 = (0..n).map(|i| place(i).2).sum();
+    let (grasp, pressed) = support::patches::round_pad(1000).unwrap();
     let load = |x: f64, y: f64, turn: f64| {
         spatial::Wrench::new([x * pressed, y * pressed, -pressed], [0.0, 0.0, turn * pressed])
     };

@@ -35,8 +35,8 @@ pub fn planar_patch(n: usize) -> Result<(planar::Grasp, planar::Wrench), grasp_l
     Ok((grasp, planar::Wrench::new([0.98 * 0.3 * pressed, -pressed], 0.0)))
 }
 
-/// A round pad, pressed most in the middle, sheared and turned until the outer half slides.
-pub fn spatial_patch(n: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp::Error> {
+/// A round pad, pressed most in the middle, and the sum of its presses.
+pub fn round_pad(n: usize) -> Result<(spatial::Grasp, f64), grasp_lcp::Error> {
     let place = |i: usize| {
         let r = ((i as f64 + 0.5) / n as f64).sqrt();
         (r, i as f64 * 2.399_963_229_728_653, (1.0 - r * r).sqrt() * (0.95 + 0.1 * uneven(i)))
@@ -51,7 +51,12 @@ pub fn spatial_patch(n: usize) -> Result<(spatial::Grasp, spatial::Wrench), gras
             .command([press, 0.0, 0.0])
     };
     let grasp = spatial::Grasp::new((0..n).map(contact))?;
-    let pressed: f64 = (0..n).map(|i| place(i).2).sum();
+    Ok((grasp, (0..n).map(|i| place(i).2).sum()))
+}
+
+/// The round pad, sheared and turned until its outer half slides.
+pub fn spatial_patch(n: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp::Error> {
+    let (grasp, pressed) = round_pad(n)?;
     let load = spatial::Wrench::new([0.23 * pressed, 0.07 * pressed, -pressed], [0.0, 0.0, 0.035 * pressed]);
     Ok((grasp, load))
 }

@@ -13,6 +13,18 @@ pub struct Transform<const C: usize> {
     force: f64,
 }
 
+/// Turns each coordinate plane (i, i + 1) by an angle, one after the other.
+pub fn rotation<const C: usize>(angles: [f64; 3]) -> SMatrix<f64, C, C> {
+    let mut rotation = SMatrix::<f64, C, C>::identity();
+    for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
+        let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
+        let mut turn = SMatrix::<f64, C, C>::identity();
+        (turn[(i, i)], turn[(i, j)], turn[(j, i)], turn[(j, j)]) = (cos, -sin, sin, cos);
+        rotation = turn * rotation;
+    }
+    rotation
+}
+
 impl<const C: usize> Transform<C> {
     fn identity() -> Self {
         Self { rotation: SMatrix::identity(), shift: SVector::zeros(), length: 1.0, force: 1.0 }
@@ -20,14 +32,7 @@ impl<const C: usize> Transform<C> {
 
     /// Turns each coordinate plane (i, i + 1) by an angle, one after the other.
     pub fn turned(angles: [f64; 3]) -> Self {
-        let mut rotation = SMatrix::<f64, C, C>::identity();
-        for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
-            let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
-            let mut turn = SMatrix::<f64, C, C>::identity();
-            (turn[(i, i)], turn[(i, j)], turn[(j, i)], turn[(j, j)]) = (cos, -sin, sin, cos);
-            rotation = turn * rotation;
-        }
-        Self { rotation, ..Self::identity() }
+        Self { rotation: rotation(angles), ..Self::identity() }
     }
 
     /// The first axis changes sign.

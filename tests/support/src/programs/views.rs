@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Goal, Scene, Spot};
+use crate::transform::rotation;
 
 /// `x -> length (R x + shift)` for points, `f -> force R f` for forces, with R orthogonal.
 #[derive(Debug, Clone, Copy)]
@@ -22,13 +23,7 @@ impl<const C: usize> View<C> {
 
     /// Turned in each coordinate plane (i, i + 1) by an angle, one after the other, and moved.
     pub fn moved(angles: [f64; 3], shift: [f64; 3]) -> Self {
-        let mut rotation = SMatrix::<f64, C, C>::identity();
-        for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
-            let (j, (sin, cos)) = ((i + 1) % C, angle.sin_cos());
-            let mut turn = SMatrix::<f64, C, C>::identity();
-            (turn[(i, i)], turn[(i, j)], turn[(j, i)], turn[(j, j)]) = (cos, -sin, sin, cos);
-            rotation = turn * rotation;
-        }
+        let rotation = rotation(angles);
         Self { rotation, shift: SVector::from_fn(|a, _| shift[a]), ..Self::in_units(1.0, 1.0) }
     }
 

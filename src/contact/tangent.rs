@@ -1,0 +1,67 @@
+//! How the force of one contact changes with its stretch, `dF = C dv`, as the few dyads that C is the sum of.
+//!
+//! ```text
+//! rolling     C = K
+//! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
+//! ```
+//!
+//! The normal spring drags friction along, and the spring across the slip holds. A sum over many contacts takes dyad by dyad:
+//! there are fewer of them than columns of a matrix, and each costs one multiplication an entry.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::law::LocalLaw;
+use super::slide::Edge;
+use super::state::{Mode, State};
+
+/// C of a contact in a state, N/m.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Tangent<const C: usize> {
+    /// No force, whatever the stretch.
+    Open,
+    /// The diagonal of K.
+    Rolling(SVector<f64, C>),
+    /// On an edge of the cone.
+    Sliding {
+        /// `k_n (e_n + μ P)`.
+        drag: SVector<f64, C>,
+        /// d.
+        across: SVector<f64, C>,
+        /// κ.
+        stiffness: f64,
+    },
+}
+
+impl<const C: usize> Tangent<C> {
+    /// C with all its entries.
+    pub(crate) fn matrix(&self) -> SMatrix<f64, C, C> {
+        match self {
+            Self::Open => SMatrix::zeros(),
+            Self::Rolling(k) => SMatrix::from_diagonal(k),
+            Self::Sliding { drag, across, stiffness } => {
+                let mut matrix = across * (across * *stiffness).transpose();
+                matrix.set_column(0, drag);
+                matrix
+            }
+        }
+    }
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// C of the contact in a state.
+    #[inline]
+    pub(crate) fn tangent(&self, state: &State<C>) -> Tangent<C> {
+        match state {
+            Mode::Open => Tangent::Open,
+            Mode::Rolling => Tangent::Rolling(self.springs.diagonal()),
+            Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => self.sliding_tangent(&self.edge(state)),
+        }
+    }
+
+    /// C of a contact that slides on this edge.
+    #[inline]
+    pub(super) fn sliding_tangent(&self, edge: &Edge<C>) -> Tangent<C> {
+        let drag = self.cone().generator(&edge.pull) * self.springs.force_along(0, 1.0);
+        Tangent::Sliding { drag, across: edge.across, stiffness: edge.stiffness }
+    }
+}
