@@ -184,6 +184,9 @@ fn proof<const D: usize>(proof: &Proof<D>) -> String {
         Proof::EveryStateTried { combinations } => {
             format!("all {combinations} combinations of contact states fail")
         }
+        Proof::EveryCaseContradicted { cases, .. } => {
+            format!("all {cases} cases of contact states and directions of friction contradict themselves")
+        }
         other => format!("{other:?}"),
     }
 }

@@ -87,9 +87,4 @@ impl Coulomb {
     pub(crate) fn round_weight(self) -> f64 {
         if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }
     }
-
-    /// The least that a force of the round cone with length one can do on a stretch rate u: that along `e_n - μ u_t/|u_t|`.
-    pub(crate) fn least_power<const C: usize>(self, u: &SVector<f64, C>) -> f64 {
-        (u[0] - self.mu * tangential_norm(u)) / 1.0_f64.hypot(self.mu)
-    }
 }

@@ -13,6 +13,8 @@
 //! | `springs` | in a known state: left and right factors |
 //! | `tangent` | how its force changes with its stretch |
 //! | `conditions` | what a state must satisfy, with sizes |
+//! | `hull` | where only part of its state is known: all that its law allows |
+//! | `most_work` | what a contact can do against a virtual motion |
 //! | `exits` | how far a straight line stays in a state |
 //! | `stand` | what it stands on at an event, and the law of its rates |
 //! | `tolerances` | what counts as zero |
@@ -22,7 +24,9 @@ mod compliance;
 mod conditions;
 mod coulomb;
 mod exits;
+mod hull;
 mod law;
+mod most_work;
 mod polygon;
 mod slide;
 mod springs;
@@ -39,6 +43,7 @@ pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;
 pub(crate) use exits::{Exit, GapLine, Line};
+pub(crate) use hull::{HullRay, Label};
 pub(crate) use law::{Law, LocalLaw};
 pub(crate) use polygon::Polygon;
 pub(crate) use slide::Slide;

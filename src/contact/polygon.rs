@@ -11,8 +11,6 @@ use nalgebra::SVector;
 use super::tangential::cross;
 use crate::error::Error;
 
-/// Corners nearer than this, in radians, are one: rounding of their facet's normal would show in the force.
-const ONE_CORNER: f64 = 1e-6;
 /// A sine or cosine below this is that of a right angle, a few roundings away from zero.
 const ROUNDED_ZERO: f64 = 1e-15;
 
@@ -148,29 +146,6 @@ impl<const C: usize> Polygon<C> {
         Self {
             normals: self.normals.iter().map(turn).collect(),
             corners: self.corners.iter().map(turn).collect(),
-        }
-    }
-
-    /// The inscribed polygon with corners where this one has them and two more beside a tangent direction, at this angle on both
-    /// sides.
-    pub(crate) fn refined_about(&self, along: &SVector<f64, C>, angle: f64) -> Self {
-        let towards = along[2].atan2(along[1]);
-        let mut angles: Vec<f64> = self.corners.iter().map(|d| d[2].atan2(d[1])).collect();
-        angles
-            .extend([-angle, 0.0, angle].map(|beside| (towards + beside).sin_cos()).map(|(y, x)| y.atan2(x)));
-        angles.sort_by(f64::total_cmp);
-        // Corners closer than rounding can tell apart are one.
-        angles.dedup_by(|b, a| *b - *a < ONE_CORNER);
-        let before = |j: usize| if j == 0 { angles[angles.len() - 1] - TAU } else { angles[j - 1] };
-        let normal = |j: usize| {
-            let (from, to) = (before(j), angles[j]);
-            let [cos, sin] = direction(0.5 * (from + to));
-            let distance = (0.5 * (to - from)).cos();
-            in_the_tangent_plane(&[cos / distance, sin / distance])
-        };
-        Self {
-            normals: (0..angles.len()).map(normal).collect(),
-            corners: angles.iter().map(|&angle| in_the_tangent_plane(&direction(angle))).collect(),
         }
     }
 }

@@ -62,7 +62,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// The friction cone the answer is for.
     pub cone: Cone,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
-    /// `None` where there was no polygon: nothing slides, the state is one of a load path, or the answer is for the polygon itself.
+    /// `None` where there was no polygon: nothing slides, Newton's method found it, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
     /// What the questions to an answer start from.
     pub(crate) local: LocalAnswer<D, C>,
@@ -235,11 +235,19 @@ pub enum Proof<const D: usize> {
         /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },
-    /// Every combination of contact states was tried; each violates a condition clearly. On the round cone the directions of
-    /// sliding are tried in sectors, halved where that does not decide.
+    /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
     EveryStateTried {
-        /// How many combinations or cases.
+        /// How many combinations.
         combinations: usize,
+    },
+    /// On the round cone: what contacts do was divided into cases, open or closed, rolling or sliding, friction between two angles.
+    /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions.
+    EveryCaseContradicted {
+        /// How many cases.
+        cases: usize,
+        /// By this factor at least an equilibrium that rounding has hidden would have to exceed the data, in √J: stretches and
+        /// forces of all contacts together over those of the elastic trial state. At least 1e4.
+        escape: f64,
     },
 }
 

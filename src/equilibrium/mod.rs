@@ -12,12 +12,13 @@
 //! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything rolls; everything that
 //! touches rolls; Newton's method, with many contacts; Lemke's method on the kinematic form, then on the force form
 //! (see [`forms`](crate::forms)); every combination of states, with few contacts. In space Lemke's
-//! method proposes on a polygonal cone and Newton's method goes on from there to the round one. Whoever has proposed them, the states are
+//! method proposes on a polygonal cone and Newton's method goes on from there to the round one; where that leads nowhere, branch and bound
+//! over states and directions of friction decides. Whoever has proposed them, the states are
 //! solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
 //! [`Equilibrium`].
 //!
 //! Where none is found the answer is a [`Proof`] that none exists – a motion that nothing resists, a motion that separates the load from
-//! all that friction can do, or all states tried – or [`Undecided`], with the reason.
+//! all that friction can do, all states tried, all cases contradicted ([`Refutation`]) – or [`Undecided`], with the reason.
 
 mod accuracy;
 mod answer;
@@ -26,6 +27,7 @@ mod decomposition;
 mod distinct;
 mod questions;
 mod recomputed;
+mod refutation;
 mod residuals;
 mod write_out;
 
@@ -36,6 +38,7 @@ pub use answer::{
 };
 pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
+pub use refutation::Refutation;
 pub use residuals::Residuals;
 
 pub(crate) use questions::ACCURATE;

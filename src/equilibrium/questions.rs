@@ -161,6 +161,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 none(Proof::SeparatingMotion { motion, work })
             }
             Settled::NoneOf(combinations) => none(Proof::EveryStateTried { combinations }),
+            Settled::Contradicted { cases, escape } => none(Proof::EveryCaseContradicted { cases, escape }),
             Settled::Undecided(doubt) => {
                 let work = WorkDone {
                     pivots: effort.pivots,

@@ -40,6 +40,7 @@
 //! | `FreeMotion` | nothing resists it in any state | a degree of freedom without springs | another contact, [`SoftFingertip`](crate::grasp::SoftFingertip)s |
 //! | `SeparatingMotion` | the load drives it, no admissible force works against it | too large a load, or in the wrong direction, for the friction cones; for any stiffness and squeeze | more friction, other contact points |
 //! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not bring them about | more squeeze |
+//! | `EveryCaseContradicted` | – | the same on the round cone, where directions of friction are divided into cases | more squeeze |
 //! | `Undecided`: `RayWithoutProof` | – | none of these, and too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
 //!
 //! ```

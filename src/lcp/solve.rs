@@ -45,6 +45,11 @@ impl Lcp {
         Workspace::new().solve(self, settings).into_outcome()
     }
 
+    /// Where Lemke's first path ends, without the rungs above it: no proof, no other path.
+    pub(crate) fn first_path(&self, settings: &Settings) -> Outcome {
+        Workspace::new().follow_once(self, settings)
+    }
+
     /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such
     /// as that of a neighbouring problem.
     ///

@@ -72,7 +72,10 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
     let few = here.locals().filter(LocalLaw::may_slide).count() <= FEW_CONTACTS;
     for part in PARTS_BEYOND.into_iter().filter(|_| few) {
         match settle(&past(part), settings).0 {
-            Settled::FreeMotion(_) | Settled::Separating(_) | Settled::NoneOf(_) => {
+            Settled::FreeMotion(_)
+            | Settled::Separating(_)
+            | Settled::NoneOf(_)
+            | Settled::Contradicted { .. } => {
                 return PathEnd::LimitLoad(loss);
             }
             // Where another equilibrium is no other the path was not lost, but could not be followed.

@@ -6,6 +6,7 @@
 //! | `complete_pivoting` | LU that says what it could not resolve |
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
+//! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `double_double` | sums in twice the working precision |
 //! | `pairwise` | sums made of halves, on several threads |
@@ -18,6 +19,7 @@ mod bordered;
 mod complete_pivoting;
 mod double_double;
 mod factors;
+mod nearest_point;
 mod orthogonal;
 mod pairwise;
 mod partial_pivoting;
@@ -30,6 +32,7 @@ pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use factors::Factors;
+pub(crate) use nearest_point::NearestPoint;
 pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
 pub(crate) use partial_pivoting::PartialPivoting;

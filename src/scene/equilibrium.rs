@@ -47,8 +47,15 @@ pub enum Proof<const D: usize> {
     },
     /// Every combination of contact states was tried; each violates a condition clearly.
     EveryStateTried {
-        /// How many combinations or cases.
+        /// How many combinations.
         combinations: usize,
+    },
+    /// On the round cone every case of contact states and directions of friction contradicts itself.
+    EveryCaseContradicted {
+        /// How many cases.
+        cases: usize,
+        /// By this factor an equilibrium that rounding has hidden would have to exceed the data.
+        escape: f64,
     },
 }
 
@@ -58,6 +65,9 @@ impl<const D: usize> From<&NoEquilibrium<D>> for Proof<D> {
             state::Proof::FreeMotion { motion, work } => Self::FreeMotion { motion, work },
             state::Proof::SeparatingMotion { motion, work } => Self::SeparatingMotion { motion, work },
             state::Proof::EveryStateTried { combinations } => Self::EveryStateTried { combinations },
+            state::Proof::EveryCaseContradicted { cases, escape } => {
+                Self::EveryCaseContradicted { cases, escape }
+            }
         }
     }
 }

@@ -17,12 +17,12 @@ pub enum Rung {
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
     /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried with many
-    /// contacts only.
+    /// contacts, and on the round cone where what Lemke's method proposes on polygons leads nowhere.
     Newton,
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,
-    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of sectors of sliding
-    /// directions in which Newton's method arrives. Also what [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) finds that way.
+    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and
+    /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) finds that way.
     Enumeration,
     /// Following a load path: the states come from the path's history.
     LoadPath,
@@ -87,6 +87,11 @@ pub(crate) enum Settled<const D: usize, const C: usize> {
     Separating(SVector<f64, D>),
     /// Each of so many combinations of contact states fails clearly.
     NoneOf(usize),
+    /// On the round cone, each of so many cases contradicts itself; what escapes that is larger than the data by this factor.
+    Contradicted {
+        cases: usize,
+        escape: f64,
+    },
     /// Nothing found, nothing proved.
     Undecided(Doubt),
 }

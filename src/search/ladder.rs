@@ -4,7 +4,7 @@
 use super::answer::{Doubt, Effort, Settled};
 use super::rungs::{
     every_case, every_combination, everything_rolls, force_form, kinematic_form, kinematic_form_on_states,
-    kinematic_form_with_edges, newton_on_answers, other_polygons, separating_motion,
+    kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
     separating_motion_of_many, touching_contacts_roll,
 };
 use super::scene::{Attempt, Log, Scene};
@@ -27,8 +27,8 @@ pub(crate) fn settle<const D: usize, const C: usize>(
         kinematic_form,
         kinematic_form_with_edges,
         force_form,
+        newton_on_the_round_cone,
         separating_motion,
-        other_polygons,
         every_case,
         every_combination,
     ];

@@ -12,7 +12,7 @@
 //! | `candidate` | a proposal solved and checked |
 //! | `newton`, `round_pieces`, `polish` | from a polygon's answer to the round cone |
 //! | `enumerate` | every combination of states |
-//! | `sectors`, `sector_conditions` | on the round cone: every state and every sector of directions |
+//! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
 mod answer;
 mod candidate;
@@ -21,13 +21,13 @@ mod ladder;
 mod newton;
 mod polish;
 mod proposals;
+mod relaxed;
 mod round_pieces;
 mod rungs;
 mod scene;
-mod sector_conditions;
-mod sectors;
 mod settings;
 mod touching;
+mod tree;
 
 pub use answer::{Doubt, Rung};
 pub use settings::Settings;
@@ -37,3 +37,4 @@ pub(crate) use candidate::{Verdict, for_each_condition, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search};
 pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};
+pub(crate) use tree::refute;

@@ -66,6 +66,14 @@ fn regular_solution<const D: usize, const C: usize>(
     Some(near)
 }
 
+/// The solution on the round cone that Newton's method finds from a twist.
+pub(super) fn polish_from<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    twist: SVector<f64, D>,
+) -> Option<Found<D, C>> {
+    newton(problem, twist).and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
+}
+
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
 pub(crate) fn polish<const D: usize, const C: usize>(
     problem: &Problem<D, C>,

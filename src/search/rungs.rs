@@ -3,10 +3,11 @@
 use super::answer::{Doubt, Rung, Settled};
 use super::candidate::{Verdict, admit};
 use super::enumerate::search;
-use super::proposals::{climb, enumerable, finer_polygons, propose_dense, propose_structured};
-use super::scene::{Attempt, Log, Scene, on_polygons};
-use super::sectors::{Sectors, search_sectors};
+use super::polish::polish_from;
+use super::proposals::{climb, enumerable, propose_dense, propose_structured};
+use super::scene::{Attempt, Log, Scene};
 use super::touching::touching_contacts;
+use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
 use crate::forms;
 use crate::object::Problem;
@@ -21,9 +22,6 @@ const STRUCTURED_FROM: usize = 8;
 const MANY: usize = 32;
 /// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
 const MOST_DENSE_ROWS: usize = 2000;
-/// A case of sectors counts as so many combinations of contact states against [`Settings::most_states`].
-const CASE: usize = 100;
-
 /// Whether dense matrices can be made for this problem.
 fn dense_is_affordable<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
     problem.locals().map(|local| local.pairs()).sum::<usize>() <= MOST_DENSE_ROWS
@@ -140,39 +138,33 @@ pub(super) fn separating_motion<const D: usize, const C: usize>(
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// On the round cone: Lemke's method on polygons of other fits and with more facets.
-pub(super) fn other_polygons<const D: usize, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
-    if !scene.problem.round {
-        return Attempt::Nothing;
-    }
-    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
-    let found = finer_polygons(scene.problem, scene.settings.cone)
-        .find_map(|cone| climb(&on_polygons(scene.problem, cone, &scene.state.forces), propose, log));
-    Attempt::by(Rung::KinematicForm, found)
-}
-
-/// Whether directions of sliding can be told by sectors. With cones that are not round the polygons say all there is to say, and rates on an edge
-/// have no sectors.
-fn has_sectors<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
-    problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
-}
-
-/// On the round cone: every contact state and every sector of sliding directions.
-pub(super) fn every_case<const D: usize, const C: usize>(
+/// Newton's method on the round cone, from the elastic trial state.
+pub(super) fn newton_on_the_round_cone<const D: usize, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
-    let problem = scene.proposing();
-    if !has_sectors(problem) {
+    if !has_round_cones(scene.problem) {
         return Attempt::Nothing;
     }
-    match search_sectors(problem, scene.settings.most_states / CASE) {
-        Sectors::Found(found) => Attempt::Found(found, Rung::Enumeration),
-        Sectors::NoneOf(cases) => Attempt::Proof(Settled::NoneOf(cases)),
-        Sectors::Unresolved => Attempt::Nothing,
+    Attempt::by(Rung::Newton, polish_from(scene.problem, scene.state.twist))
+}
+
+/// On the round cone: branch and bound over contact states and directions of friction.
+pub(super) fn every_case<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    let most = most_cases(scene.problem, scene.settings);
+    if most == 0 {
+        return Attempt::Nothing;
+    }
+    match search_tree(scene.problem, &scene.trial, &scene.state, most, None) {
+        Tree::Found(found) => Attempt::Found(found, Rung::Enumeration),
+        Tree::Contradicted { cases, escape } => Attempt::Proof(Settled::Contradicted { cases, escape }),
+        Tree::Unresolved(doubt) => {
+            log.doubt = doubt;
+            Attempt::Nothing
+        }
     }
 }
 
@@ -182,17 +174,14 @@ pub(super) fn every_combination<const D: usize, const C: usize>(
     log: &mut Log,
 ) -> Attempt<D, C> {
     let problem = scene.proposing();
-    if !enumerable(problem, scene.settings) {
+    // A polygon that has no equilibrium says nothing about the round cone.
+    if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }
     let search = search(problem, true);
     log.effort.combinations = search.tried;
     if let Some(found) = search.found.into_iter().next() {
         return Attempt::Found(found, Rung::Enumeration);
-    }
-    // A polygon that has no equilibrium says nothing about the round cone.
-    if has_sectors(problem) {
-        return Attempt::Nothing;
     }
     if search.doubtful {
         log.doubt = Doubt::OnTheBoundary;

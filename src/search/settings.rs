@@ -27,10 +27,11 @@ pub struct Settings {
     /// exponential problems, which contact problems are not known to be.
     pub max_pivots: Option<usize>,
     /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
-    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone the
-    /// directions of sliding are tried in sectors, among at most five contacts that can slide, and each case counts as a
-    /// hundred combinations. Lower it for speed on scenes without an equilibrium (0 leaves the search out, and with it proofs by trying
-    /// all states), raise it to get a proof for more contacts.
+    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone
+    /// states and directions of friction of up to 32 contacts are divided into cases. A case of n contacts counts as n³/400
+    /// combinations: the default allows five thousand of 12 contacts, of which most scenes take half. Lower it for speed on
+    /// scenes without an equilibrium (0 leaves the search out, and with it proofs by trying all states), raise it to get a proof for
+    /// more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
     /// the largest force, of slips over the largest displacement. The default is 1e-9, an error that can be had on nearly every path.

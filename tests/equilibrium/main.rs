@@ -4,6 +4,7 @@ mod any_numbers;
 mod bad_contacts;
 mod bad_fingertips;
 mod bad_questions;
+mod branch_and_bound;
 mod closed_forms;
 mod condition;
 mod exact_equilibria;

@@ -115,5 +115,8 @@ pub(super) fn proof_in_words(proof: &Proof) -> String {
         Proof::EveryStateTried { combinations } => {
             format!("all {combinations} combinations of contact states fail")
         }
+        Proof::EveryCaseContradicted { cases, .. } => {
+            format!("all {cases} cases of contact states and directions of friction contradict themselves")
+        }
     }
 }

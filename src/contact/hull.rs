@@ -1,0 +1,294 @@
+//! What a contact may do where only part of its state is known, by its convex hull: a cone with few generators.
+//!
+//! The law is positively homogeneous: with (v, F) it allows every multiple. So is the law under a label, which says whether the
+//! contact is open or closed, rolls or slides, and between which angles its friction points. In force units `ξ = K v` and with
+//! p on the circle the hull is spanned by
+//!
+//! ```text
+//!                   ξ            F
+//! open              -e_n         0                   ±e_t    0
+//! rolls             e_n + μ p    e_n + μ p           e_n     e_n
+//! slides            e_n + μ p    e_n + μ p           K_t p   0
+//! ```
+//!
+//! An arc of directions p is replaced by a polygon around it, so that the hull holds all that the law allows and a little more.
+//! What contradicts the hulls of all contacts contradicts the law.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
+
+use nalgebra::SVector;
+
+use super::law::{Law, LocalLaw};
+use super::tangential::tangential_norm;
+
+/// A polygon around an arc has a corner for every piece of at most this angle.
+const PIECE: f64 = FRAC_PI_8;
+/// Directions of slip on an arc are spanned by its ends and by points so far apart: less than a half turn.
+const SPAN: f64 = 0.6 * PI;
+/// Arcs are not divided below this angle: directions as close as that are one to rounding of what follows from them.
+const NARROWEST: f64 = 1e-6;
+/// Wider arcs are halved; on narrower ones the friction force and the slip say where to divide.
+const WIDE: f64 = 1.1 * PI;
+/// No part of an arc is narrower than this part of it.
+const LEAST_PART: f64 = 0.15;
+/// Directions that differ by less than this angle are the same for the choice of the first division.
+const ALIKE: f64 = 0.1;
+/// The ends of a whole turn may lie apart by this angle: rounding of their difference.
+const ROUNDED: f64 = 1e-14;
+/// Parts of larger vectors that are rounding have no direction.
+const NO_DIRECTION: f64 = 1e-12;
+
+/// Directions of friction between two angles, the second the larger, at most a turn apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sector {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+}
+
+/// What is known of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Label {
+    Anything,
+    Open,
+    Closed,
+    /// Rolls or slides, with friction in this sector.
+    Friction(Sector),
+    Rolling(Sector),
+    Sliding(Sector),
+}
+
+/// A generator of the hull in energy units, `K^{-1/2}ξ` and `K^{-1/2}F`, of length one together.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct HullRay<const C: usize> {
+    pub(crate) stretch: SVector<f64, C>,
+    pub(crate) force: SVector<f64, C>,
+}
+
+impl Label {
+    /// Where friction may point.
+    pub(super) fn sector(&self) -> Sector {
+        match self {
+            Self::Friction(sector) | Self::Rolling(sector) | Self::Sliding(sector) => *sector,
+            Self::Anything | Self::Open | Self::Closed => Sector::WHOLE,
+        }
+    }
+
+    /// Whether two labels leave nothing out of what this one allows.
+    pub(crate) fn is_covered_by(&self, halves: &[Self; 2]) -> bool {
+        let joined = |parts: [&Sector; 2]| {
+            parts[0]
+                .to
+                .total_cmp(&parts[1].from)
+                .is_eq()
+                .then_some(Sector { from: parts[0].from, to: parts[1].to })
+        };
+        match (self, halves) {
+            (Self::Anything, [Self::Open, Self::Closed]) => true,
+            (Self::Friction(whole), [Self::Rolling(a), Self::Sliding(b)]) => whole == a && whole == b,
+            (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
+                joined([a, b]).is_some_and(|whole| whole.width() >= TAU - ROUNDED)
+            }
+            (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
+            | (Self::Rolling(whole), [Self::Rolling(a), Self::Rolling(b)])
+            | (Self::Sliding(whole), [Self::Sliding(a), Self::Sliding(b)]) => joined([a, b]) == Some(*whole),
+            _ => false,
+        }
+    }
+}
+
+impl Sector {
+    const WHOLE: Self = Self { from: -PI, to: PI };
+
+    /// The unit tangent in the sector that is farthest along a vector.
+    pub(super) fn most_along<const C: usize>(&self, a: &SVector<f64, C>) -> SVector<f64, C> {
+        let angle = self.from + self.inside(a[2].atan2(a[1]));
+        vector(0.0, on_circle(angle))
+    }
+
+    fn width(&self) -> f64 {
+        self.to - self.from
+    }
+
+    /// How many equal parts are at most this wide; those of a whole turn are 16 at most.
+    fn pieces(&self, most: f64) -> u8 {
+        (1..16).find(|k| self.width() <= most * f64::from(*k)).unwrap_or(16)
+    }
+
+    fn at(&self, middle: f64) -> [Self; 2] {
+        [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
+    }
+
+    /// Points of a polygon around the arc: its ends, and the corners of tangents between them.
+    fn around(&self) -> Vec<[f64; 2]> {
+        let pieces = self.pieces(PIECE);
+        let half = 0.5 * self.width() / f64::from(pieces);
+        let reach = 1.0 / half.cos();
+        let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).map(|x| x * reach);
+        let ends = [self.from, self.to].map(on_circle);
+        (0..pieces).map(corner).chain(ends).collect()
+    }
+
+    /// Directions that span those of the sector.
+    fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
+        let pieces = self.pieces(SPAN);
+        let step = self.width() / f64::from(pieces);
+        let from = self.from;
+        (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
+    }
+
+    /// Where an angle lies, counted from the start; an angle outside counts as the nearer end.
+    fn inside(&self, angle: f64) -> f64 {
+        let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
+        if along <= width {
+            along
+        } else if along - width < TAU - along {
+            width
+        } else {
+            0.0
+        }
+    }
+}
+
+fn on_circle(angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos, sin]
+}
+
+/// The vector with this normal and this tangential part.
+fn vector<const C: usize>(normal: f64, tangential: [f64; 2]) -> SVector<f64, C> {
+    SVector::from_fn(|a, _| if a == 0 { normal } else { tangential[a - 1] })
+}
+
+const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// What is known of the contact at first.
+    pub(crate) fn first_label(&self) -> Label {
+        match self.law {
+            Law::Absent => Label::Open,
+            Law::Cone { gap: true } => Label::Anything,
+            _ => Label::Closed,
+        }
+    }
+
+    /// Whether the law lets a closed contact pull.
+    pub(super) fn pulls(&self) -> bool {
+        self.is_bonded() || self.is_frictionless() && !self.may_open()
+    }
+
+    /// The generators of what the law allows under a label.
+    pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay<C>> {
+        let root = self.springs.root();
+        let rubs = self.springs.resists_tangentially();
+        let mut rays = Vec::new();
+        let mut push = |stretch: SVector<f64, C>, force: SVector<f64, C>| {
+            let energy = |x: &SVector<f64, C>| {
+                SVector::<f64, C>::from_fn(|a, _| if root[a] > 0.0 { x[a] / root[a] } else { 0.0 })
+            };
+            let (stretch, force) = (energy(&stretch), energy(&force));
+            let size = stretch.norm().hypot(force.norm());
+            rays.push(HullRay { stretch: stretch / size, force: force / size });
+        };
+        let (normal, none) = (vector(1.0, [0.0; 2]), SVector::zeros());
+        let slips_anyhow = |push: &mut dyn FnMut(SVector<f64, C>, SVector<f64, C>)| {
+            if rubs {
+                for t in AXES {
+                    push(vector(0.0, t), none);
+                }
+            }
+        };
+        if matches!(label, Label::Anything | Label::Open) {
+            push(-normal, none);
+            if self.is_absent() {
+                push(normal, none);
+            }
+            slips_anyhow(&mut push);
+        }
+        if *label == Label::Open {
+            return rays;
+        }
+        if !self.may_slide() {
+            push(normal, normal);
+            if self.pulls() {
+                push(-normal, -normal);
+            }
+            if rubs {
+                AXES.into_iter().map(|t| vector(0.0, t)).for_each(|t| push(t, t));
+            }
+            return rays;
+        }
+        let on_cone = |t: [f64; 2]| self.friction.generator(&vector(0.0, t));
+        match label {
+            // Where slips may point anywhere stretches say nothing of friction.
+            Label::Anything | Label::Closed => {
+                for t in Sector::WHOLE.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST) {
+                    push(normal, on_cone(t));
+                }
+                if *label == Label::Closed {
+                    slips_anyhow(&mut push);
+                }
+            }
+            Label::Friction(sector) | Label::Rolling(sector) | Label::Sliding(sector) => {
+                for t in sector.around() {
+                    push(on_cone(t), on_cone(t));
+                }
+                if !matches!(label, Label::Sliding(_)) {
+                    push(normal, normal);
+                }
+                if !matches!(label, Label::Rolling(_)) {
+                    for t in sector.spanned() {
+                        push(self.springs.force(&vector(0.0, t)), none);
+                    }
+                }
+            }
+            Label::Open => {}
+        }
+        rays
+    }
+
+    /// Two labels that say more and together no less, chosen by where a stretch and a force of the hull are off the law. `None` where
+    /// there is nothing more to say.
+    pub(crate) fn divide(
+        &self,
+        label: &Label,
+        stretch: &SVector<f64, C>,
+        force: &SVector<f64, C>,
+    ) -> Option<[Label; 2]> {
+        let pushed = self.springs.force(stretch);
+        let slip = self.springs.slip(stretch, force);
+        let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
+        let angle = |x: &SVector<f64, C>| x[2].atan2(x[1]);
+        let towards =
+            if friction > NO_DIRECTION * (force[0].abs() + traction) { angle(force) } else { angle(&pushed) };
+        let slips = tangential_norm(&self.springs.force(&slip)) > NO_DIRECTION * (friction + traction);
+        let slides_towards = if slips { angle(&slip) } else { towards };
+        match *label {
+            Label::Anything => Some([Label::Open, Label::Closed]),
+            Label::Open => None,
+            Label::Closed if !self.may_slide() => None,
+            Label::Closed => {
+                let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
+                let from = towards + if apart.abs() < ALIKE { FRAC_PI_2 } else { 0.5 * apart };
+                Some(Sector { from, to: from + TAU }.at(from + PI).map(Label::Friction))
+            }
+            Label::Rolling(sector) => {
+                let middle = 0.5 * (sector.from + sector.to);
+                (sector.width() > NARROWEST).then(|| sector.at(middle).map(Label::Rolling))
+            }
+            Label::Friction(sector) | Label::Sliding(sector) => {
+                let [a, b] = [towards, slides_towards].map(|angle| sector.inside(angle));
+                let limit = self.friction.limit(force[0]).min(traction);
+                let turned = friction * (a - b).abs().min(1.0);
+                let width = sector.width();
+                if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < WIDE {
+                    return Some([Label::Rolling(sector), Label::Sliding(sector)]);
+                }
+                let part = if width > WIDE { 0.5 } else { 0.5 * (a + b) / width };
+                let middle = sector.from + width * part.clamp(LEAST_PART, 1.0 - LEAST_PART);
+                let label =
+                    if matches!(label, Label::Friction(_)) { Label::Friction } else { Label::Sliding };
+                (width > NARROWEST).then(|| sector.at(middle).map(label))
+            }
+        }
+    }
+}

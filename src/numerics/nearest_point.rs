@@ -1,0 +1,192 @@
+//! The nearest point of a polyhedral cone,
+//!
+//! ```text
+//! min |Σ s_k a_k - t|,     s >= 0
+//! ```
+//!
+//! by the active sets of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), on an orthogonal factorisation of
+//! the generators that have a share. The cone may have generators without number: whoever knows them names the next one.
+//!
+//! At the nearest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator and `t·r = |r|²`. Where r is not zero it
+//! separates t from the cone.
+
+/// A generator that adds less than this to the span of those with a share is taken for one of them.
+const DEPENDENT: f64 = 1e-13;
+/// A column that keeps this part of its length when the others are taken out of it has lost no digits.
+const KEPT: f64 = 0.1;
+/// Times that the others are taken out of a column: twice is enough, and the third finds nothing.
+const TIMES: usize = 3;
+
+/// The nearest point so far, as shares of generators that a tag names.
+#[derive(Debug, Clone)]
+pub(crate) struct NearestPoint<Tag> {
+    size: usize,
+    tags: Vec<Tag>,
+    shares: Vec<f64>,
+    residual: Vec<f64>,
+    /// The orthonormal columns, one after the other.
+    q: Vec<f64>,
+    /// Column k of the triangular factor from entry `size k` on.
+    r: Vec<f64>,
+    /// Qᵀt.
+    seen: Vec<f64>,
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (mut sums, whole) = ([0.0; 4], a.len() / 4 * 4);
+    for (x, y) in a[..whole].chunks_exact(4).zip(b[..whole].chunks_exact(4)) {
+        for k in 0..4 {
+            sums[k] += x[k] * y[k];
+        }
+    }
+    let rest: f64 = a[whole..].iter().zip(&b[whole..]).map(|(x, y)| x * y).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {
+    from.iter_mut().zip(what).for_each(|(x, y)| *x -= factor * y);
+}
+
+impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
+    /// The apex of the cone.
+    pub(crate) fn new(target: &[f64]) -> Self {
+        let size = target.len();
+        let (tags, shares, residual) = (Vec::new(), Vec::new(), target.to_vec());
+        Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), seen: Vec::new() }
+    }
+
+    /// `t - Σ s_k a_k`.
+    pub(crate) fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
+    /// The length of the residual.
+    pub(crate) fn distance(&self) -> f64 {
+        dot(&self.residual, &self.residual).sqrt()
+    }
+
+    /// The generators of the nearest point with their shares.
+    pub(crate) fn shares(&self) -> impl Iterator<Item = (Tag, f64)> {
+        self.tags.iter().copied().zip(self.shares.iter().copied())
+    }
+
+    pub(crate) fn has(&self, tag: Tag) -> bool {
+        self.tags.contains(&tag)
+    }
+
+    /// Leaves out the generators with these tags; the point is the nearest one again when it has [settled](Self::settle).
+    pub(crate) fn forget(&mut self, which: impl Fn(Tag) -> bool) {
+        for k in (0..self.tags.len()).rev() {
+            if which(self.tags[k]) {
+                self.remove(k);
+            }
+        }
+    }
+
+    /// Takes in a generator of length one at most, without a share yet; whether it is independent of the others.
+    pub(crate) fn take_in(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
+        let (m, k) = (self.size, self.tags.len());
+        if k == m {
+            return false;
+        }
+        let (from, to) = (m * k, m * (k + 1));
+        self.q.extend_from_slice(generator);
+        self.r.resize(to, 0.0);
+        let (before, w) = self.q.split_at_mut(from);
+        let column = &mut self.r[from..to];
+        let mut length = 1.0;
+        for _ in 0..TIMES {
+            for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
+                let h = dot(q, w);
+                *entry += h;
+                subtract(w, h, q);
+            }
+            let left = dot(w, w).sqrt();
+            let done = left > KEPT * length;
+            length = left;
+            if done {
+                break;
+            }
+        }
+        if length <= DEPENDENT {
+            self.q.truncate(from);
+            self.r.truncate(from);
+            return false;
+        }
+        for x in w.iter_mut() {
+            *x /= length;
+        }
+        column[k] = length;
+        self.seen.push(dot(w, target));
+        self.tags.push(tag);
+        self.shares.push(0.0);
+        true
+    }
+
+    /// Moves to the nearest point of the cone of the generators taken in, and lets go of those that have no share in it.
+    pub(crate) fn settle(&mut self, target: &[f64]) {
+        loop {
+            let wanted = self.unbounded();
+            let blocks = |k: &usize| wanted[*k] <= 0.0;
+            let part = |k: usize| {
+                let share = self.shares[k];
+                if share > 0.0 { share / (share - wanted[k]) } else { 0.0 }
+            };
+            let first = (0..wanted.len()).filter(blocks).min_by(|&a, &b| part(a).total_cmp(&part(b)));
+            let Some(first) = first else {
+                self.shares = wanted;
+                break;
+            };
+            let part = part(first);
+            self.shares.iter_mut().zip(&wanted).for_each(|(share, to)| *share += part * (to - *share));
+            self.remove(first);
+        }
+        self.residual.copy_from_slice(target);
+        for (q, h) in self.q.chunks_exact(self.size).zip(&self.seen) {
+            subtract(&mut self.residual, *h, q);
+        }
+        // Once more: a small residual has to be at right angles to the columns by its own measure.
+        for q in self.q.chunks_exact(self.size) {
+            let h = dot(q, &self.residual);
+            subtract(&mut self.residual, h, q);
+        }
+    }
+
+    /// The least-squares shares, of any sign.
+    fn unbounded(&self) -> Vec<f64> {
+        let mut shares = self.seen.clone();
+        for j in (0..shares.len()).rev() {
+            let column = &self.r[self.size * j..][..=j];
+            shares[j] /= column[j];
+            let (above, at) = shares.split_at_mut(j);
+            subtract(above, at[0], column);
+        }
+        shares
+    }
+
+    /// Takes a column out; rotations make the rest triangular again.
+    fn remove(&mut self, k: usize) {
+        let (m, last) = (self.size, self.tags.len() - 1);
+        self.tags.remove(k);
+        self.shares.remove(k);
+        self.r.copy_within(m * (k + 1).., m * k);
+        self.r.truncate(m * last);
+        for j in k..last {
+            let (a, b) = (self.r[m * j + j], self.r[m * j + j + 1]);
+            let h = a.hypot(b);
+            let (cos, sin) = if h > 0.0 { (a / h, b / h) } else { (1.0, 0.0) };
+            let turn = |x: &mut f64, y: &mut f64| (*x, *y) = (cos * *x + sin * *y, cos * *y - sin * *x);
+            for column in self.r[m * j..].chunks_exact_mut(m) {
+                let (x, y) = column.split_at_mut(j + 1);
+                turn(&mut x[j], &mut y[0]);
+            }
+            self.r[m * j + j + 1] = 0.0;
+            let (q, next) = self.q.split_at_mut(m * (j + 1));
+            q[m * j..].iter_mut().zip(&mut next[..m]).for_each(|(x, y)| turn(x, y));
+            let (seen, next) = self.seen.split_at_mut(j + 1);
+            turn(&mut seen[j], &mut next[0]);
+        }
+        self.q.truncate(m * last);
+        self.seen.truncate(last);
+    }
+}

@@ -1,0 +1,95 @@
+//! A proof that no equilibrium exists on the round cone, case by case, as anyone can check it.
+//!
+//! What contacts do is divided into cases, one contact at a time, until each case is contradicted: by a virtual motion y of the
+//! object and self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
+//! load W have
+//!
+//! ```text
+//! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
+//! ```
+//!
+//! whatever q is. If under the labels of the case no contact can make its part of the left side positive, there is no
+//! equilibrium in that case.
+
+use nalgebra::SVector;
+
+use crate::contact::Label;
+use crate::object::{Piece, Problem};
+
+/// Rounding of the work that a contact does.
+const ROUNDING: f64 = 1e-15;
+/// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. What is left would let an equilibrium escape whose motion is
+/// larger than the data by the reciprocal.
+const BALANCED: f64 = 1e-13;
+
+/// A step of the proof; what follows a division is its second case with all below it, then its first.
+#[derive(Debug, Clone)]
+pub(crate) enum Step<const D: usize, const C: usize> {
+    /// What a contact does is one of these two.
+    Divided { contact: usize, halves: [Label; 2] },
+    /// The case is contradicted.
+    Contradicted { motion: SVector<f64, D>, forces: Vec<SVector<f64, C>> },
+}
+
+/// The least factor by which an equilibrium that rounding has hidden would have to exceed the data, in √J; `None` where the steps
+/// leave a case out, or contradict one by nothing.
+pub(crate) fn check<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    steps: &[Step<D, C>],
+) -> Option<f64> {
+    let trial = Piece::new(problem, &problem.unjumped());
+    let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+    let stored = |forces: &[SVector<f64, C>]| {
+        problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()
+    };
+    let data = stored(&state.forces).sqrt();
+    let mut open = vec![problem.locals().map(|local| local.first_label()).collect::<Vec<_>>()];
+    let mut least = f64::INFINITY;
+    for step in steps {
+        let labels = open.pop()?;
+        match step {
+            Step::Divided { contact, halves } => {
+                if !labels.get(*contact)?.is_covered_by(halves) {
+                    return None;
+                }
+                for half in halves {
+                    let mut labels = labels.clone();
+                    labels[*contact] = *half;
+                    open.push(labels);
+                }
+            }
+            Step::Contradicted { motion, forces } => {
+                least = least.min(escape(problem, &labels, motion, forces)? / data);
+            }
+        }
+    }
+    open.is_empty().then_some(least)
+}
+
+/// How large stretches and forces of the case have to be, in √J, to make up for what contradicts them.
+fn escape<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    labels: &[Label],
+    motion: &SVector<f64, D>,
+    forces: &[SVector<f64, C>],
+) -> Option<f64> {
+    if forces.len() != problem.len() {
+        return None;
+    }
+    let (mut gain, mut size, mut worst) = (-motion.dot(&problem.wrench), 0.0, 0.0_f64);
+    let mut unbalanced = SVector::<f64, D>::zeros();
+    let mut balanced_size = 0.0;
+    for (i, phi) in forces.iter().enumerate() {
+        let (local, site) = (problem.local(i), &problem.sites[i]);
+        let u = site.map.tr_mul(motion);
+        gain += phi.dot(&problem.drives[i]);
+        unbalanced += site.map * phi;
+        let pushed = local.springs.force(&u);
+        balanced_size += (site.map * phi).norm() + (site.map * pushed).norm();
+        size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
+        worst = worst.max(local.most_work(&labels[i], phi, &u));
+    }
+    // Forces that do not balance one another say nothing about equilibria far away.
+    let is_balanced = unbalanced.norm() <= BALANCED * balanced_size;
+    (is_balanced && gain > 0.0).then(|| gain / worst.max(ROUNDING * size.sqrt()))
+}

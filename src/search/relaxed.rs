@@ -1,0 +1,236 @@
+//! Equilibrium with the law of each contact replaced by its convex hull: one point of a polyhedral cone.
+//!
+//! In energy units, `e = K^{1/2}v` and `f = K^{-1/2}F`, with P the orthogonal projector on the span of `K^{1/2}Gᵀ` and f⁰ the
+//! elastic trial state, balance of forces and compatibility of stretches say
+//!
+//! ```text
+//! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
+//! ```
+//!
+//! one equation in as many numbers as there are stretches, without the twist. A pair (e, f) that is a sum of hull generators with
+//! shares s >= 0 solves it, or the distance of f⁰ from all such sums is positive. Then the residual y has
+//!
+//! ```text
+//! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
+//! ```
+//!
+//! and contradicts every equilibrium whose shares sum up to less than `|y|²/δ`.
+
+use nalgebra::SVector;
+
+use crate::contact::HullRay;
+use crate::numerics::NearestPoint;
+use crate::object::{Piece, PieceState, Problem};
+
+/// A generator works along the residual if by more than this part of it.
+const WORKS: f64 = 1e-12;
+/// A distance below this part of the trial state is none.
+const MET: f64 = 1e-11;
+/// A distance below this part of the trial state is too near to rounding of it to contradict anything.
+const CLEAR: f64 = 1e-10;
+/// What escapes a contradiction has to be larger than the data by this factor, or the contradiction does not count.
+const ESCAPE: f64 = 1e4;
+/// No generator is known to do less along a unit residual than this: rounding.
+const LEAST_WORK: f64 = 1e-15;
+/// A distance that shrinks by less than this part has not shrunk: what was tried at it is not tried again.
+const SHRINKS: f64 = 1e-9;
+/// Generators taken in for each number of the equation, at most.
+const MOST_PER_ROW: usize = 40;
+
+/// A generator: the number of its contact, and its own among those of the contact.
+pub(super) type Tag = (usize, usize);
+
+/// The equation.
+pub(super) struct Balance<const C: usize> {
+    /// P, column by column.
+    projector: Vec<f64>,
+    /// f⁰ over its length.
+    target: Vec<f64>,
+    /// |f⁰|, √J.
+    unit: f64,
+    /// K^{1/2} of each contact.
+    roots: Vec<SVector<f64, C>>,
+}
+
+/// What the hulls allow.
+pub(super) enum Relaxed<const C: usize> {
+    /// These stretches (m) and forces (N) of the contacts, as far as can be told.
+    Met(Vec<SVector<f64, C>>, Vec<SVector<f64, C>>),
+    /// Nothing that is not larger than the data by this factor.
+    Contradicted { escape: f64 },
+}
+
+impl<const C: usize> Balance<C> {
+    /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
+    pub(super) fn new<const D: usize>(
+        problem: &Problem<D, C>,
+        trial: &Piece<D, C>,
+        state: &PieceState<D, C>,
+    ) -> Option<Self> {
+        let size = C * problem.len();
+        let roots: Vec<_> = problem.sites.iter().map(|site| site.springs.root()).collect();
+        let energy = |(root, force): (&SVector<f64, C>, &SVector<f64, C>)| {
+            SVector::<f64, C>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
+        };
+        let mut target: Vec<f64> = Vec::with_capacity(size);
+        for pair in roots.iter().zip(&state.forces) {
+            target.extend_from_slice(energy(pair).as_slice());
+        }
+        let unit = target.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if !(unit > 0.0 && unit.is_finite()) {
+            return None;
+        }
+        for x in &mut target {
+            *x /= unit;
+        }
+        let seen: Vec<_> = (0..problem.len()).map(|contact| trial.seen(contact)).collect();
+        let mut projector = Vec::with_capacity(size * size);
+        for column in seen.iter().flat_map(|seen| seen.column_iter()) {
+            for rows in &seen {
+                projector.extend_from_slice(rows.tr_mul(&column).as_slice());
+            }
+        }
+        Some(Self { projector, target, unit, roots })
+    }
+
+    /// The point to start from: no generator has a share.
+    pub(super) fn start(&self) -> NearestPoint<Tag> {
+        NearestPoint::new(&self.target)
+    }
+
+    /// `e + P (f - e)` of a generator of a contact.
+    fn column(&self, contact: usize, ray: &HullRay<C>, column: &mut Vec<f64>) {
+        let size = self.target.len();
+        column.clear();
+        column.resize(size, 0.0);
+        for a in 0..C {
+            let (row, jump) = (C * contact + a, ray.force[a] - ray.stretch[a]);
+            if jump != 0.0 {
+                let p = &self.projector[size * row..][..size];
+                column.iter_mut().zip(p).for_each(|(x, p)| *x += jump * p);
+            }
+            column[row] += ray.stretch[a];
+        }
+    }
+
+    /// `P y`.
+    fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
+        let size = y.len();
+        projected.clear();
+        projected.resize(size, 0.0);
+        for (column, y) in self.projector.chunks_exact(size).zip(y) {
+            projected.iter_mut().zip(column).for_each(|(x, p)| *x += p * y);
+        }
+    }
+
+    /// What each generator does along y: with `(1 - P) y` on its stretch and `P y` on its force.
+    fn works<'r>(
+        y: &'r [f64],
+        projected: &'r [f64],
+        hulls: &'r [impl AsRef<[HullRay<C>]>],
+    ) -> impl Iterator<Item = (Tag, f64)> + 'r {
+        hulls.iter().enumerate().flat_map(move |(contact, hull)| {
+            let on_force = SVector::<f64, C>::from_column_slice(&projected[C * contact..][..C]);
+            let on_stretch = SVector::<f64, C>::from_column_slice(&y[C * contact..][..C]) - on_force;
+            hull.as_ref()
+                .iter()
+                .enumerate()
+                .map(move |(k, ray)| ((contact, k), on_stretch.dot(&ray.stretch) + on_force.dot(&ray.force)))
+        })
+    }
+
+    /// Moves to the nearest point of the cone that these hulls span.
+    pub(super) fn relax(
+        &self,
+        hulls: &[impl AsRef<[HullRay<C>]>],
+        nearest: &mut NearestPoint<Tag>,
+    ) -> Relaxed<C> {
+        let (mut column, mut projected) = (Vec::new(), Vec::new());
+        nearest.settle(&self.target);
+        // Generators that brought nothing since the distance has last shrunk.
+        let mut tried: Vec<Tag> = Vec::new();
+        let mut least = f64::INFINITY;
+        for _ in 0..MOST_PER_ROW * self.target.len() {
+            let distance = nearest.distance();
+            if distance < MET || !distance.is_finite() {
+                break;
+            }
+            if distance < least * (1.0 - SHRINKS) {
+                least = distance;
+                tried.clear();
+            }
+            self.projected(nearest.residual(), &mut projected);
+            let (mut best, mut most) = (None, WORKS * distance);
+            let mut hardest = LEAST_WORK * distance;
+            for (tag, work) in Self::works(nearest.residual(), &projected, hulls) {
+                hardest = hardest.max(work);
+                if work > most && !tried.contains(&tag) && !nearest.has(tag) {
+                    (best, most) = (Some(tag), work);
+                }
+            }
+            let Some(tag) = best else {
+                let escape = distance * distance / hardest;
+                if escape >= ESCAPE && distance >= CLEAR {
+                    return Relaxed::Contradicted { escape };
+                }
+                break;
+            };
+            tried.push(tag);
+            let ray = &hulls[tag.0].as_ref()[tag.1];
+            self.column(tag.0, ray, &mut column);
+            if nearest.take_in(tag, &column, &self.target) {
+                nearest.settle(&self.target);
+            }
+        }
+        // Whatever ended the search: nothing is contradicted clearly, and to go on dividing is always sound.
+        self.sum(hulls, nearest)
+    }
+
+    fn sum(&self, hulls: &[impl AsRef<[HullRay<C>]>], nearest: &NearestPoint<Tag>) -> Relaxed<C> {
+        let mut stretches = vec![SVector::zeros(); hulls.len()];
+        let mut forces = stretches.clone();
+        for ((contact, ray), share) in nearest.shares() {
+            let ray = &hulls[contact].as_ref()[ray];
+            stretches[contact] += ray.stretch * (share * self.unit);
+            forces[contact] += ray.force * (share * self.unit);
+        }
+        for ((stretch, force), root) in stretches.iter_mut().zip(&mut forces).zip(&self.roots) {
+            force.component_mul_assign(root);
+            for a in 0..C {
+                stretch[a] = if root[a] > 0.0 { stretch[a] / root[a] } else { 0.0 };
+            }
+        }
+        Relaxed::Met(stretches, forces)
+    }
+
+    /// What contradicts a case: a virtual motion and self-balanced virtual forces that stand for the residual.
+    pub(super) fn contradiction<const D: usize>(
+        &self,
+        trial: &Piece<D, C>,
+        nearest: &NearestPoint<Tag>,
+    ) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
+        let y = nearest.residual();
+        let mut projected = Vec::new();
+        self.projected(y, &mut projected);
+        let part =
+            |list: &[f64], contact: usize| SVector::<f64, C>::from_column_slice(&list[C * contact..][..C]);
+        let seen = self.roots.iter().enumerate().map(|(contact, root)| {
+            let on_force = part(&projected, contact);
+            SVector::from_fn(|a, _| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
+        });
+        let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &SVector::zeros()).twist;
+        let on_stretch = |contact| part(y, contact) - part(&projected, contact);
+        let forces = self.roots.iter().enumerate().map(|(i, root)| on_stretch(i).component_mul(root));
+        (motion, forces.collect())
+    }
+
+    /// The length of a difference of forces of a contact in energy units, as a part of the trial state.
+    pub(super) fn part(&self, contact: usize, difference: &SVector<f64, C>) -> f64 {
+        let root = &self.roots[contact];
+        let square: f64 = (0..C)
+            .filter(|&a| root[a] > 0.0)
+            .map(|a| (difference[a] / root[a]) * (difference[a] / root[a]))
+            .sum();
+        square.sqrt() / self.unit
+    }
+}

@@ -1,0 +1,178 @@
+//! Which equilibrium is there on the round cone, or proof that there is none: branch and bound over what contacts do.
+//!
+//! A case knows something of each contact ([`Label`]); at first nothing. Its relaxation ([`super::relaxed`]) contradicts it, or
+//! names a stretch and a force for every contact. Newton's method starts there, at some cases. Where it does not arrive the
+//! contact that is farthest from its law is divided into two labels, which make two cases. The relaxation comes closer to
+//! the law with every division, so that in the end cases are contradicted or Newton's method arrives.
+
+use std::rc::Rc;
+
+use nalgebra::SVector;
+
+use super::answer::{Doubt, Found};
+use super::polish::polish_from;
+use super::relaxed::{Balance, Relaxed, Tag};
+use super::settings::Settings;
+use crate::contact::{HullRay, Label, LocalLaw};
+use crate::numerics::NearestPoint;
+use crate::object::{Piece, PieceState, Problem};
+use crate::proofs::Step;
+
+/// Newton's method starts from every so manieth case: it costs as much as a few of them.
+const EVERY: usize = 4;
+/// An error of the law by this part of the trial state is rounding: Newton's method should have arrived.
+const AT_THE_LAW: f64 = 1e-10;
+/// An error of a contact that is neither open nor closed yet counts so many times: other divisions say little before that one.
+const UNDECIDED: f64 = 3.0;
+
+/// A case takes as long as the cube of the number of contacts over this many combinations of contact states.
+const COMBINATIONS: usize = 400;
+/// However few contacts there are, a case takes as long as so many combinations: the first relaxation has its cost, too.
+const FEW_CONTACTS: usize = 5;
+/// With more contacts there would be too few cases to decide anything.
+const MOST_CONTACTS: usize = 32;
+
+/// How the search ends.
+#[derive(Debug, Clone)]
+pub(super) enum Tree<const D: usize, const C: usize> {
+    Found(Found<D, C>),
+    /// Each case is contradicted. What escapes is larger than the data by this factor.
+    Contradicted {
+        cases: usize,
+        escape: f64,
+    },
+    Unresolved(Doubt),
+}
+
+type Hull<const C: usize> = Rc<[HullRay<C>]>;
+
+struct Case<const C: usize> {
+    labels: Vec<Label>,
+    hulls: Vec<Hull<C>>,
+    nearest: Rc<NearestPoint<Tag>>,
+    /// The contact that was divided last.
+    divided: Option<usize>,
+}
+
+/// Whether friction may point anywhere on a circle. With cones that are not round the polygons say all there is to say, and rates on an
+/// edge are on a facet.
+pub(super) fn has_round_cones<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
+    problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
+}
+
+/// The cases that take as long as [`Settings::most_states`] combinations of contact states; none where there is nothing to divide, or
+/// too much.
+pub(super) fn most_cases<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    settings: &Settings,
+) -> usize {
+    if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
+        return 0;
+    }
+    let by_size = settings.most_states.saturating_mul(COMBINATIONS) / problem.len().pow(3);
+    by_size.min(settings.most_states / FEW_CONTACTS)
+}
+
+/// Searches every case, at most so many.
+pub(super) fn search_tree<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    trial: &Piece<D, C>,
+    state: &PieceState<D, C>,
+    most_cases: usize,
+    mut record: Option<&mut Vec<Step<D, C>>>,
+) -> Tree<D, C> {
+    let Some(balance) = Balance::new(problem, trial, state) else {
+        return Tree::Unresolved(Doubt::RayWithoutProof);
+    };
+    let hull = |local: LocalLaw<'_, C>, label: &Label| Hull::from(local.hull(label));
+    let labels: Vec<_> = problem.locals().map(|local| local.first_label()).collect();
+    let hulls = problem.locals().zip(&labels).map(|(local, label)| hull(local, label)).collect();
+    let mut open = vec![Case { labels, hulls, nearest: Rc::new(balance.start()), divided: None }];
+    let (mut cases, mut least_escape, mut narrow) = (0, f64::INFINITY, false);
+    while let Some(Case { labels, hulls, nearest, divided }) = open.pop() {
+        if cases == most_cases {
+            return Tree::Unresolved(Doubt::RayWithoutProof);
+        }
+        cases += 1;
+        let mut nearest = Rc::unwrap_or_clone(nearest);
+        nearest.forget(|(contact, _)| divided == Some(contact));
+        let (stretches, forces) = match balance.relax(&hulls, &mut nearest) {
+            Relaxed::Met(stretches, forces) => (stretches, forces),
+            Relaxed::Contradicted { escape } => {
+                least_escape = least_escape.min(escape);
+                if let Some(steps) = &mut record {
+                    let (motion, forces) = balance.contradiction(trial, &nearest);
+                    steps.push(Step::Contradicted { motion, forces });
+                }
+                continue;
+            }
+        };
+        if !stretches.iter().chain(&forces).all(|x| x.iter().all(|x| x.is_finite())) {
+            return Tree::Unresolved(Doubt::Inaccurate);
+        }
+        let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
+        if (cases - 1) % EVERY == 0 || error <= AT_THE_LAW {
+            let from: Vec<_> = problem.drives.iter().zip(&stretches).map(|(a, v)| a - v).collect();
+            let twist = trial.solve_roughly(&from, &SVector::zeros()).twist;
+            if let Some(found) = polish_from(problem, twist) {
+                return Tree::Found(found);
+            }
+        }
+        let local = problem.local(contact);
+        let Some(halves) = local.divide(&labels[contact], &stretches[contact], &forces[contact]) else {
+            narrow = true;
+            continue;
+        };
+        if let Some(steps) = &mut record {
+            steps.push(Step::Divided { contact, halves });
+        }
+        let nearest = Rc::new(nearest);
+        for label in halves {
+            let (mut labels, mut hulls) = (labels.clone(), hulls.clone());
+            (labels[contact], hulls[contact]) = (label, hull(local, &label));
+            open.push(Case { labels, hulls, nearest: nearest.clone(), divided: Some(contact) });
+        }
+    }
+    if narrow {
+        Tree::Unresolved(Doubt::OnTheBoundary)
+    } else {
+        Tree::Contradicted { cases, escape: least_escape }
+    }
+}
+
+/// The steps of a proof that there is no equilibrium, if the tree finds one, with the number of cases.
+pub(crate) fn refute<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    settings: &Settings,
+) -> Option<(Vec<Step<D, C>>, usize)> {
+    let trial = Piece::new(problem, &problem.unjumped());
+    let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+    let mut steps = Vec::new();
+    let most = most_cases(problem, settings);
+    match search_tree(problem, &trial, &state, most, Some(&mut steps)) {
+        Tree::Contradicted { cases, .. } => Some((steps, cases)),
+        Tree::Found(_) | Tree::Unresolved(_) => None,
+    }
+}
+
+/// The contact whose force is farthest from what its law says of its stretch, and by how much.
+fn farthest_from_the_law<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    balance: &Balance<C>,
+    labels: &[Label],
+    stretches: &[SVector<f64, C>],
+    forces: &[SVector<f64, C>],
+) -> (usize, f64) {
+    let (mut farthest, mut worst) = (0, -1.0);
+    let mut error = 0.0_f64;
+    for (contact, local) in problem.locals().enumerate() {
+        let answer = local.answer(&stretches[contact], 0.0);
+        let off = balance.part(contact, &(forces[contact] - answer.force));
+        error = error.max(off);
+        let weighed = if labels[contact] == Label::Anything { UNDECIDED * off } else { off };
+        if weighed > worst {
+            (farthest, worst) = (contact, weighed);
+        }
+    }
+    (farthest, error)
+}

@@ -1,0 +1,181 @@
+//! On the round cone there is an answer: an equilibrium that holds, or a proof whose every case can be checked, however far beyond the
+//! onset. Where the proof says that there is none, Newton's method from many places finds none either.
+
+use std::f64::consts::TAU;
+use std::ops::AddAssign;
+
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::{Outcome, Proof};
+use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+use nalgebra::{SMatrix, SVector};
+
+/// A fixed sequence without structure, from -1 to 1.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn three(&mut self) -> [f64; 3] {
+        [self.next(), self.next(), self.next()]
+    }
+}
+
+/// What a scene is made of, for the library and for [`breach`].
+struct Finger {
+    point: SVector<f64, 3>,
+    normal: SVector<f64, 3>,
+    stiffness: [f64; 2],
+    friction: f64,
+    press: f64,
+}
+
+fn fingers(count: usize, spread: f64, friction: [f64; 2], numbers: &mut Numbers) -> Vec<Finger> {
+    let finger = |i: usize| {
+        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.next()).sin_cos();
+        let point = SVector::from([cos, sin, 0.3 * numbers.next()]);
+        let normal = SVector::from([-cos, -sin, 0.2 * numbers.next()]).normalize();
+        let k = 1000.0 * (spread * numbers.next()).exp();
+        let friction = friction[0] * (friction[1] / friction[0]).powf(0.5 + 0.5 * numbers.next());
+        let stiffness = [k, k * (0.75 + 0.15 * numbers.next())];
+        Finger { point, normal, stiffness, friction, press: 0.01 + 0.005 * numbers.next() }
+    };
+    (0..count).map(finger).collect()
+}
+
+fn grasp(fingers: &[Finger]) -> Grasp {
+    let contact = |f: &Finger| {
+        let [normal, tangential] = f.stiffness;
+        Contact::new(f.point, f.normal)
+            .series_stiffness(normal, tangential)
+            .friction(f.friction)
+            .command([f.press, 0.0, 0.0])
+    };
+    Grasp::new(fingers.iter().map(contact)).unwrap()
+}
+
+/// What is out of balance where the object moves by a twist and every finger answers with a force on its cone.
+fn breach(fingers: &[Finger], load: &SVector<f64, 6>, twist: &SVector<f64, 6>) -> SVector<f64, 6> {
+    let mut sum = *load;
+    for f in fingers {
+        let (shift, turn) = (twist.fixed_rows::<3>(0), twist.fixed_rows::<3>(3));
+        let moved = shift + turn.cross(&f.point);
+        let give = f.normal * f.press - moved;
+        let pressed = f.stiffness[0] * give.dot(&f.normal);
+        if pressed <= 0.0 {
+            continue;
+        }
+        let traction = (give - f.normal * give.dot(&f.normal)) * f.stiffness[1];
+        let share = (f.friction * pressed / traction.norm().max(f64::MIN_POSITIVE)).min(1.0);
+        let force = f.normal * pressed + traction * share;
+        sum.fixed_rows_mut::<3>(0).add_assign(&force);
+        sum.fixed_rows_mut::<3>(3).add_assign(&f.point.cross(&force));
+    }
+    sum
+}
+
+/// Newton's method with differences in place of derivatives, from a twist.
+fn newton(fingers: &[Finger], load: &SVector<f64, 6>, mut twist: SVector<f64, 6>) -> bool {
+    let mut left = breach(fingers, load, &twist);
+    for _ in 0..30 {
+        if left.norm() <= 1e-9 * load.norm() {
+            return true;
+        }
+        let slope = SMatrix::<f64, 6, 6>::from_fn(|i, j| {
+            let mut near = twist;
+            near[j] += 1e-8;
+            (breach(fingers, load, &near)[i] - left[i]) / 1e-8
+        });
+        let Some(step) = slope.lu().solve(&left) else { return false };
+        let mut part = 1.0;
+        while part > 1e-3 && breach(fingers, load, &(twist - step * part)).norm() > left.norm() {
+            part *= 0.5;
+        }
+        twist -= step * part;
+        left = breach(fingers, load, &twist);
+    }
+    false
+}
+
+#[test]
+fn every_load_beyond_the_onset_is_decided() {
+    let mut numbers = Numbers(3);
+    let (mut found, mut none, mut attacked) = (0, 0, 0);
+    for (spread, friction) in [(0.3, [0.3, 0.6]), (0.3, [1e-2, 5.0]), (5.0, [0.2, 0.8])] {
+        for count in [3, 3, 4, 4, 5, 6, 8].into_iter().cycle().take(70) {
+            let fingers = fingers(count, spread, friction, &mut numbers);
+            let grasp = grasp(&fingers);
+            let direction = Wrench::new(numbers.three(), numbers.three().map(|x| 0.3 * x));
+            let onset = grasp.onset_of_sliding(Wrench::ZERO, direction).unwrap();
+            let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
+            for part in [1.15, 2.5, 6.0] {
+                let load = direction * (part * onset);
+                match grasp.solve(&load).unwrap() {
+                    Outcome::Equilibrium(e) => {
+                        assert!(e.residuals.worst() <= 1e-12);
+                        found += 1;
+                    }
+                    Outcome::NoEquilibrium(answer) => {
+                        none += 1;
+                        if let Proof::EveryCaseContradicted { escape, .. } = answer.proof {
+                            assert!(escape >= 1e4);
+                            let proof =
+                                grasp.refutation(&load, &Settings::default()).unwrap().expect("again");
+                            let checked = proof.check(&grasp, &load).unwrap().expect("it holds");
+                            assert!(
+                                (checked / escape - 1.0).abs() < 0.5 || checked > 1e13,
+                                "{checked:e} {escape:e}"
+                            );
+                        }
+                        for _ in 0..20 {
+                            let start = SVector::from_fn(|_, _| 0.05 * numbers.next());
+                            let balanced = newton(&fingers, &SVector::from(*load.as_vector()), start);
+                            assert!(!balanced, "there is an equilibrium: {count} fingers, {part}");
+                            attacked += 1;
+                        }
+                    }
+                    other => panic!("{count} fingers, {part} times the onset: {other:?}"),
+                }
+            }
+        }
+    }
+    println!("{found} found, {none} none, {attacked} starts in vain");
+    assert!(found > 200 && none > 50);
+}
+
+/// Two fingers press with 10 N, μ = 1/2: 10 N are held along any line across, and nothing beyond.
+#[test]
+fn the_limit_of_a_pinch() {
+    let finger = |x: f64| {
+        Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(1000.0, 800.0)
+            .friction(0.5)
+            .command([0.01, 0.0, 0.0])
+    };
+    let grasp = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
+    for angle in [0.0_f64, 0.3, 1.1, 2.0] {
+        let across = Wrench::force([0.0, angle.cos(), angle.sin()]);
+        let outcome = |load: f64| grasp.solve(&(across * load)).unwrap();
+        assert!(outcome(10.0 * (1.0 - 1e-9)).equilibrium().is_some());
+        for excess in [1e-9, 1e-6, 1e-3, 1.0, 1e3] {
+            let beyond = outcome(10.0 * (1.0 + excess));
+            assert!(matches!(beyond, Outcome::NoEquilibrium(_)), "{excess:e}: {beyond:?}");
+        }
+    }
+}
+
+/// A proof is one for its own grasp and its own load.
+#[test]
+fn a_proof_holds_for_its_own_scene_alone() {
+    let mut numbers = Numbers(5);
+    let [one, other] = [0, 1].map(|_| grasp(&fingers(4, 0.3, [0.3, 0.6], &mut numbers)));
+    let load = Wrench::force([0.0, 0.0, -60.0]);
+    let proof = one.refutation(&load, &Settings::default()).unwrap().expect("too heavy");
+    assert!(proof.cases() > 1);
+    assert!(proof.check(&one, &load).unwrap().is_some_and(|escape| escape > 1e4));
+    assert!(proof.check(&one, &(load * 0.1)).unwrap().is_none());
+    let elsewhere = proof.check(&other, &load).unwrap();
+    assert!(elsewhere.is_none_or(|escape| escape < 1e4), "{elsewhere:?}");
+}
