@@ -109,7 +109,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let polygon = Polygon::shared(&settings.cone);
         let round = cone == Cone::Round;
         let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&base));
-        let segment = Segment { grasp: self, cone, problem, change, direction };
+        let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         if let Some(event) = first_to_leave(&segment, ramp) {
             return Ok(Onset::At(Box::new(event)));
         }
@@ -168,7 +168,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let problem = self.problem_at_onset(event)?;
         let (local, cone) = (&event.local, event.cone);
         let (change, direction) = (local.drive_rates.clone(), local.wrench_rate);
-        let segment = Segment { grasp: self, cone, problem, change, direction };
+        let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         let rates = segment.rates(segment.laws_of_rates(&local.stands, &local.found.states));
         let (settled, effort) = settle(&rates, settings);
         Some(just_beyond(self, &segment.problem, &rates, settled, &effort, settings, cone))

@@ -2,8 +2,8 @@
 //!
 //! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test (see
 //! [`super::straight`]), unless something slides on a round cone: then its direction turns (see [`super::turning`]).
-//! At an event the contacts that stand on an edge of their cone, at its apex or at a closed gap form a small
-//! complementarity problem in rates; its solution is the next straight piece, and its failure the end of the path.
+//! At an event some contacts stand on an edge of their cone, at its apex or at a closed gap. They form a small complementarity
+//! problem in rates. Its solution is the next straight piece, and without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -107,7 +107,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         };
         let (change, direction) = (vec![SVector::zeros(); self.len()], SVector::zeros());
-        let mut segment = Segment { grasp: self, cone, problem, change, direction };
+        let mut segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         let mut path = LoadPath {
             grasp: self,
             settings: *settings,
@@ -204,6 +204,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         let [base, change] = self.program.drives(self.grasp);
         self.segment.direction = to - from;
         self.segment.change = change;
+        self.segment.largest = 0.0;
         // Counted anew from the goal of the last leg, so that rounding does not add up over many legs.
         self.segment.problem.wrench = from;
         self.segment.problem.drives =

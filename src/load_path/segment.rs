@@ -20,6 +20,8 @@ pub(super) struct Segment<'g, const D: usize, const C: usize> {
     pub(super) change: Vec<SVector<f64, C>>,
     /// Rate of the load.
     pub(super) direction: SVector<f64, D>,
+    /// The largest force on the way so far, N. Where all forces vanish together none of them is a yardstick for the others.
+    pub(super) largest: f64,
 }
 
 /// The state at a factor and its rates.
@@ -108,15 +110,17 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
         let rate_sizes = sizes(&self.change, &rate.twist, self.direction.norm(), &rate.forces);
-        let most = base_force + way * rate_sizes[0];
+        let most = (base_force + way * rate_sizes[0]).max(self.largest);
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (stretch, stretching) =
                 (site.stretch(&drives[i], &twist), site.stretch(&self.change[i], &rate.twist));
             let span_rate = site.span(&self.change[i], &rate.twist);
+            // Drives count from the slip so far, and have its rounding where they cancel.
+            let memory = self.problem.slips[i].norm();
             let span_here = site.span(&drives[i], &twist);
-            let span = span_here.max(site.span(&base_drives[i], &base.twist) + way * span_rate);
+            let span = memory + span_here.max(site.span(&base_drives[i], &base.twist) + way * span_rate);
             let local = self.problem.local(i);
             lines.push(Line {
                 force: forces[i],

@@ -115,6 +115,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         there: &PieceState<D, C>,
     ) {
         self.at = there.clone();
+        segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
             if closed && line.force.norm() > 0.0 && Stand::is_weightless(force, line.force_size) {

@@ -5,7 +5,7 @@ use super::path::LoadPath;
 use super::segment::{Here, Standing};
 use crate::object::PieceState;
 
-/// Zero steps in a row that are still events of one node and not rounding that goes in circles.
+/// Steps in a row within their uncertainty that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
 
 /// A step is known to this part at least; a larger correction says that there is something else wrong with it.
@@ -31,7 +31,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        self.stalls = if to > self.factor { 0 } else { self.stalls + 1 };
+        // A step within its own uncertainty may be none: two motions that rounding chooses between would go on for ever.
+        let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
+        self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         if self.stalls > MOST_STALLS {
             self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
             return;

@@ -115,7 +115,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
 
     fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
-        Segment { grasp, cone, problem, change, direction: self.direction }
+        Segment { grasp, cone, problem, change, direction: self.direction, largest: 0.0 }
     }
 
     fn equilibrium(

@@ -141,3 +141,32 @@ fn letting_go_drops_the_body() {
     assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
     assert_close!(path.position().unwrap().2.twist.translation()[1], -w / (2.0 * kt));
 }
+
+/// In space and without a load: a finger slides on a body that three bonded springs carry, is drawn off it while it slides, and comes
+/// back. All forces vanish together when its command along the normal has gone from 1 to 0 of 1 to -1/2, and return at the same place.
+#[test]
+fn drawn_off_while_it_slides_in_space() {
+    use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
+
+    let spring = |x: f64, y: f64| {
+        Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e6, 1e6).friction(1.0).bonded()
+    };
+    for (x, y) in [(0.2, 0.1), (0.0, 0.0), (-0.7, 0.3)] {
+        let finger = Contact::new([x, y, 1.0], [0.0, 0.0, -1.0])
+            .series_stiffness(1e4, 2e4)
+            .friction(0.3)
+            .command([1.0, 0.0, 0.0]);
+        let grasp = Grasp::new([spring(-1.0, -1.0), spring(1.0, -1.0), spring(0.0, 1.0), finger]).unwrap();
+        let to = |command: [f64; 3]| Leg::commands_to([[0.0; 3], [0.0; 3], [0.0; 3], command]);
+        let legs = [to([1.0, 1.0, 0.0]), to([-0.5, 1.5, 0.0]), to([1.0, 1.5, 0.3])];
+        let mut path = grasp.follow(Wrench::ZERO, &legs).unwrap();
+        let events = path.run();
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+        assert_eq!(events.len(), 3, "{events:?}");
+        assert!(matches!(events[1].changes[..], [(3, Change::Opens)]));
+        assert_eq!(events[1].leg, 1);
+        assert!((events[1].fraction - 2.0 / 3.0).abs() < 1e-12, "{}", events[1].fraction);
+        assert!(matches!(events[2].changes[..], [(3, Change::ClosesSliding { .. } | Change::Closes)]));
+        assert!((events[2].fraction - 1.0 / 3.0).abs() < 1e-12, "{}", events[2].fraction);
+    }
+}

@@ -81,6 +81,6 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
                 problem.drives[i][axis] -= slip;
             }
         }
-        Segment { grasp: self.grasp, cone: self.cone_answered(), problem, change, direction }
+        Segment { grasp: self.grasp, cone: self.cone_answered(), problem, change, direction, largest: 0.0 }
     }
 }
