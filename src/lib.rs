@@ -49,9 +49,9 @@
 //! | g, s | gap between the surfaces; slip of the finger over the body | m | 1, c - 1 |
 //! | μ | coefficient of friction, each contact its own | | 1 |
 //!
-//! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`; friction drags the body
-//! along with the finger, so F_t and the slip s point the same way (the law is the unified one of the paper, its sections 3.A and 3.B, with
-//! contacts that may also open; the sign of its equation 3.B.5 is a misprint). Units are SI in the docs; any consistent ones will do.
+//! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body
+//! along with the finger, so F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with
+//! contacts that may also open; the sign of its equation 3.B.5 is a misprint. Units are SI in the docs; any consistent ones will do.
 //!
 //! # The map
 //!

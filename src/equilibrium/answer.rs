@@ -37,9 +37,9 @@ impl<const D: usize, const C: usize> Outcome<D, C> {
 pub struct Equilibrium<const D: usize, const C: usize> {
     /// The load it balances, about the origin.
     pub load: Wrench<D>,
-    /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm
-    /// (about the centroid of the contact points, lengths in units of their root mean square distance from it), unless gaps and slips
-    /// need more; on a load path the one nearest to where the object was.
+    /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm,
+    /// unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is about the centroid of
+    /// the contact points, with lengths in units of their root mean square distance from it.
     pub twist: Twist<D>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,

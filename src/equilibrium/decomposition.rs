@@ -18,9 +18,10 @@ pub struct Decomposition<const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
-    /// 5.2 of the paper): the equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`, in which the
-    /// difference of the forces of any two frictional contacts has no component along the line that joins them. Separated contacts
-    /// carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
+    /// 5.2 of the paper).
+    ///
+    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two
+    /// frictional contacts has no component along the line that joins them. Separated contacts carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;

@@ -8,18 +8,19 @@ use crate::contact::{Mode, State};
 use crate::grasp::Grasp;
 use crate::object::largest_force;
 
-/// A condition met by less than this part of the size of its terms may be rounding of the data: normals, arms and products of
+/// A condition met by less than this part of the size of its terms may be rounding of the data. Normals, arms and products of
 /// them carry a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
 const ROUNDING_OF_DATA: f64 = 1e-12;
-/// Nor by less than so many times the estimated error.
+/// A condition met by less than so many times the estimated error may be that error.
 const ERRORS: f64 = 10.0;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Contact by contact, whether working precision tells the state of an equilibrium from its neighbours: gap, normal force, friction in
-    /// reserve and slip, as far as the state has conditions on them, are larger than 1e-12 of the terms they are differences of and than ten
-    /// times the estimated error ([`Self::accuracy`], which this asks for). Where it is `false` the last digits of the question decide
-    /// between, say, rolling and just sliding; forces and displacements hardly depend on that. `None` for an equilibrium with another number
-    /// of contacts.
+    /// Contact by contact, whether working precision tells the state of an equilibrium from its neighbours.
+    ///
+    /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms it is
+    /// a difference of, and than ten times the estimated error ([`Self::accuracy`], which this asks for). Where the answer is
+    /// `false` the last digits of the question decide between, say, rolling and just sliding. Forces and displacements hardly
+    /// depend on that. `None` for an equilibrium with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -17,8 +17,9 @@
 //! solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
 //! [`Equilibrium`].
 //!
-//! Where none is found the answer is a [`Proof`] that none exists – a motion that nothing resists, a motion that separates the load from
-//! all that friction can do, all states tried, all cases contradicted ([`Refutation`]) – or [`Undecided`], with the reason.
+//! Where none is found the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
+//! resists, a motion that separates the load from all that friction can do, all states tried, or all cases
+//! contradicted ([`Refutation`]).
 
 mod accuracy;
 mod answer;

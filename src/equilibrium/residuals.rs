@@ -4,9 +4,9 @@
 /// (1e-12 on the round cone) is called an equilibrium.
 ///
 /// Recomputed from points, frames, stiffnesses, commands and load, not from what the solver had. Forces are measured against the largest
-/// contact force or load of the scene (where there is none at all, against 1e-25 of the least force that a spring could have),
-/// displacements of a contact against the sum of the sizes of its own displacements, products against the product of both. On a load
-/// path a slip is that since the state of the contact was last decided.
+/// contact force or load of the scene; where there is none at all, against 1e-25 of the least force that a spring could have.
+/// Displacements of a contact are measured against the sum of the sizes of its own displacements, products against the product of
+/// both. On a load path a slip is that since the state of the contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Residuals {

@@ -1,11 +1,11 @@
 //! From a solution of the local problem to the answer as physics.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, LocalAnswer, WorkDone};
-use crate::contact::Mode;
+use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
-use crate::grasp::{Grasp, Hold, Stiffness, Twist, Wrench};
+use crate::grasp::{Contact, Grasp, Hold, Stiffness, Twist, Wrench};
 use crate::object::Problem;
 use crate::search::{Effort, Found, Rung};
 
@@ -20,7 +20,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<D, C> {
-        let contacts: Vec<_> = (0..self.len()).map(|i| self.contact_answer(problem, found, i)).collect();
+        let contacts: Vec<_> = self.solved_contacts(problem, found).map(|solved| solved.answer()).collect();
         let twist = self.outside(&found.twist);
         let motions =
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
@@ -56,59 +56,36 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
     }
 
-    pub(crate) fn contact_answer(
+    /// What every contact does in a solution of the local problem, in order.
+    pub(crate) fn contact_states(
         &self,
         problem: &Problem<D, C>,
         found: &Found<D, C>,
-        i: usize,
-    ) -> ContactAnswer<C> {
-        let (site, contact, local) = (&self.sites()[i], &self.contacts()[i], problem.local(i));
-        let force = found.forces[i];
-        let moved = site.map.tr_mul(&found.twist);
-        let stretch = problem.drives[i] - moved;
-        let mut slip = site.springs.slip(&stretch, &force);
-        let state = match &found.states[i] {
-            Mode::Open => ContactState::Separated,
-            Mode::Rolling if local.is_frictionless() => ContactState::Frictionless,
-            Mode::Rolling => {
-                slip.fill(0.0);
-                ContactState::Rolling
+    ) -> Vec<ContactState<C>> {
+        self.solved_contacts(problem, found).map(|solved| solved.state().0).collect()
+    }
+
+    fn solved_contacts<'s>(
+        &'s self,
+        problem: &'s Problem<'s, D, C>,
+        found: &'s Found<D, C>,
+    ) -> impl Iterator<Item = SolvedContact<'s, C>> {
+        let solved =
+            problem.locals().zip(self.contacts()).zip(problem.sites).zip(&found.states).zip(&found.forces);
+        let history = problem.drives.iter().zip(&problem.slips);
+        solved.zip(history).map(|(((((local, contact), site), state), force), (drive, memory))| {
+            SolvedContact {
+                local,
+                contact,
+                frame: &site.frame,
+                bonded: site.hold == Hold::Bonded,
+                state,
+                force: *force,
+                drive: *drive,
+                memory: *memory,
+                moved: site.map.tr_mul(&found.twist),
             }
-            sliding => {
-                // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
-                // direction is the one in which it would start.
-                let outward = local.outward(sliding).unwrap_or(slip);
-                let told = sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
-                let along = if told { slip } else { outward };
-                ContactState::Sliding { direction: site.frame * along.normalize() }
-            }
-        };
-        let margin = match state {
-            ContactState::Rolling if site.hold == Hold::Bonded => f64::INFINITY,
-            ContactState::Rolling => local.margin(&force),
-            _ => 0.0,
-        };
-        slip += problem.slips[i];
-        let mut commanded = problem.drives[i] + problem.slips[i];
-        commanded[0] += contact.clearance;
-        let (body_surface, finger_surface) = match contact.stiffness {
-            Stiffness::BodyAndFinger { body, finger } => {
-                let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
-                (Some(site.frame * (moved + give(&body))), Some(site.frame * (commanded - give(&finger))))
-            }
-            Stiffness::Series(_) => (None, None),
-        };
-        ContactAnswer {
-            state,
-            force,
-            force_world: site.frame * force,
-            body_core: site.frame * moved,
-            body_surface,
-            finger_surface,
-            gap: if state == ContactState::Separated { (-stretch[0]).max(0.0) } else { 0.0 },
-            slip,
-            margin,
-        }
+        })
     }
 
     pub(super) fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
@@ -134,5 +111,71 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         }
         list
+    }
+}
+
+/// One contact in a solution of the local problem.
+struct SolvedContact<'s, const C: usize> {
+    local: LocalLaw<'s, C>,
+    contact: &'s Contact<C>,
+    frame: &'s SMatrix<f64, C, C>,
+    bonded: bool,
+    state: &'s State<C>,
+    force: SVector<f64, C>,
+    /// From the slip so far, which is the memory.
+    drive: SVector<f64, C>,
+    memory: SVector<f64, C>,
+    /// The body's motion at the contact.
+    moved: SVector<f64, C>,
+}
+
+impl<const C: usize> SolvedContact<'_, C> {
+    /// What the contact does, and the slip since its memory.
+    fn state(&self) -> (ContactState<C>, SVector<f64, C>) {
+        let slip = self.local.springs.slip(&(self.drive - self.moved), &self.force);
+        match self.state {
+            Mode::Open => (ContactState::Separated, slip),
+            Mode::Rolling if self.local.is_frictionless() => (ContactState::Frictionless, slip),
+            Mode::Rolling => (ContactState::Rolling, SVector::zeros()),
+            sliding => {
+                // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
+                // direction is the one in which it would start.
+                let outward = self.local.outward(sliding).unwrap_or(slip);
+                let told = sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
+                let along = if told { slip } else { outward };
+                (ContactState::Sliding { direction: self.frame * along.normalize() }, slip)
+            }
+        }
+    }
+
+    fn answer(&self) -> ContactAnswer<C> {
+        let (force, frame) = (self.force, self.frame);
+        let (state, slip) = self.state();
+        let margin = match state {
+            ContactState::Rolling if self.bonded => f64::INFINITY,
+            ContactState::Rolling => self.local.margin(&force),
+            _ => 0.0,
+        };
+        let mut commanded = self.drive + self.memory;
+        commanded[0] += self.contact.clearance;
+        let (body_surface, finger_surface) = match self.contact.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => {
+                let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
+                (Some(frame * (self.moved + give(&body))), Some(frame * (commanded - give(&finger))))
+            }
+            Stiffness::Series(_) => (None, None),
+        };
+        let gap = self.moved[0] - self.drive[0];
+        ContactAnswer {
+            state,
+            force,
+            force_world: frame * force,
+            body_core: frame * self.moved,
+            body_surface,
+            finger_surface,
+            gap: if state == ContactState::Separated { gap.max(0.0) } else { 0.0 },
+            slip: slip + self.memory,
+            margin,
+        }
     }
 }

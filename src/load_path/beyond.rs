@@ -1,8 +1,8 @@
 //! The first step beyond the onset: does the equilibrium go on, and if not, is there any other?
 //!
-//! Whether it goes on is a complementarity problem in rates among the contacts that stand on an edge. If it has no
-//! solution this equilibrium ends here; whether another exists just beyond is found by trying every combination of
-//! contact states at `τ* + ε`, with ε infinitely small: a condition holds if its value at τ* is positive, or zero with
+//! Whether it goes on is a complementarity problem in rates among the contacts that stand on an edge. If that has no
+//! solution this equilibrium ends here. Whether another exists just beyond is found by trying every combination of
+//! contact states at `τ* + ε`, with ε infinitely small. A condition holds there if its value at τ* is positive, or zero with
 //! a rate that is not negative.
 
 use nalgebra::SVector;
@@ -69,7 +69,7 @@ pub(crate) fn just_beyond<const D: usize, const C: usize>(
     cone: Cone,
 ) -> Beyond<D, C> {
     if let Settled::Found(found, rule) = settled {
-        let states = (0..grasp.len()).map(|i| grasp.contact_answer(rates, &found, i).state).collect();
+        let states = grasp.contact_states(rates, &found);
         let twist_rate = grasp.outside(&found.twist);
         return Beyond::Continues(Box::new(Continuation {
             states,

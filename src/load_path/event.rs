@@ -24,11 +24,12 @@ pub struct Event<const D: usize, const C: usize> {
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
     pub free_motions: Vec<Twist<D>>,
-    /// Other ways in which the contacts on an edge could go on: the continuation is not unique unless this is `Some(0)`, which
-    /// a P-matrix of the rates proves or, among few contacts, trying all; `None` if neither says, as at the apex of a round cone. The path prefers that
-    /// nothing changes, then that what slides goes on sliding and what has reached an edge slides, then that everything
-    /// sticks, then what Lemke's method finds; and of the motions that the same forces allow, one in which contacts without
-    /// force do not drag the object along.
+    /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the
+    /// rates proves or, among few contacts, trying all. `None` if neither says, as at the apex of a round cone.
+    ///
+    /// The path prefers that nothing changes; then that what slides goes on sliding and what has reached an edge slides; then
+    /// that everything sticks; then what Lemke's method finds. Of the motions that the same forces allow it takes one in which
+    /// contacts without force do not drag the object along.
     pub other_continuations: Option<usize>,
 }
 

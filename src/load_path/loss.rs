@@ -96,9 +96,11 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
     if ends { PathEnd::Ends(loss) } else { PathEnd::Undecided { leg: loss.leg, fraction: loss.fraction } }
 }
 
-/// Names the end: a motion that nothing resists; a limit load if a motion proves one, that with which the object leaves or one that
-/// separates the load a little further on from all that friction can do; and else what a search among all combinations of states
-/// says, or among too many of them a proof for each choice of open contacts.
+/// Names the end of a path whose rates have no solution.
+///
+/// The object gives way where a motion meets no resistance. The load is a limit load if a motion proves that: the one with which the
+/// object leaves, or one that separates a slightly larger load from all that friction can do. Else a search among all
+/// combinations of states decides. Where these are too many, a proof for each choice of open contacts may do.
 pub(super) fn end_of_path<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
@@ -149,9 +151,10 @@ fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
     })
 }
 
-/// The unit motion with which the object leaves when everything that stands on an edge slides: a motion that nothing resists
-/// then, on which the load works; or else the motion of the rates in these states, which would balance the load if only the
-/// slips were not against friction: taken the other way, they are along it.
+/// The unit motion with which the object leaves when everything that stands on an edge slides.
+///
+/// It is a motion that nothing resists then and on which the load works. Where there is none it is the motion of the rates in these
+/// states. Their forces balance the load, but their slips are against friction: the motion taken the other way is along it.
 pub(super) fn leaving_motion<const D: usize, const C: usize>(
     rates: &Problem<D, C>,
     load: &SVector<f64, D>,

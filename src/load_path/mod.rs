@@ -8,9 +8,9 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates: a gap or a slip grows
-//! only where the normal force or the friction in reserve stays zero, and what stands on no edge is bonded or absent. Its solution is how the equilibrium
-//! goes on ([`Continuation`]); where it has none the equilibrium ends, at a limit load if no other exists just beyond, else in a snap.
+//! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates. A gap or a slip grows
+//! only where the normal force or the friction in reserve stays zero; a contact that stands on no edge is bonded or absent. The solution says
+//! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends: at a limit load if no other exists just beyond, else in a snap.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::grasp::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
 //! from before. On polygons and in the plane every piece is straight. On the round cone the direction of sliding turns along the way,

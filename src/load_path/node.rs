@@ -190,10 +190,7 @@ pub(super) fn directions<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,
 ) -> Vec<Option<SVector<f64, C>>> {
-    (0..problem.len())
-        .map(|i| match segment.grasp.contact_answer(problem, found, i).state {
-            ContactState::Sliding { direction } => Some(direction),
-            _ => None,
-        })
-        .collect()
+    let direction =
+        |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };
+    segment.grasp.contact_states(problem, found).into_iter().map(direction).collect()
 }

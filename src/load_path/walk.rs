@@ -55,7 +55,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                             Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
                         };
                     }
-                    settled => return self.event(states, &here, stands, &rates, settled),
+                    settled => return self.event(states, &here, stands, &rates, &settled),
                 }
             }
             match self.segment.first_exits(&states, &here) {
@@ -93,15 +93,15 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         here: &Here<D, C>,
         stands: Vec<Stand<C>>,
         rates: &Problem<D, C>,
-        settled: Settled<D, C>,
+        settled: &Settled<D, C>,
     ) -> Onset<D, C> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
-        let slid = if let Settled::Found(found, _) = settled { Some(found) } else { None };
-        let state_next = |contact: usize| {
-            slid.as_ref().map(|found| segment.grasp.contact_answer(rates, found, contact).state)
+        let next = match settled {
+            Settled::Found(found, _) => Some(segment.grasp.contact_states(rates, found)),
+            _ => None,
         };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
-        let leaves = |contact: usize| match state_next(contact) {
+        let leaves = |contact: usize| match next.as_ref().map(|states| states[contact]) {
             None => Some(Leaving::driven_out(contact, &stands[contact], &sites[contact].frame)),
             Some(ContactState::Sliding { direction }) => {
                 Some(Leaving { contact, how: Departure::Slides { direction } })

@@ -39,9 +39,8 @@ pub enum Doubt {
     /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
     /// boundary of what the grasp can hold, as far as the working precision can tell.
     OnTheBoundary,
-    /// Contact states were found, but the numbers of the scene lie so far apart (arms or stiffnesses by more than the working
-    /// precision) that forces and twist cannot be written down accurately: their residuals exceed 1e-10 (1e-12 on the round
-    /// cone).
+    /// Contact states were found, but the numbers of the scene lie so far apart that forces and twist cannot be written down
+    /// accurately: arms or stiffnesses by more than the working precision. Residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
