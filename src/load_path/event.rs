@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::beyond::Beyond;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::grasp::{Twist, Wrench};
+use crate::search::Doubt;
 
 /// Something changes: one or more contacts, at one load.
 #[derive(Debug, Clone)]
@@ -90,13 +91,14 @@ pub enum PathEnd<const D: usize, const C: usize> {
     },
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<D, C>>),
-    /// The path could not be followed further: rounding hides whether it goes on or ends, or a leg takes more than 20 000 steps along
-    /// arcs of the round cone.
+    /// The path could not be followed further, and whether it goes on or ends there is not known. It holds up to there.
     Undecided {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone, from 0 to 1.
         fraction: f64,
+        /// Why.
+        doubt: Doubt,
     },
 }
 
@@ -126,7 +128,7 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
         match self {
             Self::Completed | Self::NoStart(_) => None,
             Self::LimitLoad(loss) | Self::Snap(loss) | Self::Ends(loss) => Some((loss.leg, loss.fraction)),
-            Self::GivesWay { leg, fraction, .. } | Self::Undecided { leg, fraction } => {
+            Self::GivesWay { leg, fraction, .. } | Self::Undecided { leg, fraction, .. } => {
                 Some((*leg, *fraction))
             }
         }
@@ -137,8 +139,16 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
             Beyond::LimitLoad { .. } => Self::LimitLoad(loss),
             Beyond::Snap { .. } => Self::Snap(loss),
             Beyond::Ends(_) => Self::Ends(loss),
-            _ => Self::Undecided { leg: loss.leg, fraction: loss.fraction },
+            Beyond::Undecided(doubt) => loss.undecided(*doubt),
+            Beyond::Continues(_) => loss.undecided(Doubt::OnTheBoundary),
         }
+    }
+}
+
+impl<const D: usize> Loss<D> {
+    /// The end of a path that stands here where nothing more is known.
+    pub(super) fn undecided<const C: usize>(&self, doubt: Doubt) -> PathEnd<D, C> {
+        PathEnd::Undecided { leg: self.leg, fraction: self.fraction, doubt }
     }
 }
 

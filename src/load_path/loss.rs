@@ -9,8 +9,8 @@ use crate::contact::{LocalLaw, State, ZERO_SLACK};
 use crate::forms::kinematic_form;
 use crate::lcp::{self, Outcome, Proof};
 use crate::object::{Piece, Problem};
-use crate::proofs::{around, nothing_holds, separates_from_here_on, separating_motion};
-use crate::search::{Effort, Settings, Settled, settle};
+use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
+use crate::search::{Doubt, Effort, Settings, Settled, settle};
 
 /// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
@@ -20,7 +20,7 @@ const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
 const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
 /// Among more contacts on round cones a search in vain takes seconds.
 const FEW_CONTACTS: usize = 8;
-/// The same for a proof that holds from the load itself on, and is the clearer the further it looks.
+/// A proof for all loads from the end on is the clearer the further it looks: this part of the way.
 const FURTHER: f64 = 1e-2;
 
 /// The way that parts beyond the end are parts of: [`whole_way`], or the whole leg where there is no load yet. Parts of nothing would lead
@@ -84,16 +84,12 @@ fn beyond_on_the_round_cone<const D: usize, const C: usize>(
             {
                 return PathEnd::Snap(loss);
             }
-            Settled::Undecided(_) if part == A_LITTLE => {
-                if nothing_holds(&around(&here, forces), &around(&past(FURTHER), forces)) {
-                    return PathEnd::LimitLoad(loss);
-                }
-            }
             Settled::Undecided(_) => {}
-            Settled::Found(..) => return PathEnd::Undecided { leg: loss.leg, fraction: loss.fraction },
+            // An equilibrium close by: the path may go on to it.
+            Settled::Found(..) => return loss.undecided(Doubt::OnTheBoundary),
         }
     }
-    if ends { PathEnd::Ends(loss) } else { PathEnd::Undecided { leg: loss.leg, fraction: loss.fraction } }
+    if ends { PathEnd::Ends(loss) } else { loss.undecided(Doubt::RayWithoutProof) }
 }
 
 /// Names the end of a path whose rates have no solution.

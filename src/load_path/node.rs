@@ -11,7 +11,7 @@ use crate::equilibrium::ContactState;
 use crate::grasp::Wrench;
 use crate::object::{PieceState, Problem};
 use crate::search::{
-    Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
+    Doubt, Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
 };
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
@@ -84,7 +84,8 @@ impl<const D: usize, const C: usize> Node<D, C> {
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
-        let here = self.look(segment, factor).map_err(|_| PathEnd::Undecided { leg, fraction: factor })?;
+        let undecided = PathEnd::Undecided { leg, fraction: factor, doubt: Doubt::Inaccurate };
+        let here = self.look(segment, factor).map_err(|_| undecided)?;
         for (i, stand) in self.stands.iter_mut().enumerate() {
             segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
         }

@@ -21,7 +21,7 @@ use crate::equilibrium::{ACCURATE, Cone, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 use crate::object::{Load, PieceState, Problem};
-use crate::search::{Settings, Settled, settle};
+use crate::search::{Doubt, Settings, Settled, settle};
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
 /// [`Grasp::follow`]; when the iterator has ended, [`end`](Self::end) says how the path did.
@@ -235,7 +235,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                 }
                 let state = before.or_else(|| self.present_state())?;
                 if state.residuals.worst() > ACCURATE {
-                    self.end = Some(PathEnd::Undecided { leg, fraction: self.factor });
+                    let doubt = Doubt::Inaccurate;
+                    self.end = Some(PathEnd::Undecided { leg, fraction: self.factor, doubt });
                     return None;
                 }
                 Some(Event {

@@ -19,6 +19,9 @@ pub struct Reserve<const D: usize, const C: usize> {
     pub limit: Option<f64>,
     /// Whether the grasp holds as far as was asked.
     pub completed: bool,
+    /// The factor up to which the path was followed, and the grasp holds: `limit` where that is known, what was asked for where it
+    /// holds so far, and a lower bound of the limit where the path could not be followed further. `None` where it has no start.
+    pub held_to: Option<f64>,
     /// Where equilibrium was lost: `limit` is its fraction times the factor asked for. `None` also where nothing resists the load from
     /// `limit` on.
     pub loss: Option<Loss<D>>,
@@ -60,9 +63,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let reserve = grasp.reserve(&weight, 100.0, &Settings::default())?;
     /// assert!((reserve.onset.factor().expect("slides") - 10.0).abs() < 1e-13);
     /// assert!((reserve.limit.expect("falls") - 10.0).abs() < 1e-12); // both slide at once, and nothing is left
+    /// assert!(reserve.held_to == reserve.limit);
     ///
     /// let holds = grasp.reserve(&weight, 5.0, &Settings::default())?;
-    /// assert!(holds.completed && holds.limit.is_none());
+    /// assert!(holds.completed && holds.limit.is_none() && holds.held_to == Some(5.0));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
@@ -83,7 +87,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             _ => loss.as_ref().map(|loss| loss.fraction),
         };
         let completed = matches!(end, Some(PathEnd::Completed));
-        Ok(Reserve { onset, limit: lost_at.map(|fraction| fraction * most), completed, loss, events })
+        let held_to = if completed { Some(1.0) } else { end.and_then(PathEnd::fraction) };
+        let [limit, held_to] = [lost_at, held_to].map(|fraction| fraction.map(|fraction| fraction * most));
+        Ok(Reserve { onset, limit, completed, held_to, loss, events })
     }
 
     /// The range of factors of a ramp, around 0, in which everything that touches rolls: for an affine choice of load or

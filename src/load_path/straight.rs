@@ -4,6 +4,7 @@ use super::event::PathEnd;
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
 use crate::object::PieceState;
+use crate::search::Doubt;
 
 /// Steps in a row within their uncertainty that are still events of one node and not rounding that goes in circles.
 const MOST_STALLS: usize = 64;
@@ -35,7 +36,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         if self.stalls > MOST_STALLS {
-            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor });
+            // Rounding chooses between continuations, one of which leads back to the other.
+            let (leg, fraction) = (self.program.leg, self.factor);
+            self.end = Some(PathEnd::Undecided { leg, fraction, doubt: Doubt::OnTheBoundary });
             return;
         }
         let there = self.state_after(&here, step);

@@ -22,6 +22,7 @@ use super::segment::{Here, Standing};
 use super::watch::{Watch, watch};
 use crate::contact::{Exit, Line, Mode, Stand, ZERO_SLACK, tangential};
 use crate::object::PieceState;
+use crate::search::Doubt;
 
 /// The first step turns the fastest contact by this angle, as far as can be told from the rate there.
 const FIRST_TURN: f64 = 0.3;
@@ -232,7 +233,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let (leg, fraction) = (self.program.leg, self.factor);
         let size = here.twist_rate.norm();
         if self.pace.steps > MOST_STEPS || !(size > 0.0 && size.is_finite()) {
-            return PathEnd::Undecided { leg, fraction };
+            let doubt = if self.pace.steps > MOST_STEPS { Doubt::OutOfSteps } else { Doubt::Inaccurate };
+            return PathEnd::Undecided { leg, fraction, doubt };
         }
         let motion = here.twist_rate / size;
         let on_an_edge = |i: &usize| self.node.states[*i].slides();

@@ -10,6 +10,6 @@ mod open_choices;
 mod refutation;
 mod wrench_cone;
 
-pub(crate) use open_choices::{around, nothing_holds};
+pub(crate) use open_choices::nothing_holds;
 pub(crate) use refutation::{Step, check};
 pub(crate) use wrench_cone::{separates_from_here_on, separating_motion};

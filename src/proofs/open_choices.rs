@@ -12,17 +12,13 @@
 //! x >= 0 has y·γ >= 0 for all columns γ of Γ, and proves that no x solves them if y·w > 0 (Farkas). As w is linear in the
 //! load, y·w >= 0 at the load and y·w > 0 a little further on prove it for all loads in between.
 
-use std::f64::consts::PI;
-
 use nalgebra::{DMatrix, DVector, SVector};
 
-use crate::contact::{Fit, LocalLaw, Polygon, PolygonCone};
+use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
 use crate::numerics::unit;
 use crate::object::Problem;
 
-/// Of the polygons around round cones.
-const FACETS: usize = 8;
 /// Up to this many contacts that may open all choices of open ones are looked at.
 const MOST_CONTACTS: usize = 8;
 /// y·w at the load itself may be zero, up to this rounding.
@@ -46,23 +42,6 @@ pub(crate) fn nothing_holds<const D: usize, const C: usize>(
             }
             proved(&columns(here, &open), &constant(here, &open), &constant(past, &open))
         })
-}
-
-/// The problem with polygons around the round cones, each with the facet on which its force is: where forces hold on these cones no
-/// more, they hold on the round ones no more, and the facets lose nothing of it.
-pub(crate) fn around<'g, const D: usize, const C: usize>(
-    problem: &Problem<'g, D, C>,
-    forces: &[SVector<f64, C>],
-) -> Problem<'g, D, C> {
-    let Ok(cone) = PolygonCone::new(FACETS, Fit::Circumscribed) else { return problem.clone() };
-    let polygon = Polygon::<C>::new(&cone);
-    let (sin, cos) = (PI / FACETS as f64).sin_cos();
-    let turn = |force: &SVector<f64, C>| {
-        let mut corner = *force;
-        (corner[1], corner[2]) = (cos * force[1] - sin * force[2], sin * force[1] + cos * force[2]);
-        if corner[1].hypot(corner[2]) > 0.0 { polygon.turned_to(&corner) } else { polygon.clone() }
-    };
-    Problem { turned: forces.iter().map(turn).collect(), round: false, ..problem.clone() }
 }
 
 /// Rows of the inequalities come after the D of the balance, contact by contact in the same order here and in [`constant`].

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::equilibrium::{Equilibrium, SolveAnswer};
 use super::fields::found;
 use super::place::{Place, Places};
+use crate::equilibrium::Doubt;
 use crate::grasp::{Twist, Wrench};
 use crate::load_path as path;
 
@@ -59,13 +60,15 @@ pub enum PathEnd<const D: usize, const C: usize> {
         /// What there is.
         start: Box<SolveAnswer<D, C>>,
     },
-    /// Rounding keeps the path from being followed further.
+    /// The path could not be followed further; it holds up to there.
     Undecided {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone.
         #[serde(with = "found")]
         fraction: f64,
+        /// Why.
+        doubt: Doubt,
     },
 }
 
@@ -235,10 +238,10 @@ impl Places {
             Some(path::PathEnd::NoStart(outcome)) => {
                 PathEnd::NoStart { start: Box::new(self.outcome(outcome)) }
             }
-            Some(path::PathEnd::Undecided { leg, fraction }) => {
-                PathEnd::Undecided { leg: *leg, fraction: *fraction }
+            Some(path::PathEnd::Undecided { leg, fraction, doubt }) => {
+                PathEnd::Undecided { leg: *leg, fraction: *fraction, doubt: *doubt }
             }
-            None => PathEnd::Undecided { leg: 0, fraction: 0.0 },
+            None => PathEnd::Undecided { leg: 0, fraction: 0.0, doubt: Doubt::OutOfSteps },
         }
     }
 

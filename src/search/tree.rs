@@ -145,10 +145,13 @@ pub(crate) fn refute<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> Option<(Vec<Step<D, C>>, usize)> {
+    let most = most_cases(problem, settings);
+    if most == 0 {
+        return None;
+    }
     let trial = Piece::new(problem, &problem.unjumped());
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let mut steps = Vec::new();
-    let most = most_cases(problem, settings);
     match search_tree(problem, &trial, &state, most, Some(&mut steps)) {
         Tree::Contradicted { cases, .. } => Some((steps, cases)),
         Tree::Found(_) | Tree::Unresolved(_) => None,

@@ -12,7 +12,7 @@ use crate::contact::Polygon;
 use crate::grasp::{Grasp, Twist};
 use crate::load_path::event::{Loss, PathEnd};
 use crate::load_path::leg::Program;
-use crate::search::Settings;
+use crate::search::{Doubt, Settings};
 
 /// What has to be decided before the path goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -123,7 +123,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
 
     /// Where rounding keeps the path from being followed further.
     pub(super) fn undecided(&self) -> PathEnd<D, C> {
-        PathEnd::Undecided { leg: self.program.leg, fraction: self.balance.tau }
+        let (leg, fraction) = (self.program.leg, self.balance.tau);
+        PathEnd::Undecided { leg, fraction, doubt: Doubt::OnTheBoundary }
     }
 
     /// The unit motion in which the object goes on, if it moves.
