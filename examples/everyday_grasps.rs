@@ -11,28 +11,19 @@ use std::time::Instant;
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
+use support::numbers::Numbers;
 
 type Failure = Box<dyn std::error::Error>;
 
 const PARTS: [f64; 4] = [0.5, 1.15, 2.5, 6.0];
 
-/// A fixed sequence without structure, from -1 to 1.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    /// A direction, all alike.
-    fn direction(&mut self) -> [f64; 3] {
-        loop {
-            let v = [self.next(), self.next(), self.next()];
-            let square: f64 = v.iter().map(|x| x * x).sum();
-            if (0.01..1.0).contains(&square) {
-                return v.map(|x| x / square.sqrt());
-            }
+/// A direction, all alike.
+fn direction(numbers: &mut Numbers) -> [f64; 3] {
+    loop {
+        let v = numbers.three();
+        let square: f64 = v.iter().map(|x| x * x).sum();
+        if (0.01..1.0).contains(&square) {
+            return v.map(|x| x / square.sqrt());
         }
     }
 }
@@ -54,8 +45,8 @@ enum Load {
 /// Fingers that press with 5 to 15 N.
 fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, grasp_lcp::Error> {
     let contact = |i: usize| {
-        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.next()).sin_cos();
-        let mut near = |x: f64| 0.1 * numbers.next() - x;
+        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.signed()).sin_cos();
+        let mut near = |x: f64| 0.1 * numbers.signed() - x;
         let (point, normal) = match place {
             Place::Ring => {
                 let normal = [-cos, -sin, 2.0 * near(0.0)];
@@ -67,15 +58,15 @@ fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, gra
                 ([8.0 * near(0.0), 8.0 * near(0.0), side], normal)
             }
             Place::Ball => {
-                let point = numbers.direction();
-                (point, point.map(|x| 0.1 * numbers.next() - x))
+                let point = direction(numbers);
+                (point, point.map(|x| 0.1 * numbers.signed() - x))
             }
         };
-        let stiffness = 1000.0 * (0.3 * numbers.next()).exp();
+        let stiffness = 1000.0 * (0.3 * numbers.signed()).exp();
         Contact::new(point, normal)
-            .series_stiffness(stiffness, stiffness * (0.75 + 0.15 * numbers.next()))
-            .friction(0.45 + 0.15 * numbers.next())
-            .command([0.01 + 0.005 * numbers.next(), 0.0, 0.0])
+            .series_stiffness(stiffness, stiffness * (0.75 + 0.15 * numbers.signed()))
+            .friction(0.45 + 0.15 * numbers.signed())
+            .command([0.01 + 0.005 * numbers.signed(), 0.0, 0.0])
     };
     Grasp::new((0..count).map(contact).collect::<Vec<_>>())
 }
@@ -83,8 +74,8 @@ fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, gra
 fn load(load: Load, numbers: &mut Numbers) -> Wrench {
     match load {
         Load::Weight => Wrench::force([0.0, 0.0, -100.0]),
-        Load::Push => Wrench::force(numbers.direction().map(|x| 100.0 * x)),
-        Load::Twist => Wrench::new([0.0, 0.0, -5.0], numbers.direction().map(|x| 70.0 * x)),
+        Load::Push => Wrench::force(direction(numbers).map(|x| 100.0 * x)),
+        Load::Twist => Wrench::new([0.0, 0.0, -5.0], direction(numbers).map(|x| 70.0 * x)),
     }
 }
 

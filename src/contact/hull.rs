@@ -171,11 +171,6 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Whether the law lets a closed contact pull.
-    pub(super) fn pulls(&self) -> bool {
-        self.is_bonded() || self.is_frictionless() && !self.may_open()
-    }
-
     /// The generators of what the law allows under a label.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay<C>> {
         let root = self.springs.root();
@@ -209,7 +204,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         if !self.may_slide() {
             push(normal, normal);
-            if self.pulls() {
+            if self.may_pull() {
                 push(-normal, -normal);
             }
             if rubs {

@@ -75,6 +75,11 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         matches!(self.law, Law::Cone { .. })
     }
 
+    /// Whether the normal spring of a closed contact acts both ways: where it can neither open nor slide, only a cone keeps it from pulling.
+    pub(crate) fn may_pull(&self) -> bool {
+        !self.may_open() && !self.may_slide() && !self.is_absent()
+    }
+
     /// Whether the contact has a round friction cone.
     pub(crate) fn is_round(&self) -> bool {
         self.on_round_cone && self.may_slide()

@@ -48,7 +48,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             note(&normal, &normal);
         }
         if may_be_closed && !self.may_slide() {
-            if self.pulls() {
+            if self.may_pull() {
                 note(&-normal, &-normal);
             }
             for axis in tangents.map(unit::<C>) {

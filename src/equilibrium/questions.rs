@@ -127,7 +127,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The problem at rest under a load.
-    fn problem_under(&self, load: &Wrench<D>, settings: &Settings) -> Result<Problem<'_, D, C>, Error> {
+    pub(super) fn problem_under(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
         let load = Load { wrench: self.inside(load, "load")?, rest: self.inside_rest(load) };
         Ok(Problem::at_rest(self.sites(), polygon, settings.is_round::<C>(), self.drives(), &load))

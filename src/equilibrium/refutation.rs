@@ -1,9 +1,7 @@
 //! A proof, case by case, that no equilibrium exists on the round cone.
 
-use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::{Load, Problem};
 use crate::proofs::{self, Step};
 use crate::search::{self, Settings};
 
@@ -28,12 +26,12 @@ impl<const D: usize, const C: usize> Refutation<D, C> {
 
     /// Checks the proof against a grasp and a load: the factor by which an equilibrium that rounding has hidden would have to exceed
     /// the data, at least. Stretches and forces of all contacts together are measured in √J, against those of the elastic trial
-    /// state. `None` where the proof does not hold for this grasp and this load.
+    /// state. `None` where the proof does not hold for this grasp and this load, or by a factor below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn check(&self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Option<f64>, Error> {
-        Ok(proofs::check(&grasp.round_problem(load, &Settings::default())?, &self.steps))
+        Ok(proofs::check(&grasp.problem_under(load, &Settings::default())?, &self.steps))
     }
 }
 
@@ -69,12 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D>,
         settings: &Settings,
     ) -> Result<Option<Refutation<D, C>>, Error> {
-        let problem = self.round_problem(load, settings)?;
+        let problem = self.problem_under(load, &Settings { round: true, ..*settings })?;
         Ok(search::refute(&problem, settings).map(|(steps, cases)| Refutation { steps, cases }))
-    }
-
-    fn round_problem(&self, load: &Wrench<D>, settings: &Settings) -> Result<Problem<'_, D, C>, Error> {
-        let load = Load { wrench: self.inside(load, "load")?, rest: self.inside_rest(load) };
-        Ok(Problem::at_rest(self.sites(), Polygon::shared(&settings.cone), C == 3, self.drives(), &load))
     }
 }

@@ -3,13 +3,16 @@
 //! | file | idea |
 //! |---|---|
 //! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
+//! | `escape` | when a contradiction counts |
 //! | `refutation` | case by case on the round cone, to be checked by anyone |
 //! | `open_choices` | for each choice of open contacts, all that friction could do is a convex question |
 
+mod escape;
 mod open_choices;
 mod refutation;
 mod wrench_cone;
 
+pub(crate) use escape::{ESCAPE, LEAST_WORK};
 pub(crate) use open_choices::nothing_holds;
 pub(crate) use refutation::{Step, check};
 pub(crate) use wrench_cone::{separates_from_here_on, separating_motion};

@@ -13,13 +13,12 @@
 
 use nalgebra::SVector;
 
+use super::escape::{ESCAPE, LEAST_WORK};
 use crate::contact::Label;
 use crate::object::{Piece, Problem};
 
-/// Rounding of the work that a contact does.
-const ROUNDING: f64 = 1e-15;
-/// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. What is left would let an equilibrium escape whose motion is
-/// larger than the data by the reciprocal.
+/// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
+/// an equilibrium could escape whose motion is larger than the data by the reciprocal.
 const BALANCED: f64 = 1e-13;
 
 /// A step of the proof; what follows a division is its second case with all below it, then its first.
@@ -32,7 +31,7 @@ pub(crate) enum Step<const D: usize, const C: usize> {
 }
 
 /// The least factor by which an equilibrium that rounding has hidden would have to exceed the data, in √J; `None` where the steps
-/// leave a case out, or contradict one by nothing.
+/// leave a case out, or contradict one too weakly to count.
 pub(crate) fn check<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     steps: &[Step<D, C>],
@@ -63,7 +62,7 @@ pub(crate) fn check<const D: usize, const C: usize>(
             }
         }
     }
-    open.is_empty().then_some(least)
+    (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
 /// How large stretches and forces of the case have to be, in √J, to make up for what contradicts them.
@@ -91,5 +90,5 @@ fn escape<const D: usize, const C: usize>(
     }
     // Forces that do not balance one another say nothing about equilibria far away.
     let is_balanced = unbalanced.norm() <= BALANCED * balanced_size;
-    (is_balanced && gain > 0.0).then(|| gain / worst.max(ROUNDING * size.sqrt()))
+    (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

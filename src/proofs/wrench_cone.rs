@@ -15,6 +15,7 @@
 
 use nalgebra::SVector;
 
+use super::escape::{ESCAPE, LEAST_WORK};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, unit};
@@ -27,10 +28,6 @@ const CLEAR: f64 = 1e-9;
 const NO_WORK: f64 = 1e-12;
 /// A generator that works against the residual by less than this part of it does not join.
 const JOINS: f64 = 1e-13;
-/// Less work of a unit wrench on a unit motion than this is rounding.
-const ROUNDING: f64 = 1e-15;
-/// Forces that escape a proof have to be larger than load and squeeze together by this factor.
-const ESCAPE: f64 = 1e4;
 /// Generators that may join: near the boundary of round cones each comes closer to the last by a part only.
 const MOST_JOINING: usize = 200;
 
@@ -64,9 +61,10 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
         nearest.settle(target.as_slice());
     };
     // Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load.
+    // What escapes is measured against load and squeeze together.
     let distance = v.norm();
     let data = load + squeeze(problem);
-    let escape = distance * distance * load / against.max(ROUNDING * distance);
+    let escape = distance * distance * load / against.max(LEAST_WORK * distance);
     (distance > CLEAR && escape >= ESCAPE * data).then(|| v / distance)
 }
 
@@ -125,7 +123,7 @@ fn straight_generators<const D: usize, const C: usize>(
             continue;
         }
         push(unit(0));
-        if local.is_bonded() || (cone.is_frictionless() && !local.may_open()) {
+        if local.may_pull() {
             push(-unit::<C>(0));
         }
         for a in 1..local.springs.axes() {

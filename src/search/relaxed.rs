@@ -21,6 +21,7 @@ use nalgebra::SVector;
 use crate::contact::HullRay;
 use crate::numerics::NearestPoint;
 use crate::object::{Piece, PieceState, Problem};
+use crate::proofs::{ESCAPE, LEAST_WORK};
 
 /// A generator works along the residual if by more than this part of it.
 const WORKS: f64 = 1e-12;
@@ -28,10 +29,6 @@ const WORKS: f64 = 1e-12;
 const MET: f64 = 1e-11;
 /// A distance below this part of the trial state is too near to rounding of it to contradict anything.
 const CLEAR: f64 = 1e-10;
-/// What escapes a contradiction has to be larger than the data by this factor, or the contradiction does not count.
-const ESCAPE: f64 = 1e4;
-/// No generator is known to do less along a unit residual than this: rounding.
-const LEAST_WORK: f64 = 1e-15;
 /// A distance that shrinks by less than this part has not shrunk: what was tried at it is not tried again.
 const SHRINKS: f64 = 1e-9;
 /// Generators taken in for each number of the equation, at most.

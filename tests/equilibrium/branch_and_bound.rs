@@ -8,20 +8,7 @@ use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use nalgebra::{SMatrix, SVector};
-
-/// A fixed sequence without structure, from -1 to 1.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn three(&mut self) -> [f64; 3] {
-        [self.next(), self.next(), self.next()]
-    }
-}
+use support::numbers::Numbers;
 
 /// What a scene is made of, for the library and for [`breach`].
 struct Finger {
@@ -34,13 +21,13 @@ struct Finger {
 
 fn fingers(count: usize, spread: f64, friction: [f64; 2], numbers: &mut Numbers) -> Vec<Finger> {
     let finger = |i: usize| {
-        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.next()).sin_cos();
-        let point = SVector::from([cos, sin, 0.3 * numbers.next()]);
-        let normal = SVector::from([-cos, -sin, 0.2 * numbers.next()]).normalize();
-        let k = 1000.0 * (spread * numbers.next()).exp();
-        let friction = friction[0] * (friction[1] / friction[0]).powf(0.5 + 0.5 * numbers.next());
-        let stiffness = [k, k * (0.75 + 0.15 * numbers.next())];
-        Finger { point, normal, stiffness, friction, press: 0.01 + 0.005 * numbers.next() }
+        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.signed()).sin_cos();
+        let point = SVector::from([cos, sin, 0.3 * numbers.signed()]);
+        let normal = SVector::from([-cos, -sin, 0.2 * numbers.signed()]).normalize();
+        let k = 1000.0 * (spread * numbers.signed()).exp();
+        let friction = friction[0] * (friction[1] / friction[0]).powf(0.5 + 0.5 * numbers.signed());
+        let stiffness = [k, k * (0.75 + 0.15 * numbers.signed())];
+        Finger { point, normal, stiffness, friction, press: 0.01 + 0.005 * numbers.signed() }
     };
     (0..count).map(finger).collect()
 }
@@ -99,10 +86,16 @@ fn newton(fingers: &[Finger], load: &SVector<f64, 6>, mut twist: SVector<f64, 6>
     false
 }
 
+/// Whether Newton's method balances the load from any of twenty places.
+fn attack(fingers: &[Finger], load: &Wrench, numbers: &mut Numbers) -> bool {
+    let load = SVector::from(*load.as_vector());
+    (0..20).any(|_| newton(fingers, &load, SVector::from_fn(|_, _| 0.05 * numbers.signed())))
+}
+
 #[test]
 fn every_load_beyond_the_onset_is_decided() {
     let mut numbers = Numbers(3);
-    let (mut found, mut none, mut attacked) = (0, 0, 0);
+    let (mut found, mut none, mut reached) = (0, 0, 0);
     for (spread, friction) in [(0.3, [0.3, 0.6]), (0.3, [1e-2, 5.0]), (5.0, [0.2, 0.8])] {
         for count in [3, 3, 4, 4, 5, 6, 8].into_iter().cycle().take(70) {
             let fingers = fingers(count, spread, friction, &mut numbers);
@@ -116,6 +109,7 @@ fn every_load_beyond_the_onset_is_decided() {
                     Outcome::Equilibrium(e) => {
                         assert!(e.residuals.worst() <= 1e-12);
                         found += 1;
+                        reached += usize::from(attack(&fingers, &load, &mut numbers));
                     }
                     Outcome::NoEquilibrium(answer) => {
                         none += 1;
@@ -124,25 +118,21 @@ fn every_load_beyond_the_onset_is_decided() {
                             let proof =
                                 grasp.refutation(&load, &Settings::default()).unwrap().expect("again");
                             let checked = proof.check(&grasp, &load).unwrap().expect("it holds");
-                            assert!(
-                                (checked / escape - 1.0).abs() < 0.5 || checked > 1e13,
-                                "{checked:e} {escape:e}"
-                            );
+                            // In closed form a case holds no more than in the polygons around its arcs.
+                            assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
-                        for _ in 0..20 {
-                            let start = SVector::from_fn(|_, _| 0.05 * numbers.next());
-                            let balanced = newton(&fingers, &SVector::from(*load.as_vector()), start);
-                            assert!(!balanced, "there is an equilibrium: {count} fingers, {part}");
-                            attacked += 1;
-                        }
+                        let balanced = attack(&fingers, &load, &mut numbers);
+                        assert!(!balanced, "there is an equilibrium: {count} fingers, {part}");
                     }
                     other => panic!("{count} fingers, {part} times the onset: {other:?}"),
                 }
             }
         }
     }
-    println!("{found} found, {none} none, {attacked} starts in vain");
+    println!("{found} found, {none} none; the attack reaches {reached}");
     assert!(found > 200 && none > 50);
+    // An attack in vain says something only if it mostly finds what there is.
+    assert!(10 * reached >= 7 * found);
 }
 
 /// Two fingers press with 10 N, μ = 1/2: 10 N are held along any line across, and nothing beyond.
@@ -176,6 +166,42 @@ fn a_proof_holds_for_its_own_scene_alone() {
     assert!(proof.cases() > 1);
     assert!(proof.check(&one, &load).unwrap().is_some_and(|escape| escape > 1e4));
     assert!(proof.check(&one, &(load * 0.1)).unwrap().is_none());
-    let elsewhere = proof.check(&other, &load).unwrap();
-    assert!(elsewhere.is_none_or(|escape| escape < 1e4), "{elsewhere:?}");
+    assert!(proof.check(&other, &load).unwrap().is_none());
+}
+
+/// Every kind of contact: a load that is held has no proof against it.
+#[test]
+fn no_proof_contradicts_an_equilibrium() {
+    let mut numbers = Numbers(11);
+    let (mut held, mut refuted) = (0, 0);
+    for scene in 0..400 {
+        let contact = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / 5.0 + 0.4 * numbers.signed()).sin_cos();
+            let k = 1000.0 * (2.0 * numbers.signed()).exp();
+            let stiffness = [k, k * (0.6 + 0.4 * numbers.signed()), k * (0.6 + 0.4 * numbers.signed())];
+            let contact =
+                Contact::new([cos, sin, 0.4 * numbers.signed()], [-cos, -sin, 0.4 * numbers.signed()])
+                    .series_stiffness_axes(stiffness)
+                    .command([
+                        0.01 * (0.6 + numbers.signed()),
+                        0.003 * numbers.signed(),
+                        0.003 * numbers.signed(),
+                    ]);
+            // Two that slide on a round cone, and three of any kind.
+            let kind = if i < 2 { 0.0 } else { numbers.part() };
+            let friction = if kind < 0.4 { 0.4 + 0.3 * numbers.signed() } else { 0.0 };
+            let friction = if kind >= 0.7 { f64::INFINITY } else { friction };
+            let contact = contact.friction(friction);
+            if i < 2 || numbers.signed() < 0.0 { contact } else { contact.kept_closed() }
+        };
+        let grasp = Grasp::new((0..5).map(contact).collect::<Vec<_>>()).unwrap();
+        let load = Wrench::new(numbers.three(), numbers.three()) * (10.0 * (3.0 * numbers.signed()).exp());
+        let outcome = grasp.solve(&load).unwrap();
+        let proof = grasp.refutation(&load, &Settings::default()).unwrap();
+        held += usize::from(outcome.equilibrium().is_some());
+        refuted += usize::from(proof.is_some());
+        assert!(outcome.equilibrium().is_none() || proof.is_none(), "scene {scene}: {grasp:?}, {load:?}");
+    }
+    println!("{held} held, {refuted} refuted");
+    assert!(held > 100 && refuted > 20);
 }

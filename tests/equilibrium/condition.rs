@@ -4,6 +4,7 @@ use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;
 use proptest::prelude::*;
 use std::cell::Cell;
+use support::numbers::Numbers;
 use support::random::{Spread, for_all, scene};
 use support::scene::{Datum, Scene};
 
@@ -12,30 +13,20 @@ const PART: f64 = 1e-9;
 /// Scenes like this one that are tried.
 const TRIALS: usize = 12;
 
-/// A fixed sequence of numbers in [-1, 1].
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vary<const N: usize>(&mut self, v: &SVector<f64, N>) -> SVector<f64, N> {
-        v.map(|x| x * (1.0 + PART * self.next()))
-    }
+fn vary<const N: usize>(v: &SVector<f64, N>, noise: &mut Numbers) -> SVector<f64, N> {
+    v.map(|x| x * (1.0 + PART * noise.signed()))
 }
 
-fn varied<const D: usize, const C: usize>(scene: &Scene<D, C>, noise: &mut Noise) -> Scene<D, C> {
+fn varied<const D: usize, const C: usize>(scene: &Scene<D, C>, noise: &mut Numbers) -> Scene<D, C> {
     let contacts = scene.contacts.iter().map(|d| Datum {
-        point: noise.vary(&d.point),
-        normal: noise.vary(&d.normal),
-        stiffness: noise.vary(&d.stiffness),
-        friction: d.friction * (1.0 + PART * noise.next()),
-        command: noise.vary(&d.command),
+        point: vary(&d.point, noise),
+        normal: vary(&d.normal, noise),
+        stiffness: vary(&d.stiffness, noise),
+        friction: d.friction * (1.0 + PART * noise.signed()),
+        command: vary(&d.command, noise),
         ..*d
     });
-    Scene { contacts: contacts.collect(), load: noise.vary(&scene.load) }
+    Scene { contacts: contacts.collect(), load: vary(&scene.load, noise) }
 }
 
 fn largest_change<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D, C>) -> f64 {
@@ -56,7 +47,7 @@ fn in_proportion<const D: usize, const C: usize>(count: std::ops::Range<usize>, 
         if !clearly || condition * PART > 1e-4 || largest == 0.0 {
             return Ok(());
         }
-        let mut noise = Noise(7);
+        let mut noise = Numbers(7);
         let mut most = 0.0_f64;
         for _ in 0..TRIALS {
             let outcome = solve(&varied(&scene, &mut noise));

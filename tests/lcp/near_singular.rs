@@ -8,34 +8,19 @@ use grasp_lcp::lcp::{Basis, Lcp, Outcome};
 use grasp_lcp::{PolygonCone, planar};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
-
-/// Uniform numbers from a linear congruential generator (Knuth's MMIX).
-struct Numbers(u64);
-
-impl Numbers {
-    /// In [0, 1).
-    fn part(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// In [-size, size).
-    fn symmetric(&mut self, size: f64) -> f64 {
-        size * (2.0 * self.part() - 1.0)
-    }
-}
+use support::numbers::Numbers;
 
 /// Two or three fingers around the origin, stiffnesses over `decades`.
 fn grasp(numbers: &mut Numbers, n: usize, decades: f64) -> planar::Grasp {
     let contacts = (0..n).map(|_| {
         let (y, x) = (std::f64::consts::TAU * numbers.part()).sin_cos();
         let stiffness = [0, 1].map(|_| 10_f64.powf(decades * (numbers.part() - 0.5)));
-        let point = [x + numbers.symmetric(0.3), y];
-        let normal = [-x + numbers.symmetric(0.5), -y + numbers.symmetric(0.5)];
+        let point = [x + 0.3 * numbers.signed(), y];
+        let normal = [-x + 0.5 * numbers.signed(), -y + 0.5 * numbers.signed()];
         planar::Contact::new(point, normal)
             .series_stiffness(stiffness[0], stiffness[1])
             .friction(2.0 * numbers.part())
-            .command([0.1 * numbers.part(), numbers.symmetric(0.05)])
+            .command([0.1 * numbers.part(), 0.05 * numbers.signed()])
     });
     planar::Grasp::new(contacts.collect::<Vec<_>>()).expect("all data are in range")
 }
@@ -76,8 +61,8 @@ fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
     let (mut without, mut solved, mut missed) = (0, 0, 0);
     for scene in 0..3000 {
         let grasp = grasp(&mut numbers, 2 + scene % 2, if scene % 4 < 2 { 0.5 } else { 6.0 });
-        let pull = [numbers.symmetric(0.1), numbers.symmetric(0.1)];
-        let load = planar::Wrench::new(pull, numbers.symmetric(0.05));
+        let pull = [0.1 * numbers.signed(), 0.1 * numbers.signed()];
+        let load = planar::Wrench::new(pull, 0.05 * numbers.signed());
         let holds = grasp.solve(&load).expect("a load in range").equilibrium().is_some();
         without += usize::from(!holds);
         let form = grasp.kinematic_form(&load, &PolygonCone::default()).expect("a load in range");

@@ -17,6 +17,7 @@ pub mod exact;
 pub mod interior_point;
 pub mod loaded;
 pub mod minimum_power;
+pub mod numbers;
 pub mod paper;
 pub mod patches;
 pub mod programs;
