@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The normal spring drags friction along, and the spring across the slip holds. A sum over many contacts takes dyad by dyad:
-//! there are fewer of them than columns of a matrix, and each costs one multiplication an entry.
+//! there are never more of them than columns of a matrix, and each costs one multiplication an entry.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,14 +1,9 @@
 //! One contact: where it touches, how it gives way, how it rubs, how its finger is commanded.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::stiffness::Stiffness;
-use crate::error::{ContactLabel, Error, Field, LARGEST, MODERATE, is_moderate};
-
-/// A tangent whose part across the normal is at most this much of its length lies along the normal.
-/// Rounding turns a tangent by some 1e-16; with a smaller bound it would choose the direction of
-/// the frame, with a much larger one tangents would be refused that say clearly where to go.
-const ALONG_NORMAL: f64 = 1e-12;
+use crate::error::ContactLabel;
 
 /// The axes along which a command is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -315,119 +310,10 @@ impl<const C: usize> Contact<C> {
     pub(crate) fn label(&self, index: usize) -> ContactLabel {
         ContactLabel { index, name: self.name.clone() }
     }
-
-    /// The contact frame: columns n, t (and t₂), orthonormal.
-    pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
-        let fault =
-            |field, value, allowed| Error::Contact { contact: self.label(index), field, value, allowed };
-        let n = unit(&self.normal).ok_or_else(|| {
-            fault(Field::Normal, length_or_culprit(&self.normal), "of positive, finite length")
-        })?;
-        let mut frame: SMatrix<f64, C, C> = SMatrix::zeros();
-        frame.set_column(0, &n);
-        if C == 2 {
-            let mut t = SVector::zeros();
-            t[0] = n[1];
-            t[1] = -n[0];
-            if let Some(hint) = &self.tangent {
-                let side = hint.dot(&t);
-                if !side.is_finite() || side.abs() <= ALONG_NORMAL * hint.norm() {
-                    return Err(fault(
-                        Field::Tangent,
-                        length_or_culprit(hint),
-                        "finite and not along the normal",
-                    ));
-                }
-                t *= side.signum();
-            }
-            frame.set_column(1, &t);
-            return Ok(frame);
-        }
-        let hint = if let Some(hint) = &self.tangent {
-            unit(hint)
-                .ok_or_else(|| fault(Field::Tangent, length_or_culprit(hint), "of positive, finite length"))?
-        } else {
-            let mut axis = SVector::zeros();
-            axis[n.iamin()] = 1.0;
-            axis
-        };
-        // Twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points
-        // along n.
-        let flat = hint - n * n.dot(&hint);
-        let flat = flat - n * n.dot(&flat);
-        if flat.norm() <= ALONG_NORMAL {
-            return Err(fault(Field::Tangent, flat.norm(), "not along the normal"));
-        }
-        let t1 = flat.normalize();
-        let mut t2 = SVector::zeros();
-        for a in 0..C {
-            let (b, c) = ((a + 1) % C, (a + 2) % C);
-            t2[a] = n[b] * t1[c] - n[c] * t1[b];
-        }
-        frame.set_column(1, &t1);
-        frame.set_column(2, &t2);
-        Ok(frame)
-    }
-
-    /// Everything but the frame, checked number by number.
-    pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
-        let fault =
-            |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
-        let bad = |v: &SVector<f64, C>| v.iter().copied().find(|x| !is_moderate(*x));
-        if let Some(value) = bad(&self.point) {
-            return fault(Field::Point, value, MODERATE);
-        }
-        let side = "positive (infinite for a rigid side)";
-        let springs = match &self.stiffness {
-            Stiffness::BodyAndFinger { body, finger } => {
-                [(Field::BodyStiffness, body, side), (Field::FingerStiffness, finger, side)]
-            }
-            Stiffness::Series(k) => [(Field::SeriesStiffness, k, "positive and finite"); 2],
-        };
-        for (field, k, allowed) in springs {
-            if let Some(&value) = k.iter().find(|k| k.is_nan() || **k <= 0.0) {
-                return fault(field, value, allowed);
-            }
-        }
-        let series = self.stiffness.series();
-        let usable = |k: &&f64| (1.0 / LARGEST..=LARGEST).contains(*k);
-        if let Some(&value) = series.iter().take(self.springs()).find(|k| !usable(k)) {
-            return fault(
-                Field::SeriesStiffness,
-                value,
-                "from 1e-50 to 1e50 (give a stiffness, and leave at most one side rigid)",
-            );
-        }
-        if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
-            return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
-        }
-        if let Some(value) = bad(&self.command) {
-            return fault(Field::Command, value, MODERATE);
-        }
-        if !is_moderate(self.clearance) {
-            return fault(Field::Clearance, self.clearance, MODERATE);
-        }
-        Ok(())
-    }
 }
 
 fn normal_and_tangential<const C: usize>(normal: f64, tangential: f64) -> SVector<f64, C> {
     let mut axes = SVector::repeat(tangential);
     axes[0] = normal;
     axes
-}
-
-/// The unit vector along `v`, free of overflow; `None` for a zero or non-finite vector.
-fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
-    let largest = v.amax();
-    if !(largest > 0.0 && v.iter().all(|x| x.is_finite())) {
-        return None;
-    }
-    let scaled = v / largest;
-    Some(scaled / scaled.norm())
-}
-
-/// What an error message shows of a bad vector: its non-finite component, or else its length.
-fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
-    v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
 }

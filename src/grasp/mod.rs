@@ -34,6 +34,7 @@ mod rigid_motion;
 mod rotation;
 mod site;
 mod stiffness;
+mod well_posed;
 mod wrench;
 
 #[cfg(feature = "serde")]

@@ -29,7 +29,7 @@ pub struct Settings {
     /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
     /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone
     /// states and directions of friction of up to 32 contacts are divided into cases. A case of n contacts counts as n³/400
-    /// combinations: the default allows five thousand of 12 contacts, of which most scenes take half. Lower it for speed on
+    /// combinations, and as five at least: the default allows 4 000 for up to 12 contacts. Lower it for speed on
     /// scenes without an equilibrium (0 leaves the search out, and with it proofs by trying all states), raise it to get a proof for
     /// more contacts.
     pub most_states: usize,
