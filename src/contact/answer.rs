@@ -87,21 +87,6 @@ impl<const C: usize> LocalLaw<'_, C> {
         slide
     }
 
-    /// The force of a contact that slides whichever way it has to: with |T| < r the slip is against the friction force, λ < 0. `None`
-    /// where nothing presses.
-    ///
-    /// This branch of the law goes on smoothly through the load at which sliding ends, which is found as the root of λ.
-    pub(crate) fn slide_on(&self, stretch: &SVector<f64, C>) -> Option<(SVector<f64, C>, Slide<C>)> {
-        let mut force = self.springs.force(stretch);
-        let (r, traction) = (self.friction.limit(force[0]), tangential_norm(&force));
-        if !(r > 0.0 && traction > 0.0 && traction.is_finite()) {
-            return None;
-        }
-        let lambda = slip_per_force(self.springs, &force, traction, r, 0.0);
-        let slide = self.slide_onto_the_cone(&mut force, r, lambda);
-        Some((force, slide))
-    }
-
     /// State, force and tangent at a stretch on the polygon: the nearest force of the cone in the metric K⁻¹.
     #[inline]
     pub(crate) fn answer_on_polygon(

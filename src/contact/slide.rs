@@ -71,20 +71,4 @@ impl<const C: usize> Slide<C> {
         (across[1], across[C - 1]) = (-self.direction[C - 1], self.direction[1]);
         across
     }
-
-    /// The stretch across the slip at which the softened spring carries nothing, for a stretch and the force there, with r = μ F_n.
-    pub(crate) fn rest(
-        &self,
-        springs: &Compliance<C>,
-        stretch: &SVector<f64, C>,
-        force: &SVector<f64, C>,
-        r: f64,
-    ) -> SVector<f64, C> {
-        let Edge { pull, across, stiffness } = self.edge(springs);
-        if stiffness == 0.0 {
-            return SVector::zeros();
-        }
-        let rest = r * pull.dot(&across) - across.dot(force);
-        across * (across.dot(stretch) + rest / stiffness)
-    }
 }

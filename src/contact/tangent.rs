@@ -47,6 +47,20 @@ impl<const C: usize> Tangent<C> {
     }
 }
 
+impl<const C: usize> Tangent<C> {
+    /// `C v`.
+    #[inline]
+    pub(crate) fn force(&self, stretch: &SVector<f64, C>) -> SVector<f64, C> {
+        match self {
+            Self::Open => SVector::zeros(),
+            Self::Rolling(k) => k.component_mul(stretch),
+            Self::Sliding { drag, across, stiffness } => {
+                drag * stretch[0] + across * (stiffness * across.dot(stretch))
+            }
+        }
+    }
+}
+
 impl<const C: usize> LocalLaw<'_, C> {
     /// C of the contact in a state.
     #[inline]

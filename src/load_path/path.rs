@@ -7,16 +7,15 @@
 
 use nalgebra::SVector;
 
-use super::arc::{Poised, Rule};
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
-use super::extrapolation::Reached;
+use super::flow::{Reached, Rule};
 use super::leg::{Leg, Program};
 use super::node::Node;
 use super::pace::Pace;
 use super::segment::{Here, Segment};
 use super::stretch::{Bend, Stretch};
-use crate::contact::Polygon;
+use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ACCURATE, Cone, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
@@ -157,12 +156,10 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     }
 
     /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
-    /// rounding forbids that; zero
-    /// where nothing had to be integrated, as always in the plane and on polygons.
+    /// rounding forbids that; zero where nothing had to be integrated, as always in the plane and on polygons.
     ///
-    /// An estimate is for forces over the largest force and for slips over the largest displacement, whichever is worse. It is that
-    /// of the last extrapolation but one: the error is smaller as a rule. What an earlier error becomes later on is not
-    /// in it; sliding forgets most of it.
+    /// An estimate is for forces over the largest force of the step and for displacements over the largest one, whichever is worse. As a
+    /// rule the error is smaller. What an earlier error becomes later on is not in it; sliding forgets most of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.step_error
@@ -234,7 +231,10 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                     return None;
                 }
                 let state = before.or_else(|| self.present_state())?;
-                if state.residuals.worst() > ACCURATE {
+                // Where all forces vanish together what is left of them is no yardstick for their residuals.
+                let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
+                let carries = largest > WEIGHTLESS * self.segment.largest;
+                if carries && state.residuals.worst() > ACCURATE {
                     let doubt = Doubt::Inaccurate;
                     self.end = Some(PathEnd::Undecided { leg, fraction: self.factor, doubt });
                     return None;
@@ -274,14 +274,14 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
         }
     }
 
-    /// Takes a step along a sliding arc to a factor.
-    pub(super) fn take(&mut self, here: &Here<D, C>, to: f64, rule: Rule, reached: Reached<D, C>) {
-        let Poised { at, slipped } = reached.there;
+    /// Takes a step of this length along a sliding arc.
+    pub(super) fn take(&mut self, here: &Here<D, C>, (length, rule): (f64, Rule), reached: &Reached<D, C>) {
+        let (at, to) = (reached.at(), reached.to);
         if let Some(energy) = self.energy.last_mut() {
             energy.add_part(&reached.energy);
         }
         self.step_error += reached.error;
-        let bend = Some(Bend { rule, tolerance: self.settings.step_error * self.pace.looser, slipped });
+        let bend = self.pace.unit.map(|unit| Bend { unit, length, rule });
         let stretch = self.stretch(here.clone(), to, at.clone());
         self.pieces.push(Stretch { bend, ..stretch });
         self.node.arrive(&mut self.segment, here, to, &at);

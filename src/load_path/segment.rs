@@ -1,14 +1,16 @@
 //! One straight stretch of a load program: load and finger commands are affine in a factor, and so is everything else as
 //! long as every contact keeps its state.
 
-use std::sync::Arc;
-
 use nalgebra::{Matrix, SVector};
 
+use super::arc::{Arc, Direction};
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Grasp;
 use crate::object::{Piece, PieceState, Problem, largest_force};
+
+/// What an event leaves of balance and of the cones is rounding: a correction by more of the largest force leads to another equilibrium.
+const CORRECTED: f64 = 1e-6;
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 pub(super) struct Segment<'g, const D: usize, const C: usize> {
@@ -30,15 +32,34 @@ pub(super) struct Here<const D: usize, const C: usize> {
     pub(super) lines: Vec<Line<C>>,
     pub(super) twist: SVector<f64, D>,
     pub(super) twist_rate: SVector<f64, D>,
+    /// Of the factor: one on a straight piece, where rates are those for one unit of it, and less along an arc.
+    pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<SVector<f64, D>>,
     pub(super) neutral_motions: Vec<SVector<f64, D>>,
     /// The linear piece of these states.
-    pub(super) piece: Arc<Piece<D, C>>,
+    pub(super) piece: std::sync::Arc<Piece<D, C>>,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force and displacement of the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
+}
+
+impl<const D: usize, const C: usize> Here<D, C> {
+    /// The same state with rates for this part of the way.
+    pub(super) fn slowed(&self, part: f64) -> Self {
+        let mut here = self.clone();
+        here.twist_rate *= part;
+        here.factor_rate *= part;
+        here.rate_sizes = here.rate_sizes.map(|size| size * part);
+        for (line, gap) in here.lines.iter_mut().zip(&mut here.gaps) {
+            line.rate *= part;
+            line.rate_size *= part;
+            gap.rate *= part;
+            gap.rate_size *= part;
+        }
+        here
+    }
 }
 
 /// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
@@ -53,7 +74,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         factor: f64,
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let piece = Arc::new(Piece::new(&self.problem, states));
+        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let base = piece
             .solve(self.problem.sites, &self.problem.drives, self.problem.load())
             .map_err(|u| self.unbalanced(u.motion))?;
@@ -64,21 +85,43 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
             twist: base.twist + rate.twist * factor,
         });
-        Ok(self.here(piece, factor, at, &rate, (0.0, &base)))
+        Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last.
+    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
+    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share.
     pub(super) fn tangent(
         &self,
         states: &[State<C>],
         factor: f64,
         at: &PieceState<D, C>,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let piece = Arc::new(Piece::new(&self.problem, states));
+        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.direction)
             .map_err(|u| self.unbalanced(u.motion))?;
-        Ok(self.here(piece, factor, at.clone(), &rate, (factor, at)))
+        let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
+        let across = Direction { twist: SVector::zeros(), factor: 1.0 };
+        let arc = Arc::new(self, states, piece.free_motions(), 1.0);
+        let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
+        let is_near = |(there, _): &(PieceState<D, C>, f64)| {
+            there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
+        };
+        let balanced = arc.balanced(at.twist, factor, &across, &frictions).filter(is_near);
+        let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
+        Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
+    }
+
+    /// A state on an arc with rates for one unit of arclength, for which the factor grows at this rate.
+    pub(super) fn along(
+        &self,
+        piece: &std::sync::Arc<Piece<D, C>>,
+        factor: f64,
+        at: &PieceState<D, C>,
+        rate: &PieceState<D, C>,
+        factor_rate: f64,
+    ) -> Here<D, C> {
+        self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
     fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D> {
@@ -91,13 +134,14 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     /// that it was reached from, at another factor, and the way from there.
     fn here(
         &self,
-        piece: Arc<Piece<D, C>>,
+        piece: std::sync::Arc<Piece<D, C>>,
         factor: f64,
         at: PieceState<D, C>,
-        rate: &PieceState<D, C>,
+        (rate, factor_rate): (&PieceState<D, C>, f64),
         (since, base): (f64, &PieceState<D, C>),
     ) -> Here<D, C> {
         let PieceState { forces, twist } = at;
+        let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
         let way = factor - since;
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
         let base_load = self.problem.wrench + self.direction * since;
@@ -109,14 +153,15 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
                 [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
             };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
-        let rate_sizes = sizes(&self.change, &rate.twist, self.direction.norm(), &rate.forces);
+        let load_rate = self.direction.norm() * factor_rate.abs();
+        let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (stretch, stretching) =
-                (site.stretch(&drives[i], &twist), site.stretch(&self.change[i], &rate.twist));
-            let span_rate = site.span(&self.change[i], &rate.twist);
+                (site.stretch(&drives[i], &twist), site.stretch(&change[i], &rate.twist));
+            let span_rate = site.span(&change[i], &rate.twist);
             // Drives count from the slip so far, and have its rounding where they cancel.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span(&drives[i], &twist);
@@ -134,6 +179,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             lines,
             twist,
             twist_rate: rate.twist,
+            factor_rate,
             free_motions: piece.free_motions().to_vec(),
             neutral_motions: piece.neutral_motions(),
             piece,

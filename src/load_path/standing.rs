@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use super::arc::Arc;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment, Standing};
 use super::watch::is_vanishing;
@@ -48,28 +47,10 @@ impl<const D: usize, const C: usize> Node<D, C> {
         factor: f64,
     ) -> Result<Here<D, C>, NoEquilibrium<D>> {
         if self.turns() {
-            // Where a contact has opened, or its force was corrected, the others take its share.
-            let memory = vec![SVector::zeros(); self.states.len()];
-            let arc = Arc::new(segment, &self.states, factor, self.at.clone(), SVector::zeros());
-            let poised = arc.poise(factor, &memory, &self.at.twist).map(|poised| poised.at);
-            segment.tangent(&self.states, factor, poised.as_ref().unwrap_or(&self.at))
+            segment.tangent(&self.states, factor, &self.at)
         } else {
             segment.look(&self.states, factor, Some(&self.at.twist))
         }
-    }
-
-    /// Forces and their rates a step further along a sliding arc.
-    pub(super) fn tangent_at(
-        &self,
-        segment: &Segment<'_, D, C>,
-        factor: f64,
-        at: &PieceState<D, C>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let there = |(state, force): (&State<C>, &SVector<f64, C>)| {
-            if state.slide().is_some() { State::sliding_along(force) } else { *state }
-        };
-        let states: Vec<_> = self.states.iter().zip(&at.forces).map(there).collect();
-        segment.tangent(&states, factor, at)
     }
 
     /// The slip of what slides becomes memory; on the round cone it slides on along its friction force.

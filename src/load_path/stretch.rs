@@ -3,17 +3,13 @@
 
 use nalgebra::SVector;
 
-use super::arc::{Arc, Poised, Rule};
-use super::extrapolation::extrapolate;
+use super::flow::{Flow, Rule};
 use super::segment::{Here, Segment};
 use crate::contact::{Line, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Grasp, Wrench};
 use crate::object::{PieceState, Problem};
 use crate::search::{Effort, Found, Rung};
-
-/// How often a part of a step is made with a ten times larger error where it cannot be made with that of the whole.
-const LOOSER: i32 = 4;
 
 /// What is needed to tell the state at any fraction on the way.
 pub(super) struct Stretch<'g, const D: usize, const C: usize> {
@@ -32,16 +28,17 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     /// At `to`.
     pub(super) there: PieceState<D, C>,
     /// Where something slides on the round cone.
-    pub(super) bend: Option<Bend<C>>,
+    pub(super) bend: Option<Bend>,
 }
 
 /// How a piece was integrated.
-#[derive(Debug, Clone)]
-pub(super) struct Bend<const C: usize> {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bend {
+    /// The displacement that counts in arclength as the whole leg does, m.
+    pub(super) unit: f64,
+    /// In arclength.
+    pub(super) length: f64,
     pub(super) rule: Rule,
-    pub(super) tolerance: f64,
-    /// Slips from `from` to `to`.
-    pub(super) slipped: Vec<SVector<f64, C>>,
 }
 
 impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
@@ -72,43 +69,40 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
 
     fn on_the_bend(
         &self,
-        bend: &Bend<C>,
+        bend: &Bend,
         grasp: &'g Grasp<D, C>,
         cone: Cone,
         fraction: f64,
     ) -> Option<Equilibrium<D, C>> {
         let segment = self.segment(grasp, cone);
-        let start = PieceState {
-            forces: self.here.lines.iter().map(|line| line.force).collect(),
-            twist: self.here.twist,
-        };
-        let end = || Poised { at: self.there.clone(), slipped: bend.slipped.clone() };
-        let poised = if fraction >= self.to {
-            end()
+        let at = if fraction >= self.to {
+            self.there.clone()
         } else if fraction <= self.from {
-            Poised { at: start, slipped: vec![SVector::zeros(); grasp.len()] }
+            let forces = self.here.lines.iter().map(|line| line.force).collect();
+            PieceState { forces, twist: self.here.twist }
         } else {
-            let arc = Arc::new(&segment, &self.states, self.from, start, self.here.twist_rate);
-            // What reached the end of the piece reaches a part of it, if not always to the same error: rounding is in the way.
-            let errors = (0..LOOSER).map(|k| bend.tolerance * 10.0_f64.powi(k));
-            let mut tries = errors.flat_map(|error| [(bend.rule, error), (bend.rule.other(), error)]);
-            let reached = tries.find_map(|(rule, error)| extrapolate(&arc, rule, fraction, error));
-            reached?.there
+            let flow = Flow::new(&segment, &self.states, self.from, &self.here, bend.unit);
+            let r = flow.reach_factor(fraction, bend.length, bend.rule);
+            r?.at()
         };
         let state = |(state, force): (&State<C>, &SVector<f64, C>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
         };
-        let states = self.states.iter().zip(&poised.at.forces).map(state).collect();
+        let states = self.states.iter().zip(&at.forces).map(state).collect();
         let found = Found {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: self.here.sizes,
-            ..Found::new(states, poised.at.forces, poised.at.twist)
+            ..Found::new(states, at.forces, at.twist)
         };
         let mut problem = segment.problem_at(fraction);
-        for (i, s) in poised.slipped.iter().enumerate() {
-            problem.drives[i] -= s;
-            problem.slips[i] += s;
+        for (i, (state, site)) in self.states.iter().zip(grasp.sites()).enumerate() {
+            if state.slides() {
+                let slip =
+                    site.springs.slip(&site.stretch(&problem.drives[i], &found.twist), &found.forces[i]);
+                problem.drives[i] -= slip;
+                problem.slips[i] += slip;
+            }
         }
         Some(self.equilibrium(grasp, cone, fraction, &problem, &found))
     }

@@ -1,37 +1,42 @@
 //! Along a sliding arc of the round cone, step by step, to the next event.
 //!
-//! Each step is extrapolated to the tolerance of the settings; what refuses is halved, or made by the other rule. An event is where
-//! one of these reaches zero,
+//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these reaches zero,
 //!
 //! ```text
 //! rolling   μ F_n - |F_t|, or F_n where friction has no limit or is none
 //! open      the gap
 //! sliding   the rate at which it slips, and F_n
+//! path      the rate of the load factor, and what is left of the leg
 //! ```
 //!
 //! found by making the last step again, shorter or longer, until it ends there. No interpolation comes in.
 
 use nalgebra::SVector;
 
-use super::arc::{Arc, Rule};
 use super::event::{Loss, PathEnd};
-use super::extrapolation::{Reached, extrapolate};
+use super::flow::{Flow, Goal, Reached, Rule, sets_out};
 use super::loss::end_of_arc;
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
-use super::watch::{Watch, watch};
-use crate::contact::{Exit, Line, Mode, Stand, ZERO_SLACK, tangential};
-use crate::object::PieceState;
+use super::watch::{Watch, Watched, watch};
+use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
 use crate::search::Doubt;
 
 /// The first step turns the fastest contact by this angle, as far as can be told from the rate there.
 const FIRST_TURN: f64 = 0.3;
+/// Of lengths in which a direction relaxes: an explicit step over six of them and more would let rounding grow.
+const STABLE: f64 = 4.0;
+/// Forces that change by less than this part of them, while the object moves as far as it did for the whole load to begin with, change no
+/// more.
+const STANDS_STILL: f64 = 1e-10;
+/// A normal force below this part of its size goes to zero along the tangent.
+const ALL_BUT_GONE: f64 = 1e-10;
+/// From an apex on the first step is this part of the way on which forces change by as much as they are: they turn by its square.
+const SETTING_OUT: f64 = 1e-6;
 /// A step leaves this part of the way to where a sliding contact loses its normal force: its direction may turn ever faster.
 const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
-/// The energy of a step balances but for this many times its error; on another equilibrium it is off by far.
-const UNBALANCED: f64 = 1e2;
 /// A leg that takes more steps along arcs is given up.
 const MOST_STEPS: usize = 20_000;
 /// Evaluations on the way to an event: bisection alone would need 50.
@@ -39,10 +44,9 @@ const MOST_TRIALS: usize = 80;
 
 /// Where a step ends.
 struct End<const D: usize, const C: usize> {
-    to: f64,
+    length: f64,
     rule: Rule,
     reached: Reached<D, C>,
-    here: Here<D, C>,
     watches: Vec<Watch>,
     /// The condition that it was made to end at.
     located: Option<usize>,
@@ -51,43 +55,108 @@ struct End<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     /// Makes one step along the arc, up to an event if one comes first.
     pub(super) fn advance_along_arc(&mut self) {
-        let Some(here) = self.here.clone() else { return };
-        let rest = 1.0 - self.factor;
-        let length =
-            self.pace.length.unwrap_or_else(|| self.first_length(&here)).min(self.way_to_apex(&here));
-        let to = if length >= rest { 1.0 } else { self.factor + length };
-        let too_short = to < 1.0 && length <= SHORTEST * self.factor.max(f64::EPSILON);
-        let dies_out = too_short || to <= self.factor;
+        let Some(here) = self.here.take() else { return };
+        // From a node on arclength counts the motion beside the load: to begin with both alike.
+        let here = if self.pace.unit.is_some() {
+            here
+        } else {
+            let unit = here.twist_rate.norm();
+            let unit = if unit > 0.0 { unit } else { 1.0 };
+            self.pace.unit = Some(unit);
+            here.slowed(1.0 / (here.twist_rate / unit).norm().hypot(1.0))
+        };
+        self.here = Some(here.clone());
+        if Self::slides_away(&here) {
+            self.end = Some(self.loss(&here));
+            return;
+        }
+        if let Some(length) = self.straight_length(&here) {
+            let end = self.step(&here, (length, 0), Rule::Straight);
+            if let Some(end) = end {
+                self.arrive_at(&here, &end);
+                return;
+            }
+        }
+        let length = self.pace.length.unwrap_or_else(|| self.first_length(&here));
+        let length = length.min(self.way_to_apex(&here));
+        let (length, rule) = self.stable(&here, length);
+        let dies_out = length <= SHORTEST * self.factor.max(f64::EPSILON);
         if dies_out && self.node.let_go(&here) {
             self.at_node = true;
             return;
         }
-        if dies_out && self.pace.loosen(rest) {
+        if dies_out && self.pace.loosen(1.0 - self.factor) {
             return;
         }
         if dies_out || self.pace.steps > MOST_STEPS {
             self.end = Some(self.loss(&here));
             return;
         }
-        let Some(end) =
-            self.step(&here, to, self.pace.rule).or_else(|| self.step(&here, to, self.pace.rule.other()))
-        else {
-            self.pace.refuse(to - self.factor);
+        let Some(end) = self.step(&here, (length, 0), rule) else {
+            self.pace.refuse(length, f64::INFINITY);
             return;
         };
-        let start = watch(&self.segment, &self.node.states, &here);
+        let missed = end.reached.error / self.tolerance();
+        if missed > 1.0 {
+            self.pace.refuse(length, missed);
+            return;
+        }
+        let start = watch(&self.segment, &self.node.states, (self.factor, &here));
         match Self::first_crossing(&start, &end) {
-            None if end.reached.backwards => self.pace.refuse(to - self.factor),
-            None => self.arrive_at(&here, end),
+            None if end.reached.backwards => self.pace.refuse(length, f64::INFINITY),
+            None => self.arrive_at(&here, &end),
             Some(contact) => match self.locate(&here, &start, end, contact) {
-                Some(end) => self.arrive_at(&here, end),
-                None => self.pace.refuse(to - self.factor),
+                Some(end) => self.arrive_at(&here, &end),
+                None => self.pace.refuse(length, f64::INFINITY),
             },
         }
     }
 
+    /// The length of a step and how it is made, so that what the friction forces turn by is damped.
+    fn stable(&mut self, here: &Here<D, C>, length: f64) -> (f64, Rule) {
+        let unit = self.pace.unit.unwrap_or(1.0);
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
+        let stable = STABLE / flow.relaxation();
+        let rest = (1.0 - self.factor) / here.factor_rate;
+        self.pace.stiff |= self.pace.is_cramped(stable, rest);
+        if self.pace.stiff && length > stable {
+            (length, Rule::Implicit { tolerance: self.tolerance() })
+        } else {
+            (length.min(stable), Rule::Explicit)
+        }
+    }
+
+    /// Whether the object moves on while no force changes: the load factor comes closer to its limit and never reaches it.
+    fn slides_away(here: &Here<D, C>) -> bool {
+        let fastest = here.lines.iter().map(|line| line.rate.norm()).fold(0.0, f64::max);
+        here.factor_rate.abs() <= STANDS_STILL && fastest <= STANDS_STILL * here.sizes[0]
+    }
+
+    /// The way that is so short that a step along the tangent does. From an apex on it gives a friction force its direction; close to
+    /// an apex it is all that is left.
+    fn straight_length(&self, here: &Here<D, C>) -> Option<f64> {
+        let rest = (1.0 - self.factor) / here.factor_rate;
+        let all_but_gone = |(line, state): (&Line<C>, &State<C>)| {
+            let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
+            let little = falls && line.force[0] > 0.0 && line.force[0] <= ALL_BUT_GONE * line.force_size;
+            little.then(|| line.force[0] / -line.rate[0])
+        };
+        let last = here.lines.iter().zip(&self.node.states).filter_map(all_but_gone);
+        if let Some(way) = last.reduce(f64::min).filter(|way| *way < rest) {
+            return Some(way);
+        }
+        let force_way = here.sizes[0] / here.rate_sizes[0];
+        let way = if force_way > 0.0 { rest.min(force_way) } else { rest };
+        let any = self.node.states.iter().zip(&here.lines).any(|(state, line)| sets_out(state, line));
+        any.then_some(SETTING_OUT * way)
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.settings.step_error * self.pace.looser
+    }
+
     fn first_length(&self, here: &Here<D, C>) -> f64 {
-        let mut length = 1.0 - self.factor;
+        let mut length = (1.0 - self.factor) / here.factor_rate;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
             // What has just closed has no direction yet.
@@ -115,20 +184,13 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         way
     }
 
-    /// A step to a factor, with what comes next there.
-    fn step(&self, here: &Here<D, C>, to: f64, rule: Rule) -> Option<End<D, C>> {
-        let forces = here.lines.iter().map(|line| line.force).collect();
-        let start = PieceState { forces, twist: here.twist };
-        let arc = Arc::new(&self.segment, &self.node.states, self.factor, start, here.twist_rate);
-        let tolerance = self.settings.step_error * self.pace.looser;
-        let reached = extrapolate(&arc, rule, to, tolerance)?;
-        // A step that jumped over to another equilibrium converges as well; its energy does not balance.
-        if reached.energy.residual().abs() > UNBALANCED * tolerance.max(reached.error) {
-            return None;
-        }
-        let here = self.node.tangent_at(&self.segment, to, &reached.there.at).ok()?;
-        let watches = watch(&self.segment, &self.node.states, &here);
-        Some(End { to, rule, reached, here, watches, located: None })
+    /// A step of a length, with what comes next there.
+    fn step(&self, here: &Here<D, C>, (length, trial): (f64, usize), rule: Rule) -> Option<End<D, C>> {
+        let unit = self.pace.unit?;
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
+        let reached = flow.reach(length, Goal::after(1.0, trial), rule)?;
+        let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.here));
+        Some(End { length, rule, reached, watches, located: None })
     }
 
     /// The contact whose condition is violated at the end of a step, the one that would be first on straight lines.
@@ -149,7 +211,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         mut end: End<D, C>,
         mut k: usize,
     ) -> Option<End<D, C>> {
-        let (mut low, mut high) = ((self.factor, start[k].value.max(0.0)), (end.to, end.watches[k].value));
+        let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
             // It stands there already, and leaves at once.
             low.1 = 0.0;
@@ -158,66 +220,72 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             // The secant, and every third time the middle, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);
             let part = if trial % 3 == 2 { 0.5 } else { part.clamp(1e-3, 1.0 - 1e-3) };
-            let newton = end.watches[k].way().map(|way| end.to + way).filter(|t| *t > low.0 && *t < high.0);
+            let newton =
+                end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
             if to <= low.0 || to >= high.0 {
                 // No number lies between.
                 end.located = Some(k);
                 return Some(end);
             }
-            end = self.step(here, to, end.rule).or_else(|| self.step(here, to, end.rule.other()))?;
+            end = self.step(here, (to, trial), end.rule)?;
             if let Some(other) = Self::first_crossing(start, &end) {
                 if other != k {
                     k = other;
-                    low = (self.factor, start[k].value.max(0.0));
+                    low = (0.0, start[k].value.max(0.0));
                 }
-                high = (end.to, end.watches[k].value);
+                high = (end.length, end.watches[k].value);
             } else if end.watches[k].is_met() {
                 end.located = Some(k);
                 return Some(end);
             } else {
-                low = (end.to, end.watches[k].value);
+                low = (end.length, end.watches[k].value);
             }
         }
         None
     }
 
     /// Goes there, and stands on what is met there.
-    fn arrive_at(&mut self, here: &Here<D, C>, end: End<D, C>) {
-        let length = end.to - self.factor;
-        self.pace.accept(length, end.reached.sweeps);
-        self.pace.rule = end.rule;
+    fn arrive_at(&mut self, here: &Here<D, C>, end: &End<D, C>) {
+        self.pace.accept(end.length, end.reached.error / self.tolerance(), end.located.is_some());
+        let to = end.reached.to;
+        let leg_done = to >= 1.0;
+        let tops = end.located.is_some_and(|k| end.watches[k].what == Watched::Growth);
+        let there = end.reached.here.clone();
         let mut standing: Standing<C> = Vec::new();
         let mut sticks = Vec::new();
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
                 continue;
             }
-            let line = &end.here.lines[watch.contact];
-            match self.node.states[watch.contact] {
-                Mode::Open => standing.push((watch.contact, vec![apex()])),
+            let Watched::Contact(contact) = watch.what else { continue };
+            let line = &there.lines[contact];
+            match self.node.states[contact] {
+                Mode::Open => standing.push((contact, vec![apex()])),
                 Mode::Rolling => {
-                    let rubs = self.segment.problem.local(watch.contact).may_slide();
+                    let rubs = self.segment.problem.local(contact).may_slide();
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
-                    standing.push((watch.contact, vec![Exit { facet, ..apex() }]));
+                    standing.push((contact, vec![Exit { facet, ..apex() }]));
                 }
                 // At the end of a leg its rates are no longer what counts.
-                _ if end.to >= 1.0 => {}
-                _ => sticks.push(watch.contact),
+                _ if leg_done => {}
+                _ => sticks.push(contact),
             }
         }
         let weightless = |i: usize| {
-            let (size, force) = (end.here.lines[i].force_size, &end.here.lines[i].force);
+            let (size, force) = (there.lines[i].force_size, &there.lines[i].force);
             self.node.states[i].slides() && Stand::is_weightless(force, size)
         };
-        let leg_done = end.to >= 1.0;
         let stops = !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
-        self.take(here, end.to, end.rule, end.reached);
+        self.take(here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
         for contact in sticks {
             self.node.stick(contact);
         }
-        self.here = Some(end.here);
+        if tops {
+            self.end = Some(self.loss(&there));
+        }
+        self.here = Some(there);
         if leg_done {
             self.at_node = true;
             self.program.leg += 1;

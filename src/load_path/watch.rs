@@ -6,14 +6,29 @@ use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm}
 /// On an arc a value carries the error of the steps besides rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;
 
+/// The size of the rate of the load factor, which is 1 at most. At a top of the load factor a rate of 1e-8 is zero: the factor is known to
+/// the square of that.
+const AT_THE_TOP: f64 = 1e-8 / (ZERO_SLACK + ERROR_OF_STEPS);
+
 /// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
 /// part of its size: too little below.
 const VANISHING: f64 = 1e-7;
 
-/// One condition of one contact, with its rate where it is known, and what its rounding is measured against.
+/// What a condition is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Watched {
+    /// Its state.
+    Contact(usize),
+    /// The load factor grows.
+    Growth,
+    /// The leg is not at its end.
+    Leg,
+}
+
+/// One condition, with its rate where it is known, and what its rounding is measured against.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
-    pub(super) contact: usize,
+    pub(super) what: Watched,
     pub(super) value: f64,
     rate: Option<f64>,
     size: f64,
@@ -50,12 +65,16 @@ pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
 pub(super) fn watch<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     states: &[State<C>],
-    here: &Here<D, C>,
+    (factor, here): (f64, &Here<D, C>),
 ) -> Vec<Watch> {
-    let mut list = Vec::new();
+    let mut list = vec![
+        Watch { what: Watched::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
+        Watch { what: Watched::Leg, value: 1.0 - factor, rate: Some(-here.factor_rate), size: 1.0 },
+    ];
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
-        let mut push = |value, rate, size| list.push(Watch { contact, value, rate, size });
+        let mut push =
+            |value, rate, size| list.push(Watch { what: Watched::Contact(contact), value, rate, size });
         match state {
             Mode::Open if local.is_absent() => {}
             Mode::Open => {
@@ -76,7 +95,8 @@ pub(super) fn watch<const D: usize, const C: usize>(
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);
                 let site = &segment.grasp.sites()[contact];
-                let moving = site.stretch(&segment.change[contact], &here.twist_rate);
+                let change = segment.change[contact] * here.factor_rate;
+                let moving = site.stretch(&change, &here.twist_rate);
                 let give = tangential(&site.springs.give(&line.rate));
                 push(p.dot(&(moving - give)), None, here.gaps[contact].rate_size + give.lp_norm(1));
             }

@@ -70,6 +70,13 @@ impl<const D: usize> Bordered<D> {
         Some(Self { lu, order })
     }
 
+    /// The least pivot over the largest.
+    pub(crate) fn least_pivot(&self) -> f64 {
+        let pivots = (0..=D).map(|k| 1.0 / self.lu[k][k].abs());
+        let [least, largest] = [f64::min, f64::max].map(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
+        least / largest
+    }
+
     pub(crate) fn solve(&self, balance: &SVector<f64, D>, last: f64) -> (SVector<f64, D>, f64) {
         self.solve_each([(balance, last)])[0]
     }

@@ -6,8 +6,10 @@
 //! | `complete_pivoting` | LU that says what it could not resolve |
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
+//! | `linearly_implicit` | one step of a stiff one |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `bordered` | LU of a matrix with one row and one column more |
+//! | `dormand_prince` | one step of a differential equation |
 //! | `double_double` | sums in twice the working precision |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
@@ -17,8 +19,10 @@
 
 mod bordered;
 mod complete_pivoting;
+mod dormand_prince;
 mod double_double;
 mod factors;
+mod linearly_implicit;
 mod nearest_point;
 mod orthogonal;
 mod pairwise;
@@ -30,8 +34,10 @@ mod waiting_line;
 
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
+pub(crate) use dormand_prince::{Stepped, step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use factors::Factors;
+pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};

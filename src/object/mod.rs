@@ -40,4 +40,4 @@ pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::Problem;
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
 pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
-pub(crate) use tangent::{Springs, balance, tangent_stiffness};
+pub(crate) use tangent::{balance, tangent_stiffness};

@@ -1,0 +1,297 @@
+//! Steps along an arc, in arclength.
+//!
+//! Along an [`Arc`] twist q, load factor λ and friction forces satisfy a differential equation whose right-hand side depends on the
+//! directions of sliding alone,
+//!
+//! ```text
+//! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
+//! ```
+//!
+//! so that a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables and survives every step.
+//! What a step leaves of the cones is taken away by Newton's method across the path.
+
+use nalgebra::SVector;
+
+use super::arc::{Arc, Direction};
+use super::energy::Energy;
+use super::segment::{Here, Segment};
+use crate::contact::{Line, Slide, Stand, State, Tangent, tangential, tangential_norm};
+use crate::numerics::{Stepped, implicit_step, step};
+use crate::object::{PieceState, largest_force};
+
+/// A goal within this part of the leg is where the step ends.
+const AT_THE_GOAL: f64 = 2e-13;
+/// After so many trials it need not come as near, and after so many more it is given up.
+const NEAR_THE_GOAL: f64 = 1e-11;
+const MANY_TRIALS: usize = 16;
+const MOST_TRIALS: usize = 60;
+/// A part of a step may have so many times its error.
+const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+/// A slip against the friction force by this part of the displacements of the contact is rounding.
+const BACKWARDS: f64 = 1e-13;
+/// Works and their turnover are integrated along with the rest.
+const WORKS: usize = 4;
+
+/// How a step is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Rule {
+    /// Along the tangent: so short a way that nothing turns.
+    Straight,
+    /// To order 8, where directions turn as fast as the object moves.
+    Explicit,
+    /// With this error, where directions turn much faster than that.
+    Implicit { tolerance: f64 },
+}
+
+impl Rule {
+    /// With so many times the error, where it has one.
+    fn looser(self, times: f64) -> Self {
+        if let Self::Implicit { tolerance } = self {
+            Self::Implicit { tolerance: tolerance * times }
+        } else {
+            self
+        }
+    }
+}
+
+/// A factor at which a step may end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    factor: f64,
+    /// So near it the tangent leads there.
+    near: f64,
+}
+
+impl Goal {
+    /// The goal of a trial after so many that missed it: steps of implicit rules come no nearer than their rounding.
+    pub(super) fn after(factor: f64, trials: usize) -> Self {
+        Self { factor, near: if trials < MANY_TRIALS { AT_THE_GOAL } else { NEAR_THE_GOAL } }
+    }
+}
+
+/// States that stay, from a point of the path on.
+pub(super) struct Flow<'s, 'g, const D: usize, const C: usize> {
+    arc: Arc<'s, 'g, D, C>,
+    from: f64,
+    /// The start, with rates for one unit of arclength.
+    here: &'s Here<D, C>,
+    /// Friction forces of the sliding contacts at the start.
+    begin: Vec<SVector<f64, C>>,
+    /// The largest force, N, and the largest displacement, m, at the start.
+    sizes: [f64; 2],
+}
+
+/// A point further on.
+#[derive(Debug, Clone)]
+pub(super) struct Reached<const D: usize, const C: usize> {
+    pub(super) to: f64,
+    /// With rates for one unit of arclength.
+    pub(super) here: Here<D, C>,
+    pub(super) energy: Energy,
+    /// The estimated error of forces, over the largest of them, and of the twist, over the largest displacement.
+    pub(super) error: f64,
+    /// Some contact slipped against its friction force on the way.
+    pub(super) backwards: bool,
+}
+
+impl<const D: usize, const C: usize> Reached<D, C> {
+    pub(super) fn at(&self) -> PieceState<D, C> {
+        PieceState { forces: self.here.lines.iter().map(|line| line.force).collect(), twist: self.here.twist }
+    }
+}
+
+/// Whether a contact slides that has just closed: its friction force is rounding, and the direction is that of the rates.
+pub(super) fn sets_out<const C: usize>(state: &State<C>, line: &Line<C>) -> bool {
+    let along = |slide: &Slide<C>| slide.direction.dot(&line.force);
+    state
+        .slide()
+        .is_some_and(|slide| along(slide) <= 0.0 || Stand::is_weightless(&line.force, line.force_size))
+}
+
+/// The friction force of a sliding contact; none where it sets out.
+fn friction<const C: usize>(state: &State<C>, line: &Line<C>) -> SVector<f64, C> {
+    if sets_out(state, line) { SVector::zeros() } else { tangential(&line.force) }
+}
+
+impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
+    /// From where a state has rates for one unit of the arclength of (q/unit, λ).
+    pub(super) fn new(
+        segment: &'s Segment<'g, D, C>,
+        states: &'s [State<C>],
+        from: f64,
+        here: &'s Here<D, C>,
+        unit: f64,
+    ) -> Self {
+        let sites = segment.grasp.sites();
+        let drives = segment.drives(from);
+        let load = (segment.problem.wrench + segment.direction * from).norm();
+        let forces = here.lines.iter().map(|line| line.force.norm());
+        let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
+        let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
+        let sizes = [force, spans.fold(0.0, f64::max)];
+        let arc = Arc::new(segment, states, &here.free_motions, unit);
+        let friction = |&i: &usize| friction(&states[i], &here.lines[i]);
+        let begin = arc.sliding.iter().map(friction).collect();
+        Self { arc, from, here, begin, sizes }
+    }
+
+    /// The direction of the path at the start.
+    fn onward(&self) -> Direction<D> {
+        Direction { twist: self.here.twist_rate, factor: self.here.factor_rate }
+    }
+
+    /// How fast friction forces turn towards their slips at the start, for one unit of arclength: `κ γ / |F_t|` of the fastest.
+    pub(super) fn relaxation(&self) -> f64 {
+        let rate = |(&i, friction): (&usize, &SVector<f64, C>)| {
+            let tangent = self.arc.tangent(i, friction);
+            let Tangent::Sliding { stiffness, .. } = tangent else { return 0.0 };
+            let [stretch, force] = self.arc.rates(i, &tangent, &self.onward());
+            let slip = self.arc.sites()[i].springs.slip(&stretch, &force);
+            let square = friction.norm_squared();
+            if square > 0.0 { stiffness * slip.dot(friction) / square } else { 0.0 }
+        };
+        self.arc.sliding.iter().zip(&self.begin).map(rate).fold(0.0, f64::max)
+    }
+
+    /// A step of this length, which ends at the goal if it comes so near it. `None` if there is no such step.
+    pub(super) fn reach(&self, length: f64, goal: Goal, rule: Rule) -> Option<Reached<D, C>> {
+        let mut backwards = false;
+        let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
+        let [load, works] = self.places();
+        let mut first = vec![0.0; works + WORKS];
+        rate(&first.clone(), &mut first)?;
+        let size = |error: &[f64]| self.size(error, length);
+        let Stepped { change: y, error } = match rule {
+            Rule::Straight => {
+                Stepped { change: first.iter().map(|rate| rate * length).collect(), error: 0.0 }
+            }
+            Rule::Explicit => step(length, &first, rate, size)?,
+            Rule::Implicit { tolerance } => {
+                let sizes = self.begin.iter().flat_map(|f| std::iter::repeat_n(tangential_norm(f), C - 1));
+                implicit_step(length, &first, &sizes.collect::<Vec<_>>(), rate, size, tolerance)?
+            }
+        };
+        let twist = self.here.twist + SVector::<f64, D>::from_column_slice(&y[load - D..load]);
+        let factor = self.from + y[load];
+        let frictions: Vec<_> = self.frictions(&y).collect();
+        let tangents = self.arc.tangents(frictions.iter().copied());
+        let way = self.arc.direction(&tangents, &self.onward())?;
+        let stays = (factor - goal.factor).abs() <= goal.near;
+        let (at, to) = if stays {
+            let twist = twist + way.twist * ((goal.factor - factor) / way.factor);
+            let across = Direction { twist: SVector::zeros(), factor: 1.0 };
+            self.arc.balanced(twist, goal.factor, &across, &frictions)?
+        } else {
+            self.arc.balanced(twist, factor, &way, &frictions)?
+        };
+        let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
+        let [finger_work, dissipated, load_work, turnover] = std::array::from_fn(|k| y[works + k]);
+        let mut energy = Energy { load_work, finger_work, stored: 0.0, dissipated, turnover };
+        let before: Vec<_> = self.here.lines.iter().map(|line| line.force).collect();
+        energy.store(self.arc.sites(), &before, &at.forces);
+        let here = self.arc.segment.along(&self.here.piece, to, &at, &rate, way.factor);
+        Some(Reached { to, here, energy, error, backwards })
+    }
+
+    /// Where among the variables the load factor and the works are: after friction forces and twist.
+    fn places(&self) -> [usize; 2] {
+        let load = self.begin.len() * (C - 1) + D;
+        [load, load + 1]
+    }
+
+    /// Rates of the variables, which count from the start, and whether a contact slips against its friction force.
+    fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
+        let [load, works] = self.places();
+        let segment = self.arc.segment;
+        let tangents = self.arc.tangents(self.frictions(y));
+        let way = self.arc.direction(&tangents, &self.onward())?;
+        out[load - D..load].copy_from_slice(way.twist.as_slice());
+        out[load] = way.factor;
+        let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
+        let own = out.chunks_exact_mut(C - 1).zip(&self.arc.sliding).zip(&tangents);
+        for (((out, &i), tangent), friction) in own.zip(self.frictions(y)) {
+            let [stretch, force] = self.arc.rates(i, tangent, &way);
+            out.copy_from_slice(&force.as_slice()[1..]);
+            let site = &self.arc.sites()[i];
+            let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
+            let rounding =
+                BACKWARDS * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
+            backwards = backwards.max(-dissipated - rounding);
+            heat += dissipated;
+            turnover += dissipated.abs();
+        }
+        let fingers = if self.arc.driven { self.power_of_fingers(y) * way.factor } else { 0.0 };
+        let worked =
+            (segment.problem.wrench + segment.direction * (self.from + y[load])).component_mul(&way.twist);
+        turnover += fingers.abs() + worked.abs().sum();
+        out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
+        Some(backwards > 0.0)
+    }
+
+    /// Friction forces after these changes of the variables, contact by contact of those that slide.
+    fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
+        self.begin.iter().zip(y.chunks_exact(C - 1)).map(|(begin, change)| {
+            let mut force = *begin;
+            change.iter().enumerate().for_each(|(a, change)| force[a + 1] += change);
+            force
+        })
+    }
+
+    /// `Σ F·a'` after these changes of the variables.
+    fn power_of_fingers(&self, y: &[f64]) -> f64 {
+        let [load, _] = self.places();
+        let (moved, further) = (SVector::<f64, D>::from_column_slice(&y[load - D..load]), y[load]);
+        let mut frictions = self.frictions(y);
+        let mut sum = 0.0;
+        for (i, (state, site)) in self.arc.states.iter().zip(self.arc.sites()).enumerate() {
+            let change = &self.arc.segment.change[i];
+            let mut force = self.here.lines[i].force;
+            let more = site.springs.force(&site.stretch(&(change * further), &moved));
+            if state.slides() {
+                let normal = force[0] + more[0];
+                force = frictions.next().unwrap_or(force);
+                force[0] = normal;
+            } else if state.is_rolling() {
+                force += more;
+            }
+            sum += force.dot(change);
+        }
+        sum
+    }
+
+    /// An error of the variables: of forces over the largest, of the twist over the largest displacement.
+    fn size(&self, error: &[f64], length: f64) -> f64 {
+        let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
+        let [force, travel] = [0, 1].map(size);
+        let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (C - 1));
+        let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
+        let of_forces = of_frictions.chunks_exact(C - 1).map(norm).fold(0.0, f64::max);
+        let of_load = others[D].abs() * self.arc.load_rate();
+        (norm(&others[..D]) / travel).max(of_forces / force).max(of_load / force)
+    }
+
+    /// The step from the start to a factor on the way, which is as long as `most` at most.
+    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached<D, C>> {
+        let (mut low, mut high) = (0.0, most);
+        let mut length = (goal - self.from) / self.here.factor_rate;
+        for trial in 0..MOST_TRIALS {
+            if !(length > low && length < high) {
+                length = 0.5 * (low + high);
+            }
+            // What reached the end of a step reaches a part of it, if not always with the same error: rounding is in the way.
+            let goal_here = Goal::after(goal, trial);
+            let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
+            let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
+            if reached.to == goal {
+                return Some(reached);
+            }
+            if reached.to > goal {
+                high = length;
+            } else {
+                low = length;
+            }
+            length += (goal - reached.to) / reached.here.factor_rate;
+        }
+        None
+    }
+}

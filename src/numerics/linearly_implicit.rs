@@ -1,0 +1,108 @@
+//! One step of a stiff differential equation `y' = f(y)`: Euler's method, linearly implicit, extrapolated.
+//!
+//! ```text
+//! (1 - h_j J) Δ = h_j f(y),   h_j = h / j,   j = 1, 2, 3, …        T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j-k+1) - 1)
+//! ```
+//!
+//! Each column of the scheme takes one power of h from the error, and the difference of the last two estimates what is left. However fast
+//! a variable relaxes, a step damps it. Only the first variables are stiff: J has a column for each of them, from differences.
+//!
+//! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
+
+use nalgebra::DMatrix;
+
+use super::dormand_prince::Stepped;
+
+/// Rows of the scheme at most.
+const MOST_ROWS: usize = 9;
+/// From this row on the error must fall.
+const PATIENCE: usize = 4;
+/// A difference of this part of a variable loses half of its digits to rounding.
+const DIFFERENCE: f64 = 1e-8;
+
+/// A step of this length from where `first` is the rate, the variables counted from there, with an error below the tolerance. The first variables are
+/// stiff and of these sizes.
+pub(crate) fn implicit_step(
+    length: f64,
+    first: &[f64],
+    sizes: &[f64],
+    mut rate: impl FnMut(&[f64], &mut [f64]) -> Option<()>,
+    size: impl Fn(&[f64]) -> f64,
+    tolerance: f64,
+) -> Option<Stepped> {
+    let (n, stiff) = (first.len(), sizes.len());
+    let mut jacobian = DMatrix::<f64>::zeros(n, stiff);
+    let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
+    for (s, size) in sizes.iter().enumerate() {
+        let difference = DIFFERENCE * size;
+        y[s] = difference;
+        rate(&y, &mut out)?;
+        y[s] = 0.0;
+        let column = out.iter().zip(first).map(|(there, here)| (there - here) / difference);
+        jacobian.column_mut(s).iter_mut().zip(column).for_each(|(entry, value)| *entry = value);
+    }
+    let mut before: Vec<Vec<f64>> = Vec::new();
+    let mut last_error = f64::INFINITY;
+    for j in 1..=MOST_ROWS {
+        let part = length / j as f64;
+        let matrix = DMatrix::identity(stiff, stiff) - jacobian.rows(0, stiff) * part;
+        let factors = matrix.lu();
+        y.fill(0.0);
+        for k in 0..j {
+            if k == 0 {
+                out.copy_from_slice(first);
+            } else {
+                rate(&y, &mut out)?;
+            }
+            let side = DMatrix::from_fn(stiff, 1, |s, _| part * out[s]);
+            let change = factors.solve(&side)?;
+            let follow = &jacobian * &change;
+            for i in 0..n {
+                y[i] += if i < stiff { change[i] } else { part * (out[i] + follow[i]) };
+            }
+        }
+        let mut row = vec![y.clone()];
+        for k in 1..j {
+            let ratio = j as f64 / (j - k) as f64 - 1.0;
+            let better = row[k - 1].iter().zip(&before[k - 1]).map(|(new, old)| new + (new - old) / ratio);
+            row.push(better.collect());
+        }
+        if j > 1 {
+            let apart: Vec<f64> = row[j - 1].iter().zip(&row[j - 2]).map(|(a, b)| a - b).collect();
+            let error = size(&apart);
+            if error <= tolerance {
+                return row.pop().map(|change| Stepped { change, error });
+            }
+            if !error.is_finite() || j > PATIENCE && error > last_error {
+                return None;
+            }
+            last_error = error;
+        }
+        before = row;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `y' = -c (y - 1 - t)`, t' = 1, from y = 0: however fast it relaxes, y comes to 1 + t - 1/c.
+    #[test]
+    fn what_relaxes_fast_has_relaxed() {
+        for c in [1.0, 1e3, 1e8] {
+            let rate = |y: &[f64], out: &mut [f64]| {
+                (out[0], out[1]) = (c * (1.0 + y[1] - y[0]), 1.0);
+                Some(())
+            };
+            let start = if c > 1.0 { 1.0 - 1.0 / c } else { 0.0 };
+            let rate = |y: &[f64], out: &mut [f64]| rate(&[y[0] + start, y[1]], out);
+            let size = |e: &[f64]| e[0].abs();
+            let first = [c * (1.0 - start), 1.0];
+            let there =
+                implicit_step(0.5, &first, &[1.0], rate, size, 1e-9).map_or(f64::NAN, |s| s.change[0]);
+            let exact = 1.5 - 1.0 / c + (start - 1.0 + 1.0 / c) * f64::exp(-0.5 * c);
+            assert!((start + there - exact).abs() < 1e-9, "{c:e}: {} {exact}", start + there);
+        }
+    }
+}
