@@ -10,7 +10,8 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
-use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::load_path::LossKind;
+use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, PathEnd, Wrench};
 use support::numbers::Numbers;
 
 type Failure = Box<dyn std::error::Error>;
@@ -147,6 +148,7 @@ fn main() -> Result<(), Failure> {
     }
     println!("  What could escape a proof would have to exceed the data {escape:.0e} times.\n");
     println!("  load paths                       paths     median     99 %  longest");
+    let mut beyond = Tally::default();
     for place in places {
         for kind in loads {
             let mut tally = Tally::default();
@@ -159,17 +161,34 @@ fn main() -> Result<(), Failure> {
                 path.run();
                 let answer = match path.end() {
                     Some(PathEnd::Completed) => "completed",
-                    Some(PathEnd::LimitLoad(_)) => "to a limit load",
-                    Some(PathEnd::Snap(_)) => "to a snap",
-                    Some(PathEnd::Ends(_)) => "end",
-                    Some(PathEnd::GivesWay { .. }) => "give way",
+                    Some(PathEnd::Lost(loss)) => how(loss.kind),
                     Some(PathEnd::NoStart(_)) => "without a start",
                     _ => "undecided",
                 };
                 tally.add(answer, start);
+                let start = Instant::now();
+                let answer = match path.beyond() {
+                    Some(Beyond::LimitLoad) => "limit loads",
+                    Some(Beyond::Snap) => "snaps",
+                    Some(_) => "not known",
+                    None => continue,
+                };
+                beyond.add(answer, start);
             }
             tally.print(&format!("{place:?}, {kind:?}"));
         }
     }
+    beyond.print("what lies beyond their ends");
     Ok(())
+}
+
+/// How a path is lost.
+fn how(kind: LossKind) -> &'static str {
+    match kind {
+        LossKind::Fold => "folds",
+        LossKind::Corner => "corners",
+        LossKind::Asymptote => "asymptotes",
+        LossKind::GivesWay => "give way",
+        _ => "let go",
+    }
 }

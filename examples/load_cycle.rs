@@ -4,7 +4,7 @@
 //! `cargo run --release --example load_cycle`
 
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{Beyond, Change, Contact, Grasp, Leg, PathEnd, Wrench};
 
 /// Pairs of fingers above and below the bar, squeezed less and less towards the end that is pulled.
 fn bar() -> Result<Grasp, grasp_lcp::Error> {
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         knots.push((event.leg, event.fraction));
     }
     match path.end() {
-        Some(PathEnd::LimitLoad(loss)) => {
+        Some(PathEnd::Lost(loss)) if matches!(path.beyond(), Some(Beyond::LimitLoad)) => {
             let exact = loss.load.as_vector()[0];
             println!(
                 "  {:3}  {:.15}  {exact:11.6}   limit load: the bar is pulled out",

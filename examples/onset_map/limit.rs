@@ -1,7 +1,7 @@
 //! How far the load path goes in one direction, and how it ends.
 
 use grasp_lcp::grasp::{Grasp, Wrench};
-use grasp_lcp::load_path::{Leg, PathEnd};
+use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
 use grasp_lcp::{Error, Settings};
 
 /// The end of a load path.
@@ -61,10 +61,15 @@ pub(crate) fn last<const D: usize, const C: usize>(
     path.by_ref().for_each(drop);
     let (end, fraction) = match path.end() {
         Some(PathEnd::Completed) => (End::Held, f64::INFINITY),
-        Some(PathEnd::LimitLoad(loss)) => (End::Limit, loss.fraction),
-        Some(PathEnd::Snap(loss)) => (End::Snap, loss.fraction),
-        Some(PathEnd::Ends(loss)) => (End::Ends, loss.fraction),
-        Some(PathEnd::GivesWay { fraction, .. }) => (End::GivesWay, *fraction),
+        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (End::GivesWay, loss.fraction),
+        Some(PathEnd::Lost(loss)) => {
+            let end = match path.beyond() {
+                Some(Beyond::LimitLoad) => End::Limit,
+                Some(Beyond::Snap) => End::Snap,
+                _ => End::Ends,
+            };
+            (end, loss.fraction)
+        }
         _ => (End::Unknown, f64::NAN),
     };
     Ok(Last { factor: fraction * most, end })

@@ -2,6 +2,7 @@
 
 use grasp_lcp::Error;
 use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::LossKind;
 use grasp_lcp::scene::{
     Answer, Beyond, Departure, Doing, Equilibrium, Leaving, OnsetAnswer, PathAnswer, PathEnd, Proof,
     Question, Setup, SolveAnswer, Touch, Turn,
@@ -67,14 +68,7 @@ fn slides<const D: usize, const C: usize>(setup: &Setup<D, C>, onset: &OnsetAnsw
                     let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
                     println!("  beyond: the grasp holds on, points that slide: {sliding}");
                 }
-                Beyond::LimitLoad { combinations } => println!(
-                    "  beyond: no equilibrium ({combinations} combinations of contact states tried); it is also the limit load"
-                ),
-                Beyond::Snap { .. } => {
-                    println!("  beyond: another equilibrium; the grasp snaps over or is lost");
-                }
-                Beyond::Ends { reason } => println!("  beyond: this equilibrium ends: {}", proof(reason)),
-                other => println!("  beyond: {other:?}"),
+                other => beyond(other),
             }
         }
         OnsetAnswer::Never => println!("  never: everything keeps rolling however far the load goes"),
@@ -115,20 +109,17 @@ fn followed<const D: usize, const C: usize>(setup: &Setup<D, C>, path: &PathAnsw
             table(setup, state);
         }
         PathEnd::Completed { state: None } => println!("  all legs are held to their end"),
-        PathEnd::LimitLoad(loss) => println!(
-            "  limit load: beyond {:.9} of leg {}, {}, no equilibrium exists",
-            loss.fraction,
-            loss.leg,
-            wrench(&loss.load)
-        ),
-        PathEnd::Snap(loss) | PathEnd::Ends(loss) => println!(
-            "  this equilibrium ends at {:.9} of leg {}, {}",
-            loss.fraction,
-            loss.leg,
-            wrench(&loss.load)
-        ),
-        PathEnd::GivesWay { leg, fraction, .. } => {
-            println!("  nothing resists from {fraction:.9} of leg {leg} on");
+        PathEnd::Lost { loss, beyond: next } => {
+            let how = match loss.kind {
+                LossKind::Fold => "the load has a maximum",
+                LossKind::Corner => "no contact states carry more",
+                LossKind::Asymptote => "the object moves on without bound",
+                LossKind::GivesWay => "nothing resists",
+                _ => "a contact lets go",
+            };
+            let at = format!("{:.9} of leg {}", loss.fraction, loss.leg);
+            println!("  this equilibrium ends at {at}, {}: {how}", wrench(&loss.load));
+            beyond(next);
         }
         PathEnd::NoStart { start } => {
             println!("  there is nothing to start from:");
@@ -209,4 +200,14 @@ fn row(numbers: &[f64]) -> String {
         _ => format!("{x:.6}"),
     };
     format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
+}
+
+/// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
+fn beyond<const D: usize, const C: usize>(beyond: &Beyond<D, C>) {
+    match beyond {
+        Beyond::LimitLoad => println!("  beyond: no equilibrium; it is the limit load"),
+        Beyond::Snap => println!("  beyond: another equilibrium; the grasp snaps over or is lost"),
+        Beyond::Ends { reason } => println!("  beyond: this equilibrium ends: {}", proof(reason)),
+        other => println!("  beyond: {other:?}"),
+    }
 }

@@ -57,7 +57,7 @@
 //! // … but the others hold until friction is used up everywhere: 0.5 · 5 N.
 //! let mut path = grasp.follow(weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;
 //! path.run();
-//! let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("something gives way") };
+//! let Some(PathEnd::Lost(loss)) = path.end() else { panic!("something gives way") };
 //! assert!((10.0 * loss.fraction - 2.5).abs() < 1e-12);
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```

@@ -1,44 +1,53 @@
-//! The first step beyond the onset: does the equilibrium go on, and if not, is there any other?
+//! What lies beyond the end of an equilibrium: is there any other under a slightly larger load?
 //!
-//! Whether it goes on is a complementarity problem in rates among the contacts that stand on an edge. If that has no
-//! solution this equilibrium ends here. Whether another exists just beyond is found by trying every combination of
-//! contact states at `τ* + ε`, with ε infinitely small. A condition holds there if its value at τ* is positive, or zero with
-//! a rate that is not negative.
+//! A motion may prove that there is none: the one with which the object leaves, or another one that separates the load from all that friction
+//! can do. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitely small. A condition
+//! holds there if its value at τ* is positive, or zero with a rate that is not negative. On the round cone equilibrium is sought from
+//! scratch a little further on.
 
 use nalgebra::SVector;
 
+use super::segment::Segment;
 use crate::contact::ZERO_SLACK;
-use crate::equilibrium::{Cone, ContactState, NoEquilibrium, Outcome};
+use crate::equilibrium::{ContactState, NoEquilibrium, Outcome};
+use crate::forms::kinematic_form;
 use crate::grasp::{Grasp, Twist};
+use crate::lcp;
 use crate::object::{Piece, Problem};
+use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
-    Doubt, Effort, Rung, Settings, Settled, combinations, for_each_combination, for_each_condition,
+    Doubt, Effort, Found, Rung, Settings, Settled, combinations, for_each_combination, for_each_condition,
+    settle,
 };
+
+/// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
+const A_LITTLE: f64 = 1e-6;
+/// On the round cone that may be too little to tell: then a little more.
+const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
+/// Where the equilibrium there has nearly the forces of the end, nearer: one on a path that goes on comes back to them, another does not.
+const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
+/// A proof for all loads from the end on is the clearer the further it looks: this part of the way.
+const FURTHER: f64 = 1e-2;
 
 /// A state that holds for less than this part of the way that brought the load here is taken to end at the event.
 const FLEETING: f64 = 1e-9;
 
-/// What comes after the onset: whether the equilibrium goes on as the load factor grows beyond it.
+/// What comes after an onset or after the end of a path.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Beyond<const D: usize, const C: usize> {
-    /// The equilibrium goes on with these contacts sliding or open.
+    /// The equilibrium goes on with these contacts sliding or open. Of an onset; a path has been followed as far as it goes on.
     Continues(Box<Continuation<D, C>>),
-    /// No equilibrium exists just beyond: the onset is the limit load. Every combination of contact states was tried (in the plane and on
-    /// polygons).
-    LimitLoad {
-        /// How many.
-        combinations: usize,
-    },
+    /// No equilibrium exists just beyond: a limit load. A motion proves that, or in the plane and on polygons every combination of contact states was
+    /// tried. On the round cone it may be known only from a hundredth of the whole load (or of all commands, or of the leg where there is no load
+    /// yet) further on.
+    LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is
     /// lost. A quasi-static analysis cannot say which.
-    Snap {
-        /// Combinations of contact states that hold just beyond.
-        others: usize,
-    },
+    Snap,
     /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
-    /// unit of the factor. Whether others exist beyond was not searched: there are more combinations of contact states than
-    /// [`Settings::most_states`], or the cone is round. A load path ([`Grasp::reserve`], [`Grasp::follow`]) looks further.
+    /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
+    /// [`Settings::most_states`], and no proof that nothing else holds was found.
     Ends(NoEquilibrium<D>),
     /// Nothing can be said, and why.
     Undecided(Doubt),
@@ -58,40 +67,115 @@ pub struct Continuation<const D: usize, const C: usize> {
     pub rule: Rung,
 }
 
-/// Reads the rates that were settled, and searches for others where there are none.
-pub(crate) fn just_beyond<const D: usize, const C: usize>(
+/// How an equilibrium goes on where its rates have a solution.
+pub(super) fn continuation<const D: usize, const C: usize>(
     grasp: &Grasp<D, C>,
-    here: &Problem<D, C>,
     rates: &Problem<D, C>,
-    settled: Settled<D, C>,
-    effort: &Effort,
-    settings: &Settings,
-    cone: Cone,
+    found: Found<D, C>,
+    rule: Rung,
 ) -> Beyond<D, C> {
-    if let Settled::Found(found, rule) = settled {
-        let states = grasp.contact_states(rates, &found);
-        let twist_rate = grasp.outside(&found.twist);
-        return Beyond::Continues(Box::new(Continuation {
-            states,
-            force_rates: found.forces,
-            twist_rate,
-            rule,
-        }));
+    let states = grasp.contact_states(rates, &found);
+    let twist_rate = grasp.outside(&found.twist);
+    Beyond::Continues(Box::new(Continuation { states, force_rates: found.forces, twist_rate, rule }))
+}
+
+/// Where an equilibrium ends.
+pub(super) struct End<'f, const D: usize, const C: usize> {
+    pub(super) factor: f64,
+    pub(super) forces: &'f [SVector<f64, C>],
+    /// The motion with which the object leaves, inside coordinates.
+    pub(super) motion: Option<SVector<f64, D>>,
+}
+
+/// What lies beyond an end where the rates have no solution.
+pub(super) fn beyond_end<const D: usize, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    rates: &Problem<D, C>,
+    (settled, effort): (Settled<D, C>, &Effort),
+    end: &End<'_, D, C>,
+    settings: &Settings,
+) -> Beyond<D, C> {
+    let here = segment.problem_at(end.factor);
+    // A little further on, for what takes a finite distance to be seen.
+    let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
+    let separates = |v: &SVector<f64, D>| separates_from_here_on(&here, v, &rates.wrench);
+    if end.motion.as_ref().is_some_and(separates)
+        || separating_motion(&past(A_LITTLE)).as_ref().is_some_and(separates)
+    {
+        return Beyond::LimitLoad;
     }
-    let searched = cone != Cone::Round && combinations(here) <= settings.most_states as f64;
-    if !matches!(settled, Settled::Undecided(_)) && searched {
-        return search_beyond(here, rates);
+    if segment.problem.round {
+        return from_scratch(past, end.forces, settings);
     }
-    let load = grasp.wrench_outside(&rates.wrench);
-    match grasp.outcome(rates, &load, settled, effort, cone) {
+    // Among many contacts the ladder does not say so by itself.
+    let settled = match settled {
+        Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
+        settled => settled,
+    };
+    if !matches!(settled, Settled::Undecided(_)) && combinations(&here) <= settings.most_states as f64 {
+        return search_beyond(&here, rates);
+    }
+    let load = segment.grasp.wrench_outside(&rates.wrench);
+    match segment.grasp.outcome(rates, &load, settled, effort, segment.cone) {
+        Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(FURTHER)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
         Outcome::Undecided(undecided) => Beyond::Undecided(undecided.doubt),
         Outcome::Equilibrium(_) => Beyond::Undecided(Doubt::OnTheBoundary),
     }
 }
 
+/// Whether Farkas' lemma proves that no slips and gaps make the rates possible: then there are no rates at all.
+pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+    let trial = Piece::new(rates, &rates.unjumped());
+    let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
+    let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
+    kinematic_form(rates, &trial, &state).is_some_and(|form| {
+        matches!(form.lcp.solve_with(&settings), lcp::Outcome::Ray(ray) if matches!(ray.proof, lcp::Proof::Infeasible(_)))
+    })
+}
+
+/// What a solution from scratch says a little further on, with the slip so far.
+fn from_scratch<'g, const D: usize, const C: usize>(
+    past: impl Fn(f64) -> Problem<'g, D, C>,
+    forces: &[SVector<f64, C>],
+    settings: &Settings,
+) -> Beyond<D, C> {
+    // Some equilibrium, at a distance from the end that no path goes on so short a way.
+    let another = |part: &f64| match settle(&past(*part), settings).0 {
+        Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
+        _ => false,
+    };
+    let mut why = Doubt::RayWithoutProof;
+    for part in PARTS_BEYOND {
+        match settle(&past(part), settings).0 {
+            Settled::Undecided(doubt) => why = doubt,
+            Settled::Found(found, _) => {
+                let is_another = !is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another);
+                // An equilibrium close by: it may be the one that ends here, found past its end by rounding.
+                return if is_another { Beyond::Snap } else { Beyond::Undecided(Doubt::OnTheBoundary) };
+            }
+            _ => return Beyond::LimitLoad,
+        }
+    }
+    Beyond::Undecided(why)
+}
+
+/// Whether forces are those of a path that goes on by this part: on a short way they change by the root of it at most.
+fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>], part: f64) -> bool {
+    let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+    let near = part.min(A_LITTLE).sqrt();
+    found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
+}
+
+/// The way that parts beyond the end are parts of: [`whole_way`], or the whole leg where there is no load yet. Parts of nothing would lead
+/// no further than the end itself.
+fn way_beyond<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+    let way = whole_way(here, rates);
+    if way > ZERO_SLACK { way } else { 1.0 }
+}
+
 /// A step of the load factor that makes up the whole load, or all the commands; zero if there is neither.
-pub(super) fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
     let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
     let load_way = here.wrench.norm() / rates.wrench.norm();
     let command_way = total(&here.drives) / total(&rates.drives);
@@ -111,9 +195,8 @@ fn search_beyond<const D: usize, const C: usize>(
         ..here.clone()
     };
     let way = whole_way(here, rates);
-    let (mut others, mut tried) = (0, 0);
+    let mut another = false;
     for_each_combination(here, |states| {
-        tried += 1;
         let piece = Piece::new(here, &states);
         let (Ok(now), Ok(next)) = (
             piece.solve(here.sites, &here.drives, here.load()),
@@ -136,8 +219,8 @@ fn search_beyond<const D: usize, const C: usize>(
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };
         });
-        others += usize::from(holds);
-        false
+        another |= holds;
+        another
     });
-    if others > 0 { Beyond::Snap { others } } else { Beyond::LimitLoad { combinations: tried } }
+    if another { Beyond::Snap } else { Beyond::LimitLoad }
 }

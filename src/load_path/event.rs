@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use super::beyond::Beyond;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::grasp::{Twist, Wrench};
 use crate::search::Doubt;
@@ -71,24 +70,9 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const D: usize, const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// No equilibrium exists just beyond: a limit load. On the round cone that may be known only from a hundredth of the whole load
-    /// (or of all commands, or of the leg where there is no load yet) further on.
-    LimitLoad(Loss<D>),
-    /// This equilibrium ends, but others exist just beyond: the grasp snaps over to one of them or is lost. Also where a contact
-    /// with infinite friction loses its normal force while it still holds a tangential one.
-    Snap(Loss<D>),
-    /// This equilibrium ends; whether others exist is not known: there are too many contacts to try all their states, and no proof that
-    /// nothing else holds was found.
-    Ends(Loss<D>),
-    /// Nothing resists the load from here on; the motion it drives.
-    GivesWay {
-        /// The leg, from 0.
-        leg: usize,
-        /// How much of the leg has been gone, from 0 to 1.
-        fraction: f64,
-        /// The free unit motion on which the load works as it changes, the way it drives it.
-        motion: Twist<D>,
-    },
+    /// This equilibrium ends here: no way goes on from it with a growing load. Whether another exists beyond is a question of its own, see
+    /// [`LoadPath::beyond`](super::LoadPath::beyond).
+    Lost(Loss<D>),
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<D, C>>),
     /// The path could not be followed further, and whether it goes on or ends there is not known. It holds up to there.
@@ -103,13 +87,10 @@ pub enum PathEnd<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> PathEnd<D, C> {
-    /// Where equilibrium was lost, if it was: a limit load, a snap or an end of which no more is known.
+    /// Where equilibrium was lost, if it was.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<D>> {
-        match self {
-            Self::LimitLoad(loss) | Self::Snap(loss) | Self::Ends(loss) => Some(loss),
-            _ => None,
-        }
+        if let Self::Lost(loss) = self { Some(loss) } else { None }
     }
 
     /// The leg on which the path ended, from 0; `None` where it was completed or had no start.
@@ -127,28 +108,9 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
     fn place(&self) -> Option<(usize, f64)> {
         match self {
             Self::Completed | Self::NoStart(_) => None,
-            Self::LimitLoad(loss) | Self::Snap(loss) | Self::Ends(loss) => Some((loss.leg, loss.fraction)),
-            Self::GivesWay { leg, fraction, .. } | Self::Undecided { leg, fraction, .. } => {
-                Some((*leg, *fraction))
-            }
+            Self::Lost(loss) => Some((loss.leg, loss.fraction)),
+            Self::Undecided { leg, fraction, .. } => Some((*leg, *fraction)),
         }
-    }
-
-    pub(super) fn from_beyond(beyond: &Beyond<D, C>, loss: Loss<D>) -> Self {
-        match beyond {
-            Beyond::LimitLoad { .. } => Self::LimitLoad(loss),
-            Beyond::Snap { .. } => Self::Snap(loss),
-            Beyond::Ends(_) => Self::Ends(loss),
-            Beyond::Undecided(doubt) => loss.undecided(*doubt),
-            Beyond::Continues(_) => loss.undecided(Doubt::OnTheBoundary),
-        }
-    }
-}
-
-impl<const D: usize> Loss<D> {
-    /// The end of a path that stands here where nothing more is known.
-    pub(super) fn undecided<const C: usize>(&self, doubt: Doubt) -> PathEnd<D, C> {
-        PathEnd::Undecided { leg: self.leg, fraction: self.fraction, doubt }
     }
 }
 
@@ -162,9 +124,29 @@ pub struct Loss<const D: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
+    /// What ends the equilibrium.
+    pub kind: LossKind,
     /// The contacts that stand on the edge of their cone there, from 0.
     pub contacts: Vec<usize>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.
     pub motion: Option<Twist<D>>,
+}
+
+/// What ends an equilibrium as the load grows: all that can be said of the place alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum LossKind {
+    /// The load has a smooth maximum along a sliding arc of the round cone: with these states the equilibrium goes on under less load only.
+    Fold,
+    /// Contacts stand on an edge, and in no combination of their states are there rates with a growing load.
+    Corner,
+    /// The object moves on without bound, and the load comes closer to this one and never reaches it. Directions of sliding have turned
+    /// along the motion, which nothing else resists.
+    Asymptote,
+    /// From here on nothing resists the motion, on which the load works as it changes.
+    GivesWay,
+    /// A contact with infinite friction loses its normal force while it still holds a tangential one.
+    LetsGo,
 }

@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::energy::Energy;
 use super::segment::{Here, Segment};
-use crate::contact::{Line, Slide, Stand, State, Tangent, tangential, tangential_norm};
+use crate::contact::{State, Tangent, tangential_norm};
 use crate::numerics::{Stepped, implicit_step, step};
 use crate::object::{PieceState, largest_force};
 
@@ -100,19 +100,6 @@ impl<const D: usize, const C: usize> Reached<D, C> {
     }
 }
 
-/// Whether a contact slides that has just closed: its friction force is rounding, and the direction is that of the rates.
-pub(super) fn sets_out<const C: usize>(state: &State<C>, line: &Line<C>) -> bool {
-    let along = |slide: &Slide<C>| slide.direction.dot(&line.force);
-    state
-        .slide()
-        .is_some_and(|slide| along(slide) <= 0.0 || Stand::is_weightless(&line.force, line.force_size))
-}
-
-/// The friction force of a sliding contact; none where it sets out.
-fn friction<const C: usize>(state: &State<C>, line: &Line<C>) -> SVector<f64, C> {
-    if sets_out(state, line) { SVector::zeros() } else { tangential(&line.force) }
-}
-
 impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
     /// From where a state has rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
@@ -130,7 +117,11 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
         let sizes = [force, spans.fold(0.0, f64::max)];
         let arc = Arc::new(segment, states, &here.free_motions, unit);
-        let friction = |&i: &usize| friction(&states[i], &here.lines[i]);
+        // The friction force of what has just closed is rounding: its direction is that of the state.
+        let friction = |&i: &usize| {
+            let size = tangential_norm(&here.lines[i].force);
+            states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
+        };
         let begin = arc.sliding.iter().map(friction).collect();
         Self { arc, from, here, begin, sizes }
     }

@@ -10,7 +10,8 @@
 //!
 //! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates. A gap or a slip grows
 //! only where the normal force or the friction in reserve stays zero; a contact that stands on no edge is bonded or absent. The solution says
-//! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends: at a limit load if no other exists just beyond, else in a snap.
+//! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends ([`Loss`]). Whether another exists just beyond ([`Beyond`]) is asked for by itself:
+//! it is a limit load if there is none, else a snap.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::grasp::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
 //! from before. On polygons and in the plane every piece is straight. On the round cone the direction of sliding turns along the way,
@@ -26,6 +27,7 @@
 
 mod arc;
 mod beyond;
+mod crossing;
 mod energy;
 mod event;
 mod first_to_leave;
@@ -52,7 +54,7 @@ mod watch;
 
 pub use beyond::{Beyond, Continuation};
 pub use energy::Energy;
-pub use event::{Change, Event, Loss, PathEnd};
+pub use event::{Change, Event, Loss, LossKind, PathEnd};
 pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use patch::{PatchEvent, PatchPath};

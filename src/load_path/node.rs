@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::event::{Change, Loss, PathEnd};
+use super::event::{Change, Loss, LossKind, PathEnd};
 use super::loss::end_of_path;
 use super::segment::{Here, Segment};
 use super::transition::{change, everything_slides, nothing_changes, others};
@@ -26,6 +26,8 @@ pub(super) struct Node<const D: usize, const C: usize> {
     pub(super) stands: Vec<Stand<C>>,
     /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
     pub(super) holds: Vec<bool>,
+    /// A contact slides from the apex of its cone on: it has a direction, and no friction force yet.
+    pub(super) sets_out: bool,
     pub(super) at: PieceState<D, C>,
 }
 
@@ -57,6 +59,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             leg,
             fraction: factor,
             load,
+            kind: LossKind::Corner,
             contacts: (0..self.states.len()).filter(stands).collect(),
             motion,
         };
@@ -80,7 +83,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
-            return Err(PathEnd::Snap(loss(motion)));
+            return Err(PathEnd::Lost(Loss { kind: LossKind::LetsGo, ..loss(motion) }));
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
@@ -154,11 +157,13 @@ impl<const D: usize, const C: usize> Node<D, C> {
         found: &Found<D, C>,
     ) -> Vec<(usize, Change<C>)> {
         let mut changes = Vec::new();
+        self.sets_out = false;
         let directions = directions(segment, rates, found);
         for (i, direction) in directions.into_iter().enumerate() {
             let (was, before) = (self.states[i], self.directions[i]);
             let is = segment.problem.local(i).of_the_rates(&rates.laws[i], found.states[i]);
             let is = is.unwrap_or(Mode::Open);
+            self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
                 // It closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());

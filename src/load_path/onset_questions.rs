@@ -7,11 +7,13 @@
 
 use nalgebra::SVector;
 
-use super::beyond::{Beyond, just_beyond};
+use super::beyond::{Beyond, End, beyond_end, continuation};
 use super::first_to_leave::first_to_leave;
+use super::loss::leaving_motion;
 use super::onset::{Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
+use super::transition::everything_slides;
 use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
@@ -160,7 +162,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
     ///
     /// let beyond = grasp.beyond(onset.event().expect("slides")).expect("its own event");
-    /// assert!(matches!(beyond, Beyond::LimitLoad { combinations: 16 }));
+    /// assert!(matches!(beyond, Beyond::LimitLoad));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
@@ -170,8 +172,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let (change, direction) = (local.drive_rates.clone(), local.wrench_rate);
         let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         let rates = segment.rates(segment.laws_of_rates(&local.stands, &local.found.states));
-        let (settled, effort) = settle(&rates, settings);
-        Some(just_beyond(self, &segment.problem, &rates, settled, &effort, settings, cone))
+        let (settled, effort) = match settle(&rates, settings) {
+            (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
+            lost => lost,
+        };
+        let motion = leaving_motion(&rates, &segment.problem.wrench, &everything_slides(&rates));
+        let end = End { factor: 0.0, forces: &local.found.forces, motion };
+        Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
     /// The local problem at an onset.

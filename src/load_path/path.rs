@@ -7,6 +7,7 @@
 
 use nalgebra::SVector;
 
+use super::beyond::{Beyond, End, beyond_end};
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
@@ -135,6 +136,26 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd<D, C>> {
         self.end.as_ref()
+    }
+
+    /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost.
+    /// See [`Self::beyond_with`].
+    #[must_use]
+    pub fn beyond(&self) -> Option<Beyond<D, C>> {
+        self.beyond_with(&self.settings)
+    }
+
+    /// Whether another equilibrium exists just beyond where this one was lost, with the slip so far, sought as far as these [`Settings`]
+    /// allow. That takes longer than the path as a rule, in space up to a proof over all contact states. `None` where the path has not been
+    /// lost.
+    #[must_use]
+    pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<D, C>> {
+        let loss = self.end.as_ref()?.loss()?;
+        let rates = self.segment.rates(self.segment.laws_of_rates(&self.node.stands, &self.node.states));
+        let motion = loss.motion.map(|motion| self.grasp.inside_twist(&motion));
+        let end = End { factor: loss.fraction, forces: &self.node.at.forces, motion };
+        let (settled, effort) = settle(&rates, settings);
+        Some(beyond_end(&self.segment, &rates, (settled, &effort), &end, settings))
     }
 
     /// Follows the path to its end and returns the events on the way.

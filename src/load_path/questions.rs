@@ -14,7 +14,7 @@ use crate::search::Settings;
 pub struct Reserve<const D: usize, const C: usize> {
     /// When the first contact leaves rolling (on the same cone as the path: in space the round one unless the settings say otherwise).
     pub onset: Onset<D, C>,
-    /// The largest load factor that the grasp holds on its path, if equilibrium was lost or nothing resists from there on. `None` if it
+    /// The largest load factor that the grasp holds on its path, if equilibrium was lost. `None` if it
     /// holds as far as was asked, and where nothing can be said: `completed` tells which.
     pub limit: Option<f64>,
     /// Whether the grasp holds as far as was asked.
@@ -22,8 +22,7 @@ pub struct Reserve<const D: usize, const C: usize> {
     /// The factor up to which the path was followed, and the grasp holds: `limit` where that is known, what was asked for where it
     /// holds so far, and a lower bound of the limit where the path could not be followed further. `None` where it has no start.
     pub held_to: Option<f64>,
-    /// Where equilibrium was lost: `limit` is its fraction times the factor asked for. `None` also where nothing resists the load from
-    /// `limit` on.
+    /// Where and how equilibrium was lost: `limit` is its fraction times the factor asked for.
     pub loss: Option<Loss<D>>,
     /// Number of events before the path ended.
     pub events: usize,
@@ -82,10 +81,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let events = path.run().len();
         let end = path.end();
         let loss = end.and_then(PathEnd::loss).cloned();
-        let lost_at = match end {
-            Some(PathEnd::GivesWay { fraction, .. }) => Some(*fraction),
-            _ => loss.as_ref().map(|loss| loss.fraction),
-        };
+        let lost_at = loss.as_ref().map(|loss| loss.fraction);
         let completed = matches!(end, Some(PathEnd::Completed));
         let held_to = if completed { Some(1.0) } else { end.and_then(PathEnd::fraction) };
         let [limit, held_to] = [lost_at, held_to].map(|fraction| fraction.map(|fraction| fraction * most));

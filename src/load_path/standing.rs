@@ -20,6 +20,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             directions: vec![None; n],
             stands: vec![Stand::NOWHERE; n],
             holds: vec![false; n],
+            sets_out: false,
             at: PieceState { forces: vec![SVector::zeros(); n], twist: SVector::zeros() },
         };
         let Some(found) = found else { return node };

@@ -9,16 +9,16 @@
 //! path      the rate of the load factor, and what is left of the leg
 //! ```
 //!
-//! found by making the last step again, shorter or longer, until it ends there. No interpolation comes in.
+//! found by making the last step again until it ends there, see [`super::crossing`].
 
 use nalgebra::SVector;
 
-use super::event::{Loss, PathEnd};
-use super::flow::{Flow, Goal, Reached, Rule, sets_out};
-use super::loss::end_of_arc;
+use super::crossing::End;
+use super::event::{Loss, LossKind, PathEnd};
+use super::flow::{Flow, Rule};
 use super::path::LoadPath;
 use super::segment::{Here, Standing};
-use super::watch::{Watch, Watched, watch};
+use super::watch::{Watched, watch};
 use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
 use crate::search::Doubt;
 
@@ -33,24 +33,14 @@ const STANDS_STILL: f64 = 1e-10;
 const ALL_BUT_GONE: f64 = 1e-10;
 /// From an apex on the first step is this part of the way on which forces change by as much as they are: they turn by its square.
 const SETTING_OUT: f64 = 1e-6;
+/// Where forces would double on this part of the way they are none.
+const NO_WAY: f64 = 1e-12;
 /// A step leaves this part of the way to where a sliding contact loses its normal force: its direction may turn ever faster.
 const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 /// A leg that takes more steps along arcs is given up.
 const MOST_STEPS: usize = 20_000;
-/// Evaluations on the way to an event: bisection alone would need 50.
-const MOST_TRIALS: usize = 80;
-
-/// Where a step ends.
-struct End<const D: usize, const C: usize> {
-    length: f64,
-    rule: Rule,
-    reached: Reached<D, C>,
-    watches: Vec<Watch>,
-    /// The condition that it was made to end at.
-    located: Option<usize>,
-}
 
 impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     /// Makes one step along the arc, up to an event if one comes first.
@@ -67,12 +57,13 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         };
         self.here = Some(here.clone());
         if Self::slides_away(&here) {
-            self.end = Some(self.loss(&here));
+            self.end = Some(self.lost(LossKind::Asymptote, &here));
             return;
         }
         if let Some(length) = self.straight_length(&here) {
             let end = self.step(&here, (length, 0), Rule::Straight);
             if let Some(end) = end {
+                self.node.sets_out = false;
                 self.arrive_at(&here, &end);
                 return;
             }
@@ -89,7 +80,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             return;
         }
         if dies_out || self.pace.steps > MOST_STEPS {
-            self.end = Some(self.loss(&here));
+            let doubt = if dies_out { Doubt::Inaccurate } else { Doubt::OutOfSteps };
+            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor, doubt });
             return;
         }
         let Some(end) = self.step(&here, (length, 0), rule) else {
@@ -146,9 +138,9 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             return Some(way);
         }
         let force_way = here.sizes[0] / here.rate_sizes[0];
-        let way = if force_way > 0.0 { rest.min(force_way) } else { rest };
-        let any = self.node.states.iter().zip(&here.lines).any(|(state, line)| sets_out(state, line));
-        any.then_some(SETTING_OUT * way)
+        // Less is the rounding of forces that are none.
+        let way = if force_way > NO_WAY * rest { rest.min(force_way) } else { rest };
+        self.node.sets_out.then_some(SETTING_OUT * way)
     }
 
     fn tolerance(&self) -> f64 {
@@ -182,67 +174,6 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             }
         }
         way
-    }
-
-    /// A step of a length, with what comes next there.
-    fn step(&self, here: &Here<D, C>, (length, trial): (f64, usize), rule: Rule) -> Option<End<D, C>> {
-        let unit = self.pace.unit?;
-        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let reached = flow.reach(length, Goal::after(1.0, trial), rule)?;
-        let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.here));
-        Some(End { length, rule, reached, watches, located: None })
-    }
-
-    /// The contact whose condition is violated at the end of a step, the one that would be first on straight lines.
-    fn first_crossing(start: &[Watch], end: &End<D, C>) -> Option<usize> {
-        let part = |k: usize| {
-            let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
-            from / (from - to)
-        };
-        let violated = (0..start.len()).filter(|&k| end.watches[k].is_violated());
-        violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
-    }
-
-    /// The step that ends where a condition is just met, and no other is violated.
-    fn locate(
-        &self,
-        here: &Here<D, C>,
-        start: &[Watch],
-        mut end: End<D, C>,
-        mut k: usize,
-    ) -> Option<End<D, C>> {
-        let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
-        if start[k].is_met() {
-            // It stands there already, and leaves at once.
-            low.1 = 0.0;
-        }
-        for trial in 0..MOST_TRIALS {
-            // The secant, and every third time the middle, so that the bracket shrinks for certain.
-            let part = low.1 / (low.1 - high.1);
-            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(1e-3, 1.0 - 1e-3) };
-            let newton =
-                end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
-            let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
-            if to <= low.0 || to >= high.0 {
-                // No number lies between.
-                end.located = Some(k);
-                return Some(end);
-            }
-            end = self.step(here, (to, trial), end.rule)?;
-            if let Some(other) = Self::first_crossing(start, &end) {
-                if other != k {
-                    k = other;
-                    low = (0.0, start[k].value.max(0.0));
-                }
-                high = (end.length, end.watches[k].value);
-            } else if end.watches[k].is_met() {
-                end.located = Some(k);
-                return Some(end);
-            } else {
-                low = (end.length, end.watches[k].value);
-            }
-        }
-        None
     }
 
     /// Goes there, and stands on what is met there.
@@ -283,7 +214,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             self.node.stick(contact);
         }
         if tops {
-            self.end = Some(self.loss(&there));
+            self.end = Some(self.lost(LossKind::Fold, &there));
         }
         self.here = Some(there);
         if leg_done {
@@ -295,28 +226,16 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         }
     }
 
-    /// Why the arc cannot be followed further: steps that get ever shorter close in on a load at which the object leaves. The motion
-    /// is that of the rates there, which grow without bound.
-    fn loss(&self, here: &Here<D, C>) -> PathEnd<D, C> {
-        let (leg, fraction) = (self.program.leg, self.factor);
-        let size = here.twist_rate.norm();
-        if self.pace.steps > MOST_STEPS || !(size > 0.0 && size.is_finite()) {
-            let doubt = if self.pace.steps > MOST_STEPS { Doubt::OutOfSteps } else { Doubt::Inaccurate };
-            return PathEnd::Undecided { leg, fraction, doubt };
-        }
-        let motion = here.twist_rate / size;
-        let on_an_edge = |i: &usize| self.node.states[*i].slides();
-        let loss = Loss {
-            leg,
-            fraction,
-            load: self.program.load_at(fraction),
-            contacts: (0..self.node.states.len()).filter(on_an_edge).collect(),
-            motion: Some(self.grasp.outside(&motion)),
-        };
-        // Without forces there is nothing that an arc could close in on: it only could not set out.
-        let weightless = |line: &Line<C>| Stand::is_weightless(&line.force, line.force_size);
-        let ends = !here.lines.iter().all(weightless);
-        end_of_arc(&self.segment, ends, &motion, &self.node.at.forces, loss, &self.settings)
+    /// The end of an arc; the motion is that along it.
+    fn lost(&self, kind: LossKind, here: &Here<D, C>) -> PathEnd<D, C> {
+        PathEnd::Lost(Loss {
+            leg: self.program.leg,
+            fraction: self.factor,
+            load: self.program.load_at(self.factor),
+            kind,
+            contacts: (0..self.node.states.len()).filter(|&i| self.node.states[i].slides()).collect(),
+            motion: Some(self.grasp.outside(&here.twist_rate.normalize())),
+        })
     }
 }
 

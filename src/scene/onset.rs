@@ -85,7 +85,7 @@ pub enum Departure<const C: usize> {
     Opens,
 }
 
-/// What comes after the onset; see [`path::Beyond`].
+/// What comes after an onset or the end of a path; see [`path::Beyond`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "snake_case")]
 #[non_exhaustive]
@@ -102,17 +102,11 @@ pub enum Beyond<const D: usize, const C: usize> {
         /// By which rule it was found.
         rule: Rung,
     },
-    /// No equilibrium exists just beyond: every combination of contact states was tried.
-    LimitLoad {
-        /// How many.
-        combinations: usize,
-    },
+    /// No equilibrium exists just beyond.
+    LimitLoad,
     /// This equilibrium ends, others exist at slightly larger loads.
-    Snap {
-        /// Combinations of contact states that hold just beyond.
-        others: usize,
-    },
-    /// This equilibrium ends; whether others exist was not searched.
+    Snap,
+    /// This equilibrium ends; whether others exist is not known.
     Ends {
         /// Why.
         reason: Proof<D>,
@@ -133,8 +127,8 @@ impl<const D: usize, const C: usize> From<&path::Beyond<D, C>> for Beyond<D, C> 
                 twist_rate: next.twist_rate,
                 rule: next.rule,
             },
-            path::Beyond::LimitLoad { combinations } => Self::LimitLoad { combinations: *combinations },
-            path::Beyond::Snap { others } => Self::Snap { others: *others },
+            path::Beyond::LimitLoad => Self::LimitLoad,
+            path::Beyond::Snap => Self::Snap,
             path::Beyond::Ends(none) => Self::Ends { reason: none.into() },
             path::Beyond::Undecided(doubt) => Self::Undecided { doubt: *doubt },
         }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::equilibrium::{Equilibrium, SolveAnswer};
 use super::fields::found;
+use super::onset::Beyond;
 use super::place::{Place, Places};
 use crate::equilibrium::Doubt;
 use crate::grasp::{Twist, Wrench};
@@ -39,21 +40,13 @@ pub enum PathEnd<const D: usize, const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<D, C>>>,
     },
-    /// No equilibrium exists just beyond.
-    LimitLoad(Loss<D>),
-    /// This equilibrium ends, but others exist just beyond.
-    Snap(Loss<D>),
-    /// This equilibrium ends; whether others exist is not known.
-    Ends(Loss<D>),
-    /// Nothing resists the load from here on.
-    GivesWay {
-        /// The leg, from 0.
-        leg: usize,
-        /// How much of the leg has been gone.
-        #[serde(with = "found")]
-        fraction: f64,
-        /// The free motion on which the load works.
-        motion: Twist<D>,
+    /// This equilibrium ends.
+    Lost {
+        /// Where and how.
+        #[serde(flatten)]
+        loss: Loss<D>,
+        /// Whether another exists just beyond.
+        beyond: Beyond<D, C>,
     },
     /// There is no equilibrium to start from.
     NoStart {
@@ -83,6 +76,8 @@ pub struct Loss<const D: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D>,
+    /// What ends the equilibrium.
+    pub kind: path::LossKind,
     /// The contacts that stand on the edge of their cone there.
     pub contacts: Vec<Place>,
     /// The unit motion with which the object leaves, if the states determine one.
@@ -229,11 +224,9 @@ impl Places {
             Some(path::PathEnd::Completed) => PathEnd::Completed {
                 state: path.position().map(|(_, _, state)| Box::new(self.equilibrium(&state))),
             },
-            Some(path::PathEnd::LimitLoad(loss)) => PathEnd::LimitLoad(self.loss(loss)),
-            Some(path::PathEnd::Snap(loss)) => PathEnd::Snap(self.loss(loss)),
-            Some(path::PathEnd::Ends(loss)) => PathEnd::Ends(self.loss(loss)),
-            Some(path::PathEnd::GivesWay { leg, fraction, motion }) => {
-                PathEnd::GivesWay { leg: *leg, fraction: *fraction, motion: *motion }
+            Some(path::PathEnd::Lost(loss)) => {
+                let beyond = path.beyond().unwrap_or(path::Beyond::Undecided(Doubt::OnTheBoundary));
+                PathEnd::Lost { loss: self.loss(loss), beyond: (&beyond).into() }
             }
             Some(path::PathEnd::NoStart(outcome)) => {
                 PathEnd::NoStart { start: Box::new(self.outcome(outcome)) }
@@ -250,6 +243,7 @@ impl Places {
             leg: loss.leg,
             fraction: loss.fraction,
             load: loss.load,
+            kind: loss.kind,
             contacts: self.many(&loss.contacts),
             motion: loss.motion,
         }

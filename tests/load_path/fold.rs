@@ -4,6 +4,7 @@
 use std::error::Error;
 
 use grasp_lcp::Settings;
+use grasp_lcp::load_path::LossKind;
 use grasp_lcp::scene::{Scene, Space};
 use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Leg, PathEnd, Wrench};
 
@@ -23,7 +24,8 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
     let Space::Spatial(setup) = scene.space else { return Err("the bottle is spatial".into()) };
     let (grasp, settings) = (setup.grasp()?, Settings::default().with_step_error(1e-13));
     let (last, end) = pulled(&grasp, 100.0, &settings)?;
-    let PathEnd::Snap(loss) = end else { return Err(format!("{end:?}").into()) };
+    let PathEnd::Lost(loss) = end else { return Err(format!("{end:?}").into()) };
+    assert_eq!(loss.kind, LossKind::Fold);
     let most = 100.0 * loss.fraction;
 
     // A fold and not a failure of the integration: forces come to those of the end as the root of the distance to it, up to a term
@@ -51,7 +53,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
     // The same fold, whatever the error of a step.
     for step_error in [1e-6, 1e-8, 1e-10] {
         let (_, end) = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?;
-        let PathEnd::Snap(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };
+        let PathEnd::Lost(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };
         assert!((coarse.fraction / loss.fraction - 1.0).abs() < step_error, "{step_error}");
     }
     Ok(())

@@ -3,8 +3,9 @@
 //! one does. Planar and in space, by hand.
 
 use crate::story::{assert_close, assert_story, completed};
-use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::{Settings, planar, spatial};
+use support::ends::limit_load;
 
 /// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
 /// body by as much; unloaded, it touches without force; lowered further it parts from the body, which stays where it is.
@@ -47,8 +48,9 @@ fn a_foot_that_parts_leaves_the_height_free() {
         path.continue_with(&[last]).unwrap();
         assert!(path.run().is_empty());
         match (path.end(), way) {
-            (Some(PathEnd::GivesWay { leg: 4, fraction, motion }), Some(way)) => {
-                assert_eq!(*fraction, 0.0);
+            (Some(PathEnd::Lost(loss)), Some(way)) => {
+                assert_eq!((loss.leg, loss.fraction, loss.kind), (4, 0.0, LossKind::GivesWay));
+                let motion = loss.motion.expect("a motion");
                 assert_close!(motion.translation()[1], way);
                 assert!(motion.translation()[0].abs() + motion.rotation().abs() < 1e-14, "{motion:?}");
             }
@@ -117,7 +119,7 @@ fn fingers_dragged_both_ways_hold_all_the_same() {
     for c in &dragged.contacts {
         assert_close!(c.slip[1].abs(), edge);
     }
-    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let loss = limit_load(&path);
     assert_eq!(loss.leg, 1);
     assert_close!(loss.fraction, 4.0 / 6.0);
     assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
@@ -186,8 +188,9 @@ fn a_pinch_may_turn_about_its_line() {
             assert_close!(f[2], -force[2] / 2.0 + side * moment[1] / 2.0);
         }
         match (path.end(), way) {
-            (Some(PathEnd::GivesWay { leg: 2, fraction, motion }), Some(way)) => {
-                assert_eq!(*fraction, 0.0);
+            (Some(PathEnd::Lost(loss)), Some(way)) => {
+                assert_eq!((loss.leg, loss.fraction, loss.kind), (2, 0.0, LossKind::GivesWay));
+                let motion = loss.motion.expect("a motion");
                 let [x, y, z] = motion.rotation();
                 assert!(x * way > 0.1 && y.abs() + z.abs() < 1e-13, "{motion:?}");
                 assert!(motion.translation().iter().all(|x| x.abs() < 1e-13), "{motion:?}");
@@ -209,7 +212,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
         let turn = spatial::Leg::load_to(spatial::Wrench::new([0.0; 3], [side * m, 0.0, 0.0]));
         let mut path = grasp.follow(spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
         assert!(path.run().is_empty());
-        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        let loss = limit_load(&path);
         assert_eq!((loss.leg, &loss.contacts[..]), (1, &[2][..]));
         assert_close!(loss.fraction, 0.5 * (1.0 - m / (mu * n0)));
         let motion = loss.motion.expect("a motion");
@@ -230,7 +233,8 @@ fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Er
         grasp.reserve(&ramp, 100.0, &Settings::default())
     };
     let along = reserve(1.0, 0.0)?;
-    assert_eq!((along.limit, along.completed, along.loss), (Some(0.0), false, None));
+    let kind = along.loss.map(|loss| loss.kind);
+    assert_eq!((along.limit, along.completed, kind), (Some(0.0), false, Some(LossKind::GivesWay)));
     let across = reserve(0.0, 1.0)?;
     assert_eq!((across.limit, across.completed, across.loss), (None, true, None));
     Ok(())

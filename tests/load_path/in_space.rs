@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use crate::story::{assert_close, assert_story, completed};
-use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+use support::ends::limit_load;
 
 const K: f64 = 40.0;
 const KT: f64 = 16.0;
@@ -155,7 +155,7 @@ fn a_table_lifts_its_feet_and_tips() {
     for c in &path.state_at(1, 1.0).unwrap().contacts[..4] {
         assert_close!(c.normal_force(), w / 4.0);
     }
-    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let loss = limit_load(&path);
     assert_eq!((loss.leg, &loss.contacts[..]), (2, &[1, 3][..]));
     assert_close!(loss.fraction, 1.0 / 1.25);
     let work: f64 = path.energies()[..2].iter().map(|e| e.load_work).sum();
@@ -189,7 +189,7 @@ fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
             })
             .collect();
         assert_story(&events, &expected);
-        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        let loss = limit_load(&path);
         assert_close!(loss.fraction, 1.0 / 1.6);
         assert_eq!(loss.contacts, (0..frictions.len()).collect::<Vec<_>>());
         assert!(loss.motion.expect("a motion").translation()[2] < -0.9);

@@ -8,6 +8,7 @@
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::planar::{Contact, ContactState, Grasp, Leg, LoadPath, Wrench};
+use support::ends::limit_load;
 
 /// Stiffnesses, friction and command, round numbers and others.
 const SCENES: [[f64; 5]; 4] = [
@@ -182,7 +183,7 @@ fn a_limit_load_at_the_end_of_a_leg() {
         assert!(path.run().is_empty() && completed(path.end()), "{:?}", path.end());
         path.continue_with(&[leg(1.1 * edge)]).unwrap();
         assert!(path.run().is_empty());
-        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        let loss = limit_load(&path);
         assert_eq!((loss.leg, &loss.contacts[..]), (4, &[0, 1][..]));
         assert!(loss.fraction < 1e-12, "{}", loss.fraction);
         assert!(loss.motion.expect("a motion").translation()[1] < -0.99);

@@ -20,6 +20,7 @@
 
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
+use support::ends::limit_load;
 
 const MU: f64 = 0.4;
 const P0: f64 = 3.0;
@@ -127,7 +128,7 @@ fn the_pad_slips_from_the_rim_inwards() {
                 assert_close!(answer.force_world[0], -(pad.c * x).min(*limit));
             }
         }
-        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        let loss = limit_load(&path);
         assert_close!(loss.fraction, 0.8);
         assert_eq!(loss.contacts.len(), n, "they all stand on their edge");
         // The continuum: Mindlin's curve, at the events and between them.

@@ -6,8 +6,9 @@
 //! N = c a, c = k kb/(k + kb), and stuck T changes by e Δb, e = kt kb/(kt + kb).
 
 use crate::story::{assert_close, assert_story, completed};
-use grasp_lcp::load_path::{Change, PathEnd};
+use grasp_lcp::load_path::Change;
 use grasp_lcp::planar::{Contact, ContactState, Grasp, Leg, LoadPath, Wrench};
+use support::ends::limit_load;
 
 const K: f64 = 30.0;
 const KT: f64 = 20.0;
@@ -135,7 +136,7 @@ fn letting_go_drops_the_body() {
     let let_go = Leg::commands_to(vec![[0.0, 0.0], [0.0, 0.0]]);
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();
     assert!(path.run().is_empty());
-    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let loss = limit_load(&path);
     assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0, 1][..]));
     assert_close!(loss.fraction, 1.0 - w / (2.0 * mu * k * a));
     assert!(loss.motion.expect("a motion").translation()[1] < -0.99);

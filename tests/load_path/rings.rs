@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_8, TAU};
 
 use crate::story::{Line, assert_close, assert_story, completed};
 use grasp_lcp::Settings;
-use grasp_lcp::load_path::{Event, PathEnd};
+use grasp_lcp::load_path::{Beyond, Event, PathEnd};
 use grasp_lcp::{planar, spatial};
 
 const K: f64 = 10.0;
@@ -52,11 +52,8 @@ fn a_torque_takes_all_at_once() {
             let mut path = grasp.follow(planar::Wrench::ZERO, &[leg]).unwrap();
             assert!(path.run().is_empty(), "{n}");
             // Up to 7 contacts all their states are tried beyond; whether among more something else holds is not known.
-            let loss = match path.end() {
-                Some(PathEnd::LimitLoad(loss)) if n <= 7 => loss,
-                Some(PathEnd::Ends(loss)) if n > 7 => loss,
-                end => panic!("{n}: {end:?}"),
-            };
+            let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{n}: {:?}", path.end()) };
+            assert!(n > 7 || matches!(path.beyond(), Some(Beyond::LimitLoad)), "{n}");
             assert_close!(loss.fraction, 1.0 / 1.6);
             assert_eq!(loss.contacts, (0..n).collect::<Vec<_>>());
             let motion = loss.motion.expect("a motion");

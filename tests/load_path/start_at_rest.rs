@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::spatial::{Contact, Grasp, Leg, LoadPath, PathEnd, Wrench};
+use support::ends::limit_load;
 
 const RADIUS: f64 = 0.03;
 const MU: f64 = 0.5;
@@ -17,10 +18,10 @@ fn around(count: u32, up: bool) -> Grasp {
     Grasp::new((0..count).map(contact)).unwrap()
 }
 
-fn end(grasp: &Grasp, load: Wrench) -> PathEnd {
+fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
     path.run();
-    path.end().unwrap().clone()
+    path
 }
 
 /// A plate on contacts that touch it from below carries any load within friction and footprint, and no other at all.
@@ -34,7 +35,8 @@ fn a_plate_without_weight_holds_all_or_nothing() {
             Wrench::force([0.8 * MU, 0.0, -1.0]),
             Wrench::new([0.0, 0.0, -1.0], [0.0, 0.4 * RADIUS, 0.0]),
         ] {
-            let end = end(&plate, load);
+            let path = follow(&plate, load);
+            let end = path.end().unwrap();
             assert!(matches!(end, PathEnd::Completed), "{count} {load:?}: {end:?}");
         }
         // Up; aside; down and aside beyond friction; down beside the plate; a twist.
@@ -45,8 +47,8 @@ fn a_plate_without_weight_holds_all_or_nothing() {
             Wrench::new([0.0, 0.0, -1.0], [0.0, 1.2 * RADIUS, 0.0]),
             Wrench::new([0.0; 3], [0.0, 0.0, 0.01]),
         ] {
-            let end = end(&plate, load);
-            let PathEnd::LimitLoad(loss) = &end else { panic!("{count} {load:?}: {end:?}") };
+            let path = follow(&plate, load);
+            let loss = limit_load(&path);
             assert_eq!((loss.leg, loss.fraction), (0, 0.0));
         }
     }
@@ -56,8 +58,9 @@ fn a_plate_without_weight_holds_all_or_nothing() {
 #[test]
 fn fingers_that_do_not_press_carry_nothing() {
     for count in [2, 3] {
-        let end = end(&around(count, false), Wrench::force([0.0, 0.0, -1.0]));
-        assert!(matches!(&end, PathEnd::LimitLoad(loss) if loss.fraction == 0.0), "{count}: {end:?}");
+        let grasp = around(count, false);
+        let path = follow(&grasp, Wrench::force([0.0, 0.0, -1.0]));
+        assert_eq!(limit_load(&path).fraction, 0.0, "{count}");
     }
 }
 
@@ -68,7 +71,8 @@ fn what_grows_from_nothing_is_not_lost() {
     for count in 3..=6 {
         let (glass, push) = (around(count, false), Wrench::force([1.0, 0.2, 0.0]));
         assert!(glass.solve(&push).unwrap().equilibrium().is_some());
-        let end = end(&glass, push);
+        let path = follow(&glass, push);
+        let end = path.end().unwrap();
         assert!(end.loss().is_none(), "{count}: {end:?}");
     }
 }

@@ -89,7 +89,7 @@ fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Fail
         let (left, right) = (onset(&grasp, angle)?, onset(&grasp, TAU / 2.0 - angle)?);
         assert!((left - right).abs() <= 1e-13 * left, "{angle}: {left} against {right}");
         match (end(&grasp, angle)?, end(&grasp, TAU / 2.0 - angle)?) {
-            (PathEnd::LimitLoad(left), PathEnd::LimitLoad(right)) => {
+            (PathEnd::Lost(left), PathEnd::Lost(right)) => {
                 assert!(
                     (left.fraction - right.fraction).abs() <= 1e-13,
                     "{angle}: {left:?} against {right:?}"
@@ -119,8 +119,7 @@ fn a_limit_is_no_less_than_the_onset_and_nothing_holds_beyond() -> Result<(), Fa
     let grasp = support::paper::two_fingers()?;
     let mut limits = 0;
     for angle in angles(120) {
-        let end = end(&grasp, angle)?;
-        if let PathEnd::LimitLoad(loss) = end {
+        if let PathEnd::Lost(loss) = end(&grasp, angle)? {
             let limit = MOST * loss.fraction;
             assert!(limit >= onset(&grasp, angle)? * (1.0 - 1e-12));
             let beyond = grasp.solve(&(pull(angle) * (limit * (1.0 + 1e-6))))?;

@@ -2,6 +2,7 @@
 
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
+use support::ends::limit_load;
 
 fn pull(force: f64) -> Wrench {
     Wrench::force([force, 0.0])
@@ -51,7 +52,7 @@ fn feet_slide_one_after_the_other_up_to_the_limit_load() {
         assert_close!(direction[0], -1.0);
         assert_eq!(event.other_continuations, Some(0));
     }
-    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let loss = limit_load(&path);
     assert_close!(loss.fraction, 0.7);
     assert_eq!(loss.contacts, [0, 1, 2]);
     let motion = loss.motion.expect("a ray");
@@ -235,7 +236,7 @@ fn the_paper_ends_at_its_onset() {
     let grasp = support::paper::two_fingers().unwrap();
     let (path, events) = run(&grasp, &[Leg::load_to(Wrench::force([0.0, -1.0]))]);
     assert!(events.is_empty());
-    let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    let loss = limit_load(&path);
     assert_close!(loss.fraction, 65f64.sqrt() / 66.0);
     assert_eq!(loss.contacts, [0, 1]);
     let motion = loss.motion.expect("a ray");

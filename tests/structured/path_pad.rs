@@ -125,7 +125,8 @@ fn it_gives_way_when_every_contact_slides() {
         let last = pad.limits.iter().copied().fold(0.0, f64::max);
         let expected = pad.limits.iter().filter(|limit| **limit < last * (1.0 - 1e-12)).count();
         assert_eq!(events.len(), expected);
-        let Some(PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        assert!(matches!(path.beyond(), Some(load_path::Beyond::LimitLoad)));
+        let loss = path.end().and_then(load_path::PathEnd::loss).expect("a loss");
         close(loss.load.as_vector()[0], most, most);
         assert_eq!(loss.contacts, (0..n).collect::<Vec<_>>());
         let motion = loss.motion.unwrap();
@@ -221,7 +222,8 @@ fn a_pad_in_space_slides_like_one_in_the_plane() {
     }
     let sliding = |x: f64| (0..n).filter(|&i| MU * pressure(i) / C < x).count();
     assert_eq!(slides[..2], [sliding(x0), sliding(0.9 * x0)]);
-    let Some(load_path::PathEnd::LimitLoad(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert!(matches!(path.beyond(), Some(load_path::Beyond::LimitLoad)));
+    let loss = path.end().and_then(load_path::PathEnd::loss).expect("a loss");
     close(loss.load.as_vector()[0], limit, limit);
     assert_eq!(loss.contacts.len(), n);
 }

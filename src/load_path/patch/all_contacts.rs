@@ -3,16 +3,16 @@
 
 use super::patch_path::PatchPath;
 use crate::contact::{Mode, PolygonState, Stand, State};
+use crate::load_path::beyond::{Beyond, End, beyond_end};
 use crate::load_path::event::{Loss, PathEnd};
 use crate::load_path::loss::{end_of_path, leaving_motion};
 use crate::load_path::segment::Segment;
 use crate::load_path::transition::everything_slides;
 use crate::object::Problem;
 use crate::proofs::separates_from_here_on;
-use crate::search::{Settled, settle};
+use crate::search::{Doubt, Settled, settle};
 
-/// With more contacts the end of a path is only named, where a motion proves a limit load. What
-/// lies beyond it would take longer to find than the path.
+/// Among more contacts what lies beyond the end of a path would take longer to find than the path.
 const FEW: usize = 32;
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
@@ -42,25 +42,19 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         let rates = self.rates(&segment);
         self.balance.looked_at += rates.len();
         let loss = self.loss(None);
-        let many = rates.len() > FEW;
-        if many && let Some(limit) = self.proved_limit(&segment, &rates, &loss) {
-            return Err(limit);
-        }
         let (settled, effort) = settle(&rates, &self.settings);
         let Settled::Found(found, _) = settled else {
-            return Err(match settled {
-                Settled::FreeMotion(v) if many => {
-                    let motion = self.grasp.outside(&v);
-                    PathEnd::GivesWay { leg: loss.leg, fraction: loss.fraction, motion }
+            let (sliding, forces) = (everything_slides(&rates), self.forces());
+            let settled = match settled {
+                // More than that would take longer to find than the path.
+                Settled::Undecided(_) if rates.len() > FEW => {
+                    return Err(self
+                        .proved_limit(&segment, &rates, &loss)
+                        .unwrap_or_else(|| self.undecided()));
                 }
-                Settled::NoneOf(_) | Settled::Separating(_) if many => PathEnd::Ends(loss),
-                _ if many => self.undecided(),
-                _ => {
-                    let (sliding, forces) = (everything_slides(&rates), self.forces());
-                    let settled = (settled, &effort);
-                    end_of_path(&segment, &rates, settled, &sliding, &forces, loss, &self.settings)
-                }
-            });
+                settled => (settled, &effort),
+            };
+            return Err(end_of_path(&segment, &rates, settled, &sliding, &forces, loss, &self.settings));
         };
         for (contact, (i, state)) in (0_u32..).zip(found.states.iter().enumerate()) {
             let whole = segment.problem.local(i).of_the_rates(&rates.laws[i], *state);
@@ -85,6 +79,24 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         let here = segment.problem_at(loss.fraction);
         let motion = leaving_motion(rates, &here.wrench, &everything_slides(rates))?;
         separates_from_here_on(&here, &motion, &rates.wrench)
-            .then(|| PathEnd::LimitLoad(Loss { motion: Some(self.grasp.outside(&motion)), ..loss.clone() }))
+            .then(|| PathEnd::Lost(Loss { motion: Some(self.grasp.outside(&motion)), ..loss.clone() }))
+    }
+
+    /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost. Among
+    /// more than 32 contacts only a limit load that the motion of the loss proves is told from the rest.
+    #[must_use]
+    pub fn beyond(&mut self) -> Option<Beyond<D, C>> {
+        let loss = self.end.as_ref()?.loss()?.clone();
+        self.balance.remember_all();
+        let segment = self.segment();
+        let rates = self.rates(&segment);
+        if rates.len() > FEW {
+            let proved = self.proved_limit(&segment, &rates, &loss).is_some();
+            return Some(if proved { Beyond::LimitLoad } else { Beyond::Undecided(Doubt::RayWithoutProof) });
+        }
+        let motion = loss.motion.map(|motion| self.grasp.inside_twist(&motion));
+        let (settled, effort) = settle(&rates, &self.settings);
+        let end = End { factor: loss.fraction, forces: &self.forces(), motion };
+        Some(beyond_end(&segment, &rates, (settled, &effort), &end, &self.settings))
     }
 }

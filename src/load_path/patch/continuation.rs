@@ -16,7 +16,7 @@ use super::patch_event::PatchEvent;
 use super::patch_path::{Due, PatchPath};
 use super::stand::Stand;
 use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
-use crate::load_path::event::PathEnd;
+use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::transition::change;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to
@@ -161,7 +161,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             let motion = self.unit_motion();
             self.balance.put(contact, was);
             if self.balance.holds_along(contact) {
-                return Err(PathEnd::Snap(self.loss(motion)));
+                return Err(PathEnd::Lost(Loss { kind: LossKind::LetsGo, ..self.loss(motion) }));
             }
             self.balance.put(contact, Mode::Open);
         }

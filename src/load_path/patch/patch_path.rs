@@ -10,7 +10,7 @@ use super::stand::Stand;
 use super::trial_leg::TrialLeg;
 use crate::contact::Polygon;
 use crate::grasp::{Grasp, Twist};
-use crate::load_path::event::{Loss, PathEnd};
+use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::leg::Program;
 use crate::search::{Doubt, Settings};
 
@@ -77,9 +77,7 @@ pub struct PatchPath<'g, const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
-    /// How the path ended; `None` while there is more to follow. Where equilibrium is lost among
-    /// more than 32 contacts only a limit load that a motion proves is told from the rest
-    /// ([`PathEnd::Ends`]: a limit load or a snap).
+    /// How the path ended; `None` while there is more to follow.
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd<D, C>> {
         self.end.as_ref()
@@ -118,7 +116,8 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         contacts.sort_unstable();
         contacts.dedup();
         let (leg, fraction) = (self.program.leg, self.balance.tau);
-        Loss { leg, fraction, load: self.program.load_at(fraction), contacts, motion }
+        let load = self.program.load_at(fraction);
+        Loss { leg, fraction, load, kind: LossKind::Corner, contacts, motion }
     }
 
     /// Where rounding keeps the path from being followed further.

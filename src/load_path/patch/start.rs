@@ -13,7 +13,7 @@ use super::stand::Stand;
 use super::trial_leg::{TrialLeg, loads};
 use crate::contact::{Mode, Polygon, ZERO_SLACK};
 use crate::grasp::Grasp;
-use crate::load_path::event::PathEnd;
+use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::leg::Program;
 use crate::object::{Load, Problem, stretched};
 use crate::search::{Settings, Settled, settle};
@@ -114,8 +114,8 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     fn set_out(&mut self) {
         let (_, change) = loads(self.grasp, &self.program);
         if let Some(v) = self.trial.worked_on(&change) {
-            let motion = self.grasp.outside(&v);
-            self.end = Some(PathEnd::GivesWay { leg: self.program.leg, fraction: 0.0, motion });
+            let loss = self.loss(Some(self.grasp.outside(&v)));
+            self.end = Some(PathEnd::Lost(Loss { fraction: 0.0, kind: LossKind::GivesWay, ..loss }));
             return;
         }
         self.balance.renew();

@@ -13,6 +13,7 @@ mod affine;
 pub mod best_time;
 mod close;
 pub mod dyadic;
+pub mod ends;
 pub mod exact;
 pub mod interior_point;
 pub mod loaded;

@@ -1,6 +1,6 @@
 //! A count of what happened on many paths.
 
-use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
+use grasp_lcp::load_path::{Beyond, Change, Event, LoadPath, LossKind, PathEnd};
 
 /// What happened on many paths.
 #[derive(Debug, Default, Clone)]
@@ -62,9 +62,9 @@ impl Tally {
         }
         *match path.end().expect("followed to the end") {
             PathEnd::Completed => &mut self.completed,
-            PathEnd::LimitLoad(_) => &mut self.limits,
-            PathEnd::Snap(_) | PathEnd::Ends(_) => &mut self.snaps,
-            PathEnd::GivesWay { .. } => &mut self.gives_way,
+            PathEnd::Lost(loss) if loss.kind == LossKind::GivesWay => &mut self.gives_way,
+            PathEnd::Lost(_) if matches!(path.beyond(), Some(Beyond::LimitLoad)) => &mut self.limits,
+            PathEnd::Lost(_) => &mut self.snaps,
             PathEnd::NoStart(_) => &mut self.no_start,
             _ => &mut self.undecided,
         } += 1;

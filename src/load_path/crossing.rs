@@ -1,0 +1,89 @@
+//! A step along a sliding arc that ends where a condition is just met.
+//!
+//! The last step is made again, shorter or longer, by Newton's method on the condition, within a bracket: no interpolation comes in.
+
+use super::flow::{Flow, Goal, Reached, Rule};
+use super::path::LoadPath;
+use super::segment::Here;
+use super::watch::{Watch, watch};
+
+/// Evaluations on the way to an event: bisection alone would need 50.
+const MOST_TRIALS: usize = 80;
+
+/// Where a step ends.
+pub(super) struct End<const D: usize, const C: usize> {
+    pub(super) length: f64,
+    pub(super) rule: Rule,
+    pub(super) reached: Reached<D, C>,
+    pub(super) watches: Vec<Watch>,
+    /// The condition that it was made to end at.
+    pub(super) located: Option<usize>,
+}
+
+impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
+    /// A step of a length, with what comes next there.
+    pub(super) fn step(
+        &self,
+        here: &Here<D, C>,
+        (length, trial): (f64, usize),
+        rule: Rule,
+    ) -> Option<End<D, C>> {
+        let unit = self.pace.unit?;
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
+        let reached = flow.reach(length, Goal::after(1.0, trial), rule)?;
+        let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.here));
+        Some(End { length, rule, reached, watches, located: None })
+    }
+
+    /// The condition that is violated at the end of a step, the one that would be first on straight lines.
+    pub(super) fn first_crossing(start: &[Watch], end: &End<D, C>) -> Option<usize> {
+        let part = |k: usize| {
+            let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
+            from / (from - to)
+        };
+        let violated = (0..start.len()).filter(|&k| end.watches[k].is_violated());
+        violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
+    }
+
+    /// The step that ends where a condition is just met, and no other is violated.
+    pub(super) fn locate(
+        &self,
+        here: &Here<D, C>,
+        start: &[Watch],
+        mut end: End<D, C>,
+        mut k: usize,
+    ) -> Option<End<D, C>> {
+        let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
+        if start[k].is_met() {
+            // It stands there already, and leaves at once.
+            low.1 = 0.0;
+        }
+        for trial in 0..MOST_TRIALS {
+            // The secant, and every third time the middle, so that the bracket shrinks for certain.
+            let part = low.1 / (low.1 - high.1);
+            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(1e-3, 1.0 - 1e-3) };
+            let newton =
+                end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
+            let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
+            if to <= low.0 || to >= high.0 {
+                // No number lies between.
+                end.located = Some(k);
+                return Some(end);
+            }
+            end = self.step(here, (to, trial), end.rule)?;
+            if let Some(other) = Self::first_crossing(start, &end) {
+                if other != k {
+                    k = other;
+                    low = (0.0, start[k].value.max(0.0));
+                }
+                high = (end.length, end.watches[k].value);
+            } else if end.watches[k].is_met() {
+                end.located = Some(k);
+                return Some(end);
+            } else {
+                low = (end.length, end.watches[k].value);
+            }
+        }
+        None
+    }
+}
