@@ -1,14 +1,29 @@
 //! Where the path stands, and what comes next as long as every contact keeps its state.
 
-use nalgebra::SVector;
+use nalgebra::{Matrix, SVector};
 
 use super::node::{Node, directions};
 use super::segment::{Here, Segment, Standing};
 use super::watch::is_vanishing;
 use crate::contact::{Mode, Stand, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
-use crate::object::PieceState;
+use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
+
+/// So many roundings of a displacement come together in a force at rest.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Whether all forces are the rounding of what the softest spring would do from these displacements. Which contacts press is then a matter of
+/// that rounding, and none of them does.
+fn carries_nothing<const D: usize, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    at: &PieceState<D, C>,
+) -> bool {
+    let problem = &segment.problem;
+    let largest = at.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
+    let spans = (0..problem.len()).map(|contact| problem.span(contact, &at.twist));
+    largest <= ROUNDING * least_spring_force(problem.sites, spans)
+}
 
 impl<const D: usize, const C: usize> Node<D, C> {
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
@@ -27,6 +42,9 @@ impl<const D: usize, const C: usize> Node<D, C> {
         node.directions = directions(segment, &segment.problem, &found);
         node.states = found.states;
         node.at = PieceState { forces: found.forces, twist: found.twist };
+        if carries_nothing(segment, &node.at) {
+            node.at.forces.fill(SVector::zeros());
+        }
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }

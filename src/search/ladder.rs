@@ -2,6 +2,7 @@
 //! is none.
 
 use super::answer::{Doubt, Effort, Settled};
+use super::least_motion::at_the_least_motion;
 use super::rungs::{
     every_case, every_combination, everything_rolls, force_form, kinematic_form, kinematic_form_on_states,
     kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
@@ -46,7 +47,9 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     let scene = Scene::new(problem, settings, unjumped, trial, state);
     for attempt in ladder {
         match attempt(&scene, &mut log) {
-            Attempt::Found(found, rung) => return (Settled::Found(found, rung), log.effort),
+            Attempt::Found(found, rung) => {
+                return (Settled::Found(at_the_least_motion(problem, found), rung), log.effort);
+            }
             Attempt::Proof(settled) => return (settled, log.effort),
             Attempt::Nothing => {}
             Attempt::Stop => break,

@@ -18,6 +18,7 @@ mod answer;
 mod candidate;
 mod enumerate;
 mod ladder;
+mod least_motion;
 mod newton;
 mod polish;
 mod proposals;

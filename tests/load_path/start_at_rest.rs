@@ -76,3 +76,32 @@ fn what_grows_from_nothing_is_not_lost() {
         assert!(end.loss().is_none(), "{count}: {end:?}");
     }
 }
+
+/// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls it into the wall is held up to
+/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; one that rolls it away from there by nothing. Of all the places along the
+/// floor it starts from the one where it lies.
+#[test]
+fn a_cylinder_that_touches_a_wall_is_held_by_it() {
+    use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+
+    let (w, r) = (5.0, 0.2);
+    for mu in [0.1, 0.3, 0.8] {
+        for [kn, kt] in [[1e3, 7e2], [1e5, 1e6]] {
+            let touch = |point: [f64; 2], normal: [f64; 2]| {
+                Contact::new(point, normal).series_stiffness(kn, kt).friction(mu)
+            };
+            let grasp = Grasp::new([touch([0.0, -r], [0.0, 1.0]), touch([r, 0.0], [-1.0, 0.0])]).unwrap();
+            let most = w * r * mu * (1.0 + mu) / (1.0 + mu * mu);
+            let weight = Wrench::force([0.0, -w]);
+            let at_rest = grasp.solve(&weight).unwrap();
+            assert!(at_rest.equilibrium().unwrap().contacts[1].gap.abs() < 1e-15);
+            for (couple, limit) in [(-1.0, 1.0), (1.0, 0.0)] {
+                let load = Wrench::new([0.0, -w], 2.0 * couple * most);
+                let mut path = grasp.follow(weight, &[Leg::load_to(load)]).unwrap();
+                path.run();
+                let loss = path.end().unwrap().loss().unwrap();
+                assert!((2.0 * loss.fraction - limit).abs() < 1e-12, "{mu} {kn} {couple}: {loss:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Where nothing resists a motion: of all places of the object in these states the nearest.
+//!
+//! Forces say nothing along free motions V, and any place `q = q₀ + V z` is as good as another as long as gaps and slips keep their signs: conditions
+//! `c + g·z >= 0`. What touched before anything moved goes on to touch, as far as it can, so that q₀ closes its gaps in the sense of least squares.
+//! From there the place of least |z| is unique, whoever found the states and in whatever frame:
+//!
+//! ```text
+//! min |z|,    g_i·z >= -c_i       by the nearest point of the cone of (g_i, -c_i) to (0, 1)
+//! ```
+//!
+//! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::answer::Found;
+use super::candidate::for_each_condition;
+use crate::contact::ZERO_SLACK;
+use crate::numerics::NearestPoint;
+use crate::object::Problem;
+
+/// A condition that changes along a unit motion by less than this part of its size does not change.
+const UNCHANGED: f64 = 1e-12;
+/// A condition is violated by more than this part of the largest.
+const VIOLATED: f64 = 1e-12;
+/// Normals along free motions with a singular value below this count as dependent.
+const DEPENDENT: f64 = 1e-9;
+/// Where the nearest point comes so near that nothing of it is left, no place keeps all conditions.
+const NO_PLACE: f64 = 1e-9;
+
+/// The solution at the least motion along what is free.
+pub(super) fn at_the_least_motion<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    mut found: Found<D, C>,
+) -> Found<D, C> {
+    // Along a slide on the round cone conditions are not linear: the direction belongs to the slip.
+    if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
+        return found;
+    }
+    let along = |twist: SVector<f64, D>, v: &SVector<f64, D>| twist - v * v.dot(&twist);
+    let base = found.free_motions.iter().fold(found.twist, along);
+    let base = base + to_what_touches(problem, &found, &base);
+    let conditions = |problem: &Problem<D, C>, forces: &[SVector<f64, C>], twist: &SVector<f64, D>| {
+        let mut list = Vec::new();
+        for_each_condition(problem, &found.states, forces, twist, |value, size| list.push((value, size)));
+        list
+    };
+    let values = conditions(problem, &found.forces, &base);
+    let nothing = vec![SVector::zeros(); problem.len()];
+    let moving = Problem { drives: nothing.clone(), ..problem.clone() };
+    let changes: Vec<_> = found.free_motions.iter().map(|v| conditions(&moving, &nothing, v)).collect();
+    let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
+    for (i, (value, _)) in values.iter().enumerate() {
+        let changes = changes.iter().map(|list| list[i]);
+        if changes.clone().any(|(change, size)| change.abs() > UNCHANGED * size) {
+            rows.push((*value, changes.map(|(change, _)| change).collect()));
+        }
+    }
+    if let Some(parts) = least(rows) {
+        let moved = found.free_motions.iter().zip(&parts).map(|(v, part)| v * *part);
+        found.twist = moved.fold(base, |sum, v| sum + v);
+    }
+    found
+}
+
+/// The least free motion that closes the gaps of contacts that touch or press where nothing has moved, as well as free motions can.
+fn to_what_touches<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    found: &Found<D, C>,
+    base: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let touches = |i: &usize| {
+        let reach = problem.drives[*i][0];
+        let open = found.states[*i].is_open() && problem.local(*i).may_open();
+        open && reach >= -ZERO_SLACK * problem.span(*i, base)
+    };
+    let open: Vec<usize> = (0..problem.len()).filter(touches).collect();
+    if open.is_empty() {
+        return SVector::zeros();
+    }
+    let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
+    let rows = DMatrix::from_fn(open.len(), free.len(), |r, k| normal(open[r]).dot(&free[k]));
+    let gaps = DVector::from_fn(open.len(), |r, _| problem.stretch(open[r], base)[0]);
+    let parts = rows.svd(true, true).solve(&gaps, DEPENDENT);
+    parts.map_or_else(
+        |_| SVector::zeros(),
+        |parts| free.iter().zip(parts.iter()).fold(SVector::zeros(), |sum, (v, part)| sum + v * *part),
+    )
+}
+
+/// The least z with `c + g·z >= 0` for all rows (c, g).
+fn least(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
+    let largest = rows.iter().map(|(value, _)| value.abs()).fold(0.0, f64::max);
+    let count = rows.first()?.1.len();
+    let generator = |(value, mut row): (f64, Vec<f64>)| {
+        row.push(if largest > 0.0 { -value / largest } else { 0.0 });
+        let length = row.iter().map(|x| x * x).sum::<f64>().sqrt();
+        row.iter_mut().for_each(|x| *x /= length);
+        row
+    };
+    let generators: Vec<Vec<f64>> = rows.into_iter().map(generator).collect();
+    let mut target = vec![0.0; count + 1];
+    target[count] = 1.0;
+    let mut nearest = NearestPoint::new(&target);
+    for _ in 0..4 * generators.len() + 4 {
+        let works = |k: &usize| {
+            let work: f64 = generators[*k].iter().zip(nearest.residual()).map(|(a, r)| a * r).sum();
+            if nearest.has(*k) { f64::NEG_INFINITY } else { work }
+        };
+        let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
+        if works(&most) <= VIOLATED {
+            let (parts, last) = nearest.residual().split_at(count);
+            return (last[0] > NO_PLACE).then(|| parts.iter().map(|r| -r / last[0] * largest).collect());
+        }
+        if !nearest.take_in(most, &generators[most], &target) {
+            return None;
+        }
+        nearest.settle(&target);
+    }
+    None
+}
