@@ -39,8 +39,6 @@ const NO_WAY: f64 = 1e-12;
 const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
-/// A leg that takes more steps along arcs is given up.
-const MOST_STEPS: usize = 20_000;
 
 impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     /// Makes one step along the arc, up to an event if one comes first.
@@ -79,7 +77,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         if dies_out && self.pace.loosen(1.0 - self.factor) {
             return;
         }
-        if dies_out || self.pace.steps > MOST_STEPS {
+        if dies_out || self.pace.steps >= self.settings.most_steps {
             let doubt = if dies_out { Doubt::Inaccurate } else { Doubt::OutOfSteps };
             self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor, doubt });
             return;

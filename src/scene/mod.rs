@@ -77,6 +77,7 @@
 //! | `max_pivots` | limit of pivots | by size |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
 //! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
+//! | `most_steps` | most steps along sliding arcs within a leg | 20 000 |
 //!
 //! Two fingers in the plane:
 //!

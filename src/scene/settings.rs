@@ -55,6 +55,7 @@ struct WrittenSettings {
     max_pivots: Option<usize>,
     most_states: usize,
     step_error: f64,
+    most_steps: usize,
 }
 
 impl Default for WrittenSettings {
@@ -71,11 +72,12 @@ impl From<&Settings> for WrittenSettings {
             max_pivots: settings.max_pivots,
             most_states: settings.most_states,
             step_error: settings.step_error,
+            most_steps: settings.most_steps,
         }
     }
 }
 
-/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …}` (feature
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …}` (feature
 /// `serde`), see [`crate::scene`].
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -87,12 +89,12 @@ impl Serialize for Settings {
 impl<'de> Deserialize<'de> for Settings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "settings", |written: WrittenSettings| {
-            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error } = written;
+            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps } = written;
             if !(step_error > 0.0 && step_error < 1.0) {
                 return Err(format!("step_error is {step_error}, must be between 0 and 1"));
             }
             let round = matches!(cone, Cone::Round);
-            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error })
+            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error, most_steps })
         })
     }
 }

@@ -34,12 +34,13 @@ pub struct Settings {
     /// more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
-    /// the largest force, of slips over the largest displacement. The default is 1e-9, an error that can be had on nearly every path.
-    /// Where the tangent becomes singular in the load, as at a fold, it magnifies rounding. An error of 1e-13, which rounding allows
-    /// elsewhere, takes thousands of steps there or cannot be had. Where no less can be had than a larger one, that is reported by
-    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Larger ones make fewer and longer steps. Where a path is
-    /// straight there are none.
+    /// the largest force, of slips over the largest displacement. The default is 1e-9; an error of 1e-13 takes three times as many steps.
+    /// Where rounding allows only a larger one, that is reported by
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Where a path is straight there are no steps.
     pub step_error: f64,
+    /// On a load path on the round cone, steps along sliding arcs within one leg, refused ones included (default 20 000, a few tenths of a second for
+    /// a few contacts; everyday paths take some dozens). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
+    pub most_steps: usize,
 }
 
 impl Default for Settings {
@@ -50,6 +51,7 @@ impl Default for Settings {
             max_pivots: None,
             most_states: 20_000,
             step_error: 1e-9,
+            most_steps: 20_000,
         }
     }
 }
@@ -85,6 +87,13 @@ impl Settings {
     #[must_use]
     pub fn with_step_error(mut self, step_error: f64) -> Self {
         self.step_error = step_error;
+        self
+    }
+
+    /// The same with another limit on the steps along sliding arcs within one leg.
+    #[must_use]
+    pub fn with_most_steps(mut self, most_steps: usize) -> Self {
+        self.most_steps = most_steps;
         self
     }
 

@@ -1,8 +1,10 @@
 //! Load programs, followed with the memory of slip.
 
+mod budget;
 mod closed_forms;
 mod cut;
 mod default_error;
+mod ends;
 mod energy;
 mod everyday;
 mod fold;

@@ -1,0 +1,56 @@
+//! A path takes no more steps than its caller allows, and says where it stands.
+
+use std::f64::consts::TAU;
+
+use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::Doubt;
+use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::spatial::{Contact, Grasp, Leg, Ramp, Wrench};
+
+/// Four fingers around a glass, no two alike, that is pulled down and aside.
+fn glass() -> Grasp {
+    let finger = |i: u32| {
+        let (sin, cos) = (TAU * f64::from(i) / 4.0 + 0.1 * f64::from(i * i)).sin_cos();
+        Contact::new([cos, sin, 0.1 * f64::from(i)], [-cos, -sin, 0.05])
+            .series_stiffness(1000.0, 700.0)
+            .friction(0.4 + 0.03 * f64::from(i))
+            .command([0.01, 0.0, 0.0])
+    };
+    Grasp::new((0..4).map(finger)).unwrap()
+}
+
+#[test]
+fn a_path_stops_where_its_steps_are_used_up() {
+    let (grasp, load) = (glass(), Wrench::force([4.0, 1.0, -30.0]));
+    let followed = |most_steps: usize| {
+        let settings = Settings::default().with_most_steps(most_steps);
+        let mut path = grasp.follow_with(Wrench::ZERO, &[Leg::load_to(load)], &settings).unwrap();
+        let events = path.run().len();
+        (path.end().unwrap().clone(), events)
+    };
+    let (whole, events) = followed(20_000);
+    let Some(limit) = whole.loss().map(|loss| loss.fraction) else { panic!("{whole:?}") };
+    let mut before = 0.0;
+    for most_steps in [0, 1, 3, 6] {
+        let (end, seen) = followed(most_steps);
+        let PathEnd::Undecided { leg: 0, fraction, doubt: Doubt::OutOfSteps } = end else {
+            panic!("{end:?}")
+        };
+        assert!(
+            fraction > 0.0 && fraction >= before && fraction < limit && seen <= events,
+            "{most_steps}: {fraction}"
+        );
+        before = fraction;
+    }
+}
+
+/// What was followed is a lower bound of what holds.
+#[test]
+fn a_reserve_without_steps_is_a_lower_bound() {
+    let (grasp, ramp) = (glass(), Ramp::load(Wrench::ZERO, Wrench::force([4.0, 1.0, -30.0])));
+    let whole = grasp.reserve(&ramp, 1.0, &Settings::default()).unwrap();
+    let short = grasp.reserve(&ramp, 1.0, &Settings::default().with_most_steps(5)).unwrap();
+    assert!(short.limit.is_none() && !short.completed);
+    let (held, limit) = (short.held_to.unwrap(), whole.limit.unwrap());
+    assert!(held >= short.onset.factor().unwrap() && held < limit, "{held} {limit}");
+}
