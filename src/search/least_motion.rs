@@ -94,7 +94,9 @@ fn least(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
     let generator = |(value, mut row): (f64, Vec<f64>)| {
         row.push(if largest > 0.0 { -value / largest } else { 0.0 });
         let length = row.iter().map(|x| x * x).sum::<f64>().sqrt();
-        row.iter_mut().for_each(|x| *x /= length);
+        for x in &mut row {
+            *x /= length;
+        }
         row
     };
     let generators: Vec<Vec<f64>> = rows.into_iter().map(generator).collect();
