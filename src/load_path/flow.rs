@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::energy::Energy;
 use super::segment::{Here, Segment};
-use crate::contact::{State, Tangent, tangential_norm};
+use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::{Stepped, implicit_step, step};
 use crate::object::{PieceState, largest_force};
 
@@ -164,14 +164,18 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         };
         let twist = self.here.twist + SVector::<f64, D>::from_column_slice(&y[load - D..load]);
         let factor = self.from + y[load];
-        let frictions: Vec<_> = self.frictions(&y).collect();
+        let mut frictions: Vec<_> = self.frictions(&y).collect();
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, &self.onward())?;
         let stays = (factor - goal.factor).abs() <= goal.near;
         let (at, to) = if stays {
-            let twist = twist + way.twist * ((goal.factor - factor) / way.factor);
+            // The rest of the way along the tangent, which the friction forces go as well.
+            let rest = (goal.factor - factor) / way.factor;
+            for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
+                *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
+            }
             let across = Direction { twist: SVector::zeros(), factor: 1.0 };
-            self.arc.balanced(twist, goal.factor, &across, &frictions)?
+            self.arc.balanced(twist + way.twist * rest, goal.factor, &across, &frictions)?
         } else {
             self.arc.balanced(twist, factor, &way, &frictions)?
         };
