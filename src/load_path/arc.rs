@@ -12,11 +12,12 @@
 
 use nalgebra::{Matrix, SMatrix, SVector};
 
-use super::segment::Segment;
+use super::segment::{Here, Segment};
 use crate::contact::{Slide, State, Tangent, tangential_norm};
+use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
 use crate::numerics::Bordered;
-use crate::object::PieceState;
+use crate::object::{Piece, PieceState};
 
 /// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
 const CORRECTIONS: usize = 6;
@@ -29,6 +30,9 @@ const BALANCED: f64 = 4e-16;
 const LEAST_COSINE: f64 = 0.5;
 /// A pivot below this part of the largest says that more than one direction is open.
 const SINGULAR: f64 = 1e-13;
+
+/// What an event leaves of balance and of the cones is rounding: a correction by more of the largest force leads to another equilibrium.
+const CORRECTED: f64 = 1e-6;
 
 /// Contacts in states that stay.
 pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
@@ -219,5 +223,31 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
             }
         };
         self.states.iter().zip(self.sites()).zip(&drives).map(force).collect()
+    }
+}
+
+impl<const D: usize, const C: usize> Segment<'_, D, C> {
+    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
+    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share.
+    pub(super) fn tangent(
+        &self,
+        states: &[State<C>],
+        factor: f64,
+        at: &PieceState<D, C>,
+    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
+        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
+        let rate = piece
+            .solve(self.problem.sites, &self.change, &self.direction)
+            .map_err(|u| self.unbalanced(u.motion))?;
+        let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
+        let across = Direction { twist: SVector::zeros(), factor: 1.0 };
+        let arc = Arc::new(self, states, piece.free_motions(), 1.0);
+        let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
+        let is_near = |(there, _): &(PieceState<D, C>, f64)| {
+            there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
+        };
+        let balanced = arc.balanced(at.twist, factor, &across, &frictions).filter(is_near);
+        let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
+        Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }
 }

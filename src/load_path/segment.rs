@@ -3,14 +3,10 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::arc::{Arc, Direction};
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Grasp;
 use crate::object::{Piece, PieceState, Problem, largest_force};
-
-/// What an event leaves of balance and of the cones is rounding: a correction by more of the largest force leads to another equilibrium.
-const CORRECTED: f64 = 1e-6;
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 pub(super) struct Segment<'g, const D: usize, const C: usize> {
@@ -88,30 +84,6 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
-    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share.
-    pub(super) fn tangent(
-        &self,
-        states: &[State<C>],
-        factor: f64,
-        at: &PieceState<D, C>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
-        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
-        let rate = piece
-            .solve(self.problem.sites, &self.change, &self.direction)
-            .map_err(|u| self.unbalanced(u.motion))?;
-        let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
-        let across = Direction { twist: SVector::zeros(), factor: 1.0 };
-        let arc = Arc::new(self, states, piece.free_motions(), 1.0);
-        let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
-        let is_near = |(there, _): &(PieceState<D, C>, f64)| {
-            there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
-        };
-        let balanced = arc.balanced(at.twist, factor, &across, &frictions).filter(is_near);
-        let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
-        Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
-    }
-
     /// A state on an arc with rates for one unit of arclength, for which the factor grows at this rate.
     pub(super) fn along(
         &self,
@@ -124,7 +96,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D> {
+    pub(super) fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D> {
         let v = motion.unwrap_or_else(SVector::zeros);
         let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
         NoEquilibrium { proof }
@@ -132,7 +104,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
 
     /// A state at a factor with its rates. What vanishes on the way is known up to the rounding of the terms: those of the state
     /// that it was reached from, at another factor, and the way from there.
-    fn here(
+    pub(super) fn here(
         &self,
         piece: std::sync::Arc<Piece<D, C>>,
         factor: f64,
