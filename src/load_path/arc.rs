@@ -59,6 +59,13 @@ pub(super) struct Direction<const D: usize> {
     pub(super) factor: f64,
 }
 
+impl<const D: usize> Direction<D> {
+    /// To a larger factor, wherever the object goes: a row across it keeps the factor as it is.
+    pub(super) fn onward() -> Self {
+        Self { twist: SVector::zeros(), factor: 1.0 }
+    }
+}
+
 impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     pub(super) fn new(
         segment: &'s Segment<'g, D, C>,
@@ -240,13 +247,12 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
             .solve(self.problem.sites, &self.change, &self.direction)
             .map_err(|u| self.unbalanced(u.motion))?;
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
-        let across = Direction { twist: SVector::zeros(), factor: 1.0 };
         let arc = Arc::new(self, states, piece.free_motions(), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState<D, C>, f64)| {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
         };
-        let balanced = arc.balanced(at.twist, factor, &across, &frictions).filter(is_near);
+        let balanced = arc.balanced(at.twist, factor, &Direction::onward(), &frictions).filter(is_near);
         let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
         Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }

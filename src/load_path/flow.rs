@@ -16,7 +16,7 @@ use super::arc::{Arc, Direction};
 use super::energy::Energy;
 use super::segment::{Here, Segment};
 use crate::contact::{State, Tangent, tangential, tangential_norm};
-use crate::numerics::{Stepped, implicit_step, step};
+use crate::numerics::{Stepped, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
 
 /// A goal within this part of the leg is where the step ends.
@@ -156,7 +156,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             Rule::Straight => {
                 Stepped { change: first.iter().map(|rate| rate * length).collect(), error: 0.0 }
             }
-            Rule::Explicit => step(length, &first, rate, size)?,
+            Rule::Explicit => explicit_step(length, &first, rate, size)?,
             Rule::Implicit { tolerance } => {
                 let sizes = self.begin.iter().flat_map(|f| std::iter::repeat_n(tangential_norm(f), C - 1));
                 implicit_step(length, &first, &sizes.collect::<Vec<_>>(), rate, size, tolerance)?
@@ -174,8 +174,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                 *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
             }
-            let across = Direction { twist: SVector::zeros(), factor: 1.0 };
-            self.arc.balanced(twist + way.twist * rest, goal.factor, &across, &frictions)?
+            self.arc.balanced(twist + way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
         } else {
             self.arc.balanced(twist, factor, &way, &frictions)?
         };

@@ -11,7 +11,7 @@ use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
 
 /// So many roundings of a displacement come together in a force at rest.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are the rounding of what the softest spring would do from these displacements. Which contacts press is then a matter of
 /// that rounding, and none of them does.
@@ -22,7 +22,7 @@ fn carries_nothing<const D: usize, const C: usize>(
     let problem = &segment.problem;
     let largest = at.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, &at.twist));
-    largest <= ROUNDING * least_spring_force(problem.sites, spans)
+    largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
 }
 
 impl<const D: usize, const C: usize> Node<D, C> {

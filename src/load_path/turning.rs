@@ -58,9 +58,12 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             self.end = Some(self.lost(LossKind::Asymptote, &here));
             return;
         }
+        if self.pace.steps >= self.settings.most_steps {
+            self.end = Some(self.gives_up(Doubt::OutOfSteps));
+            return;
+        }
         if let Some(length) = self.straight_length(&here) {
-            let end = self.step(&here, (length, 0), Rule::Straight);
-            if let Some(end) = end {
+            if let Some(end) = self.step(&here, (length, 0), Rule::Straight) {
                 self.node.sets_out = false;
                 self.arrive_at(&here, &end);
                 return;
@@ -77,9 +80,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         if dies_out && self.pace.loosen(1.0 - self.factor) {
             return;
         }
-        if dies_out || self.pace.steps >= self.settings.most_steps {
-            let doubt = if dies_out { Doubt::Inaccurate } else { Doubt::OutOfSteps };
-            self.end = Some(PathEnd::Undecided { leg: self.program.leg, fraction: self.factor, doubt });
+        if dies_out {
+            self.end = Some(self.gives_up(Doubt::Inaccurate));
             return;
         }
         let Some(end) = self.step(&here, (length, 0), rule) else {
@@ -211,7 +213,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         for contact in sticks {
             self.node.stick(contact);
         }
-        if tops {
+        // A maximum at the end of a leg is no end: the next one may go another way.
+        if tops && !leg_done {
             self.end = Some(self.lost(LossKind::Fold, &there));
         }
         self.here = Some(there);
@@ -222,6 +225,11 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         } else {
             self.at_node = stops;
         }
+    }
+
+    /// The end of a path that stands here and cannot be followed further.
+    fn gives_up(&self, doubt: Doubt) -> PathEnd<D, C> {
+        PathEnd::Undecided { leg: self.program.leg, fraction: self.factor, doubt }
     }
 
     /// The end of an arc; the motion is that along it.

@@ -114,7 +114,7 @@ pub(crate) struct Stepped {
 
 /// A step of this length from where `first` is the rate, the variables counted from there. `rate` writes f(y), or says that there is none;
 /// `size` measures an error of the variables.
-pub(crate) fn step(
+pub(crate) fn explicit_step(
     length: f64,
     first: &[f64],
     mut rate: impl FnMut(&[f64], &mut [f64]) -> Option<()>,
@@ -162,7 +162,7 @@ mod tests {
             Some(())
         };
         let size = |e: &[f64]| e[0].hypot(e[1]);
-        let Some(there) = step(angle, &[0.0, 1.0], rate, size) else { return (f64::NAN, f64::NAN) };
+        let Some(there) = explicit_step(angle, &[0.0, 1.0], rate, size) else { return (f64::NAN, f64::NAN) };
         let miss = (1.0 + there.change[0] - angle.cos()).hypot(there.change[1] - angle.sin());
         (miss, there.error)
     }

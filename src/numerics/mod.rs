@@ -34,7 +34,7 @@ mod waiting_line;
 
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
-pub(crate) use dormand_prince::{Stepped, step};
+pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use factors::Factors;
 pub(crate) use linearly_implicit::implicit_step;

@@ -155,7 +155,7 @@
 //! |---|---|---|
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`SolveAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
-//! | `follow` | `completed`, `limit_load`, `snap`, `ends`, `gives_way`, `no_start`, `undecided` | [`PathAnswer`] |
+//! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
 //! underscores. Contacts are named by their place in the scene and, for a soft fingertip, the point

@@ -34,12 +34,11 @@ pub struct Settings {
     /// more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
-    /// the largest force, of slips over the largest displacement. The default is 1e-9; an error of 1e-13 takes three times as many steps.
+    /// the largest force, of slips over the largest displacement. The default is 1e-9. Steps are as long as its eighth root: 1e-13 takes about three times as many.
     /// Where rounding allows only a larger one, that is reported by
     /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Where a path is straight there are no steps.
     pub step_error: f64,
-    /// On a load path on the round cone, steps along sliding arcs within one leg, refused ones included (default 20 000, a few tenths of a second for
-    /// a few contacts; everyday paths take some dozens). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
+    /// On a load path on the round cone, steps along sliding arcs within one leg, refused ones included (default 20 000). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
     pub most_steps: usize,
 }
 

@@ -86,13 +86,13 @@ fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
     }
 }
 
-/// Without a force across nothing turns: the body gives way at once.
+/// Without a force across nothing turns: where the finger begins to slide, nothing holds more.
 #[test]
-fn a_friction_force_along_the_way_gives_way() {
+fn a_friction_force_along_the_way_holds_no_more_at_once() {
     let grasp = grasp(0.0);
     let limit = MU * PRESS * in_series(KN, 3.0 * GUIDE);
     let path = pulled(&grasp, 0.0, 2.0 * limit);
-    assert_close!(path.end().and_then(PathEnd::loss).unwrap().load.resultant()[0], limit);
+    assert_close!(lost(&path, LossKind::Corner).load.resultant()[0], limit);
 }
 
 /// Rates for one unit of slip on a way at the angle α, of (N, F_x, F_y, λ), by hand. Along the way `λ + F_x = N tan α`, and N changes
@@ -144,14 +144,14 @@ fn a_body_that_slides_away_from_the_finger_folds() {
         // Sliding begins where the forces, affine in the load, reach the cone.
         let onset = path.state_at(1, 0.0).unwrap();
         assert_close!(onset.contacts[0].force_world[1].abs(), across * MU * normal);
-        let slides = grasp_at_onset(&path);
+        let slides = forces_at_onset(&path);
         let exact = maximum(alpha, slides);
         assert!((loss.load.resultant()[0] / exact - 1.0).abs() < 1e-9, "{alpha} {across}: {loss:?} {exact}");
     }
 }
 
 /// (N, F_x, F_y, λ) where sliding begins: on the line through two states that roll.
-fn grasp_at_onset(path: &LoadPath<'_>) -> [f64; 4] {
+fn forces_at_onset(path: &LoadPath<'_>) -> [f64; 4] {
     let at = |fraction: f64| {
         let state = path.state_at(1, fraction).unwrap();
         let [x, y, z] = state.contacts[0].force_world.into();

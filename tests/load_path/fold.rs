@@ -6,16 +6,20 @@ use std::error::Error;
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::LossKind;
 use grasp_lcp::scene::{Scene, Space};
-use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::spatial::{Beyond, ContactState, Equilibrium, Grasp, Leg, PathEnd, Wrench};
 
-/// The bottle of the scene files, pulled at the origin along x by as much as `pull`: what becomes of it at last, and how it ends.
-fn pulled(grasp: &Grasp, pull: f64, settings: &Settings) -> Result<(Equilibrium, PathEnd), Box<dyn Error>> {
+/// The bottle of the scene files, pulled at the origin along x by as much as `pull`: what becomes of it at last, how it ends, and what lies beyond.
+fn pulled(
+    grasp: &Grasp,
+    pull: f64,
+    settings: &Settings,
+) -> Result<(Equilibrium, PathEnd, Option<Beyond>), Box<dyn Error>> {
     let mut path =
         grasp.follow_with(Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("run to its end")?.clone();
     let (_, _, state) = path.position().ok_or("it starts")?;
-    Ok((state, end))
+    Ok((state, end, path.beyond()))
 }
 
 #[test]
@@ -23,15 +27,16 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
     let scene: Scene = serde_json::from_str(include_str!("../../examples/scenes/bottle.json"))?;
     let Space::Spatial(setup) = scene.space else { return Err("the bottle is spatial".into()) };
     let (grasp, settings) = (setup.grasp()?, Settings::default().with_step_error(1e-13));
-    let (last, end) = pulled(&grasp, 100.0, &settings)?;
+    let (last, end, beyond) = pulled(&grasp, 100.0, &settings)?;
     let PathEnd::Lost(loss) = end else { return Err(format!("{end:?}").into()) };
     assert_eq!(loss.kind, LossKind::Fold);
+    assert!(matches!(beyond, Some(Beyond::Snap)), "{beyond:?}");
     let most = 100.0 * loss.fraction;
 
     // A fold and not a failure of the integration: forces come to those of the end as the root of the distance to it, up to a term
     // that is linear in the distance.
     let away = |distance: f64| -> Result<f64, Box<dyn Error>> {
-        let (state, end) = pulled(&grasp, most - distance, &settings)?;
+        let (state, end, _) = pulled(&grasp, most - distance, &settings)?;
         assert!(matches!(end, PathEnd::Completed));
         Ok((state.contacts[0].force_world - last.contacts[0].force_world).norm())
     };
@@ -52,8 +57,9 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
 
     // The same fold, whatever the error of a step.
     for step_error in [1e-6, 1e-8, 1e-10] {
-        let (_, end) = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?;
+        let (_, end, beyond) = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?;
         let PathEnd::Lost(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };
+        assert!(matches!(beyond, Some(Beyond::Snap)), "{step_error}: {beyond:?}");
         assert!((coarse.fraction / loss.fraction - 1.0).abs() < step_error, "{step_error}");
     }
     Ok(())

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use grasp_lcp::picture::SphereGrid;
-use grasp_lcp::planar::{self, Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{self, Beyond, Contact, Grasp, Leg, PathEnd, Wrench};
 use grasp_lcp::spatial;
 
 type Failure = Box<dyn std::error::Error>;
@@ -70,10 +70,11 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
     Ok(())
 }
 
-/// How the load path towards a large force in a direction ends.
+/// How the load path towards a large force in a direction ends; that no equilibrium lies beyond where it is lost.
 fn end(grasp: &Grasp, angle: f64) -> Result<PathEnd, Failure> {
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
     path.by_ref().for_each(drop);
+    assert!(matches!(path.beyond(), None | Some(Beyond::LimitLoad)), "{angle}: {:?}", path.beyond());
     Ok(path.end().ok_or("an end")?.clone())
 }
 

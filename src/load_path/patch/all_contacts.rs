@@ -42,16 +42,16 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         let rates = self.rates(&segment);
         self.balance.looked_at += rates.len();
         let loss = self.loss(None);
+        let many = rates.len() > FEW;
+        // A motion that proves a limit load is quicker to find than that nothing else is found.
+        if many && let Some(limit) = self.proved_limit(&segment, &rates, &loss) {
+            return Err(limit);
+        }
         let (settled, effort) = settle(&rates, &self.settings);
         let Settled::Found(found, _) = settled else {
             let (sliding, forces) = (everything_slides(&rates), self.forces());
             let settled = match settled {
-                // More than that would take longer to find than the path.
-                Settled::Undecided(_) if rates.len() > FEW => {
-                    return Err(self
-                        .proved_limit(&segment, &rates, &loss)
-                        .unwrap_or_else(|| self.undecided()));
-                }
+                Settled::Undecided(_) if many => return Err(self.undecided()),
                 settled => (settled, &effort),
             };
             return Err(end_of_path(&segment, &rates, settled, &sliding, &forces, loss, &self.settings));
