@@ -62,12 +62,12 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             self.end = Some(self.gives_up(Doubt::OutOfSteps));
             return;
         }
-        if let Some(length) = self.straight_length(&here) {
-            if let Some(end) = self.step(&here, (length, 0), Rule::Straight) {
-                self.node.sets_out = false;
-                self.arrive_at(&here, &end);
-                return;
-            }
+        if let Some(length) = self.straight_length(&here)
+            && let Some(end) = self.step(&here, (length, 0), Rule::Straight)
+        {
+            self.node.sets_out = false;
+            self.arrive_at(&here, &end);
+            return;
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&here));
         let length = length.min(self.way_to_apex(&here));

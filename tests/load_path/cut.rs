@@ -71,7 +71,7 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let ends = [path, &pieces, &continued].map(|path| path.end().map(std::mem::discriminant));
     prop_assert_eq!(ends[0], ends[1], "{:?} against {:?}", path.end(), pieces.end());
     prop_assert_eq!(ends[1], ends[2]);
-    let beyond = [path, &pieces, &continued].map(|path| path.beyond());
+    let beyond = [path, &pieces, &continued].map(LoadPath::beyond);
     let kinds = beyond.each_ref().map(|beyond| beyond.as_ref().map(std::mem::discriminant));
     prop_assert!(kinds[0] == kinds[1] && kinds[1] == kinds[2], "{:?}", beyond);
     if let (Some((_, _, a)), Some((_, _, b))) = (path.position(), pieces.position()) {
