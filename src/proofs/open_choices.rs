@@ -14,6 +14,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
+use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
 use crate::numerics::unit;
@@ -21,10 +22,6 @@ use crate::object::Problem;
 
 /// Up to this many contacts that may open all choices of open ones are looked at.
 const MOST_CONTACTS: usize = 8;
-/// y·w at the load itself may be zero, up to this rounding.
-const ROUNDING: f64 = 1e-12;
-/// A proof must be larger than its rounding by far: columns may work against y by this part of y·w.
-const SMALL: f64 = 1e-9;
 
 /// Whether no forces whatsoever hold between a load (not included) and another a little further on.
 pub(crate) fn nothing_holds<const D: usize, const C: usize>(
@@ -143,8 +140,7 @@ fn proved(columns: &[DVector<f64>], here: &DVector<f64>, past: &DVector<f64>) ->
     let settings = Settings { enumerate_up_to: 0, ..Settings::default() };
     let Outcome::Solved(solution) = lcp.solve_with(&settings) else { return false };
     let y = (&gamma * &solution.z + &w).normalize();
-    let work = y.dot(&w);
-    work > 0.0
-        && y.dot(here) >= -ROUNDING * size
-        && columns.iter().all(|column| y.dot(column) >= -SMALL * work)
+    let against = columns.iter().map(|column| -y.dot(column)).fold(0.0, f64::max);
+    let (here, past) = (y.dot(here) / size, y.dot(&w));
+    past > 0.0 && counts_from_here_on(here, past, against, 1.0)
 }

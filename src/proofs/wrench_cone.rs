@@ -15,7 +15,7 @@
 
 use nalgebra::SVector;
 
-use super::escape::{ESCAPE, LEAST_WORK};
+use super::escape::{ESCAPE, LEAST_WORK, counts_from_here_on};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, unit};
@@ -23,9 +23,6 @@ use crate::object::Problem;
 
 /// A residual below this part of the load is no proof: the load lies on the boundary as far as rounding can tell.
 const CLEAR: f64 = 1e-9;
-/// Work of a unit wrench on a unit motion (no unit) that counts as none: rounding of motions that come from a solved
-/// piece. A smaller part would refuse proofs at limit loads.
-const NO_WORK: f64 = 1e-12;
 /// A generator that works against the residual by less than this part of it does not join.
 const JOINS: f64 = 1e-13;
 /// Generators that may join: near the boundary of round cones each comes closer to the last by a part only.
@@ -98,11 +95,13 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
     motion: &SVector<f64, D>,
     rate: &SVector<f64, D>,
 ) -> bool {
-    straight_generators(problem).is_some_and(|straight| {
-        straight.into_iter().chain(round_generators(problem, motion)).all(|g| g.dot(motion) >= -NO_WORK)
-            && problem.wrench.dot(motion) >= -NO_WORK * problem.wrench.norm()
-            && rate.dot(motion) > CLEAR * rate.norm()
-    })
+    let Some(straight) = straight_generators(problem) else { return false };
+    let all = straight.into_iter().chain(round_generators(problem, motion));
+    let against = all.map(|g| -g.dot(motion)).fold(0.0, f64::max);
+    // The next load is one by as much again as there are load and squeeze.
+    let data = problem.wrench.norm() + squeeze(problem);
+    let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
+    gained > CLEAR && counts_from_here_on(here, here + data * gained, against, data)
 }
 
 /// The unit wrenches that generate the friction cones that are not round; `None` where the law is not a cone of forces at rest.
