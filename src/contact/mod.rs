@@ -43,6 +43,8 @@ pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;
 pub(crate) use exits::{Exit, GapLine, Line};
+#[cfg(test)]
+pub(crate) use hull::Sector;
 pub(crate) use hull::{HullRay, Label};
 pub(crate) use law::{Law, LocalLaw};
 pub(crate) use polygon::Polygon;

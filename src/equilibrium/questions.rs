@@ -127,7 +127,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The problem at rest under a load.
-    pub(super) fn problem_under(
+    pub(crate) fn problem_under(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

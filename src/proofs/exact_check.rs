@@ -1,0 +1,232 @@
+//! A refutation checked once more in exact rational arithmetic, on the numbers of the problem as they are.
+//!
+//! Virtual forces are first balanced exactly, by six of them. Then every generator of what the law allows in a case is taken along, with polygons
+//! around arcs of directions: none may do more than the gain over [`ESCAPE`] times the data, for its length in √J.
+
+use std::f64::consts::FRAC_PI_8;
+
+use nalgebra::SVector;
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, One, Signed, Zero};
+
+use super::escape::ESCAPE;
+use super::refutation::{Step, check};
+use crate::contact::{Label, Sector};
+use crate::object::Problem;
+use crate::search::{Settings, refute};
+use crate::spatial::{Contact, Grasp, Wrench};
+
+type Rational = BigRational;
+
+/// Points of polygons around arcs are moved outwards by this part: more than the rounding of sines.
+const BEYOND_ROUNDING: f64 = 1e-15;
+
+fn exact(x: f64) -> Rational {
+    Rational::from_f64(x).expect("finite")
+}
+
+fn dot(a: &[Rational], b: &[Rational]) -> Rational {
+    a.iter().zip(b).fold(Rational::zero(), |sum, (a, b)| sum + a * b)
+}
+
+/// One contact in rational numbers.
+struct Exact {
+    /// Columns of G.
+    map: [[Rational; 6]; 3],
+    stiffness: [Rational; 3],
+    friction: Rational,
+    drive: [Rational; 3],
+}
+
+impl Exact {
+    fn new(problem: &Problem<'_, 6, 3>, contact: usize) -> Self {
+        let (site, local) = (&problem.sites[contact], problem.local(contact));
+        let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
+        let axes = |x: &SVector<f64, 3>| std::array::from_fn(|axis| exact(x[axis]));
+        Self {
+            map: std::array::from_fn(|axis| std::array::from_fn(|k| entry(k, axis))),
+            stiffness: axes(&local.springs.force(&SVector::repeat(1.0))),
+            friction: exact(local.cone().limit(1.0)),
+            drive: axes(&problem.drives[contact]),
+        }
+    }
+
+    /// Generators (ξ, F) of what the law allows under a label; the contact may open, and slides at finite friction.
+    fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
+        let zero = Rational::zero;
+        let none = || [zero(), zero(), zero()];
+        let along = |axis: usize, length: i64| {
+            let mut vector = none();
+            vector[axis] = Rational::from_integer(length.into());
+            vector
+        };
+        let slips_anyhow = || (1..3).flat_map(|axis| [1, -1].map(|sign| [along(axis, sign), none()]));
+        let on_cone = |p: &[Rational; 2]| [Rational::one(), &self.friction * &p[0], &self.friction * &p[1]];
+        let slip = |p: &[Rational; 2]| [zero(), &self.stiffness[1] * &p[0], &self.stiffness[2] * &p[1]];
+        let mut list = Vec::new();
+        if matches!(label, Label::Anything | Label::Open) {
+            list.push([along(0, -1), none()]);
+            list.extend(slips_anyhow());
+        }
+        match label {
+            Label::Open => {}
+            Label::Anything | Label::Closed => {
+                let whole = around(-std::f64::consts::PI, std::f64::consts::PI);
+                list.extend(whole.iter().map(|p| [along(0, 1), on_cone(p)]));
+                list.extend(slips_anyhow());
+            }
+            Label::Friction(Sector { from, to })
+            | Label::Rolling(Sector { from, to })
+            | Label::Sliding(Sector { from, to }) => {
+                for p in &around(*from, *to) {
+                    list.push([on_cone(p), on_cone(p)]);
+                    if !matches!(label, Label::Rolling(_)) {
+                        list.push([slip(p), none()]);
+                    }
+                }
+                if !matches!(label, Label::Sliding(_)) {
+                    list.push([along(0, 1), along(0, 1)]);
+                }
+            }
+        }
+        list
+    }
+}
+
+/// Corners of a polygon around the arc of the unit circle between two angles, with twice the sides that proofs are made with.
+fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
+    let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
+    let half = 0.25 * (to - from) / f64::from(pieces);
+    let point = |angle: f64, reach: f64| {
+        let (sin, cos) = angle.sin_cos();
+        [cos, sin].map(|x| exact(x * reach * (1.0 + BEYOND_ROUNDING)))
+    };
+    let corner = |k: i32| point(from + f64::from(2 * k + 1) * half, 1.0 / half.cos());
+    (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
+}
+
+/// Forces that balance one another to the last digit: six of them are moved, by elimination.
+fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
+    let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
+    let column = |j: usize| &contacts[j / 3].map[j % 3];
+    let mut rows: Vec<Vec<Rational>> = (0..6)
+        .map(|k| {
+            let mut row: Vec<Rational> = (0..forces.len()).map(|j| column(j)[k].clone()).collect();
+            let left = dot(&row, &forces);
+            row.push(-left);
+            row
+        })
+        .collect();
+    let mut pivots = Vec::new();
+    for k in 0..6 {
+        let size = |j: &usize| rows[k][*j].abs();
+        let pivot = (0..forces.len()).max_by_key(size).expect("columns");
+        let row: Vec<Rational> = rows[k].iter().map(|x| x / &rows[k][pivot]).collect();
+        for (other, target) in rows.iter_mut().enumerate() {
+            let factor = if other == k { Rational::zero() } else { target[pivot].clone() };
+            for (x, y) in target.iter_mut().zip(&row) {
+                *x -= &factor * y;
+            }
+        }
+        rows[k] = row;
+        pivots.push(pivot);
+    }
+    for (row, pivot) in rows.iter().zip(pivots) {
+        forces[pivot] += row.last().expect("a right side");
+    }
+    forces
+}
+
+/// Whether the case is contradicted.
+fn is_contradicted(
+    problem: &Problem<'_, 6, 3>,
+    contacts: &[Exact],
+    labels: &[Label],
+    (motion, forces): (&SVector<f64, 6>, &[SVector<f64, 3>]),
+    data: &Rational,
+) -> bool {
+    let motion: Vec<Rational> = motion.iter().map(|x| exact(*x)).collect();
+    let forces = balanced(contacts, forces);
+    let load: Vec<Rational> =
+        (0..6).map(|k| exact(problem.wrench[k]) + exact(problem.wrench_rest[k])).collect();
+    let parts = || contacts.iter().zip(forces.chunks(3));
+    let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.drive));
+    let gain = work - dot(&motion, &load);
+    // Nothing is lost by what balancing has moved.
+    let sum =
+        |k: usize| parts().flat_map(|(c, f)| (0..3).map(move |a| &c.map[a][k] * &f[a])).sum::<Rational>();
+    assert!((0..6).all(|k| sum(k).is_zero()));
+    let most = &gain / (exact(ESCAPE) * data);
+    gain.is_positive()
+        && parts().zip(labels).all(|((contact, f), label)| {
+            let give: Vec<Rational> = f.iter().zip(&contact.stiffness).map(|(f, k)| f / k).collect();
+            let moved = contact.map.each_ref().map(|column| dot(column, &motion));
+            contact.generators(label).iter().all(|[xi, force]| {
+                let work = dot(&give, xi) + dot(&moved, force);
+                let stored = |x: &[Rational; 3]| {
+                    x.iter().zip(&contact.stiffness).fold(Rational::zero(), |sum, (x, k)| sum + x * x / k)
+                };
+                !work.is_positive() || &work * &work <= &most * &most * (stored(xi) + stored(force))
+            })
+        })
+}
+
+/// Three fingers around a jar, each with a number of its own, pulled out with more than they hold.
+fn jar(shift: f64, load: [f64; 3]) -> (Grasp, Wrench) {
+    let finger = |k: f64| {
+        let (sin, cos) = (2.0 * k + shift).sin_cos();
+        Contact::new([cos, sin, 0.1 * k], [-cos, -sin, 0.05 * k])
+            .series_stiffness(1024.0, 512.0)
+            .friction(0.5)
+            .command([0.01 + 0.001 * k, 0.0, 0.0])
+    };
+    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::force(load))
+}
+
+#[test]
+fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> {
+    let settings = Settings::default();
+    let (mut leaves, mut deep) = (0, 0);
+    for (shift, load) in [(0.0, [0.0, 0.0, -20.0]), (0.2, [-5.0, 6.0, 19.0])] {
+        let (grasp, load) = jar(shift, load);
+        let problem = grasp.problem_under(&load, &settings)?;
+        let (steps, cases) = refute(&problem, &settings).expect("too heavy");
+        let escape = check(&problem, &steps).expect("a proof");
+        let contacts: Vec<_> = (0..problem.len()).map(|i| Exact::new(&problem, i)).collect();
+        // Data as in `check`: the trial state in √J.
+        let trial = crate::object::Piece::new(&problem, &problem.unjumped());
+        let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");
+        let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
+        let data = exact(stored.sum::<f64>().sqrt());
+
+        // A quarter of the load is held: the same steps cannot contradict every case of that.
+        let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
+        let mut open = vec![problem.locals().map(|local| local.first_label()).collect::<Vec<_>>()];
+        for step in &steps {
+            let labels = open.pop().expect("a case for every step");
+            match step {
+                Step::Divided { contact, halves } => {
+                    for half in halves {
+                        let mut labels = labels.clone();
+                        labels[*contact] = *half;
+                        open.push(labels);
+                    }
+                }
+                Step::Contradicted { motion, forces } => {
+                    leaves += 1;
+                    assert!(
+                        is_contradicted(&problem, &contacts, &labels, (motion, forces), &data),
+                        "{labels:?} {escape:e}"
+                    );
+                    let proof = (motion, &forces[..]);
+                    weak += usize::from(!is_contradicted(&held, &contacts, &labels, proof, &data));
+                }
+            }
+        }
+        assert!(open.is_empty() && weak > 0, "{weak}");
+        deep = deep.max(cases);
+    }
+    println!("{leaves} leaves, at most {deep} cases");
+    assert!(leaves > 50 && deep > 30, "{leaves} {deep}");
+    Ok(())
+}
