@@ -14,6 +14,7 @@ mod invariance;
 mod law;
 mod leg_ends;
 mod memory;
+
 mod on_facets;
 mod pace;
 mod partial_slip;
@@ -24,3 +25,4 @@ mod sliding_arcs;
 mod small_steps;
 mod start_at_rest;
 mod story;
+mod wedged;
