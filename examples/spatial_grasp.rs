@@ -62,8 +62,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let beyond = grasp.bracket(&(direction * (BEYOND * event.factor)), &Settings::default())?;
     let Outcome::Equilibrium(state) = &beyond.round else { return Err(format!("{:?}", beyond.round).into()) };
     println!(
-        "\nAt {BEYOND} of it, on the round cone: {} pivots on polygons, residual {:.0e}",
-        state.work.pivots,
+        "\nAt {BEYOND} of it, on the round cone by {:?}: residual {:.0e}",
+        state.rule,
         state.residuals.worst()
     );
     if let Some(change) = state.change_from_polygon {

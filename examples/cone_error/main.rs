@@ -1,16 +1,16 @@
 //! What facets cost in space, against what they save: error and run time of polygonal cones with 4 … 128 facets, beside the
-//! default, which proposes on 8 facets and finishes on the round cone.
+//! default, Newton's method on the round cone.
 //!
 //! Three grasps, two questions each: at which load does the first contact slide, and what do the contacts carry far beyond.
 //! The answers that errors are measured against are checked here from the question alone: the onset by solving the
 //! quadratic equations again, the sliding state by its balance and its contact law.
 //!
-//! Last what the polish costs beside the pivoting, on random grasps with 3 to 20 contacts.
+//! Last what the round cone costs beside a polygon, on random grasps with 3 to 20 contacts.
 //!
 //! `cargo run --release --example cone_error`
 
 mod by_hand;
-mod polish_cost;
+mod round_cost;
 
 use by_hand::{difference, onset_by_hand, residual};
 use grasp_lcp::picture::{Chart, Stroke};
@@ -23,8 +23,6 @@ use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
 const FACETS: [u32; 6] = [4, 8, 16, 32, 64, 128];
 /// The finest polygon is affordable on so many contacts.
 const MANY: usize = 4;
-/// Answers closer than this are one.
-const SAME: f64 = 1e-9;
 /// Nothing less is told from rounding.
 const ROUNDING: f64 = 1.1e-16;
 
@@ -42,7 +40,7 @@ fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
 struct Measured {
     polygons: Vec<Vec<(u32, f64, f64)>>,
     default: (f64, f64),
-    /// The part of the default that pivots, 8 turned facets, and the whole, s.
+    /// Eight turned facets, and the default, s.
     proposal: Option<(f64, f64)>,
 }
 
@@ -92,22 +90,13 @@ fn measure_sliding(scene: &Scene) -> Result<Measured, Failure> {
     let residual = residual(&grasp, &load, exact);
     let sliding = exact.contacts.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count();
     println!(
-        "  sliding state at factor {factor:.6}: {sliding} of {} contacts slide, {} pivots, residual recomputed {residual:.0e}",
-        grasp.len(),
-        exact.work.pivots
+        "  sliding state at factor {factor:.6}: {sliding} of {} contacts slide, residual recomputed {residual:.0e}",
+        grasp.len()
     );
     if grasp.len() <= MANY {
         let (answer, time) = once(|| held(&grasp, &polygon(1024, 0)?))?;
         if let Some(answer) = answer.equilibrium() {
             println!("  1024 facets come to {:.1e} of it in {:.1} s", difference(answer, exact), time);
-        }
-    }
-    // With friction several equilibria are common, on the round cone as well; which one is found depends on where the polish starts.
-    for facets in FACETS {
-        let proposed = Settings::default().with_cone(polygon(facets, 0)?.cone);
-        let far = held(&grasp, &proposed)?.equilibrium().map(|other| difference(other, exact));
-        if let Some(far) = far.filter(|far| *far > SAME) {
-            println!("  from {facets} facets the polish ends at another equilibrium, {far:.1e} away");
         }
     }
     let (mut polygons, mut proposal) = (Vec::new(), None);
@@ -218,7 +207,7 @@ fn main() -> Result<(), Failure> {
         let title = format!("Far beyond it: {}", scene.name);
         charts.push(chart(&title, "error of a contact force / largest force", &sliding));
     }
-    polish_cost::print()?;
+    round_cost::print()?;
     support::save("cone_error.svg", &Chart::sheet(&charts, 2)?)?;
     Ok(())
 }

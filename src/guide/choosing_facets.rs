@@ -4,8 +4,9 @@
 //!
 //! # Mostly: none
 //!
-//! Equilibria, onsets of sliding and load paths in space are for the **round** cone. Lemke's method only proposes contact states on a polygon of 8 facets, turned at
-//! each contact so that a corner lies along the trial traction; Newton's method goes on from there to the round cone, and the answer says so
+//! Equilibria, onsets of sliding and load paths in space are for the **round** cone. Newton's method finds them from the elastic trial state. Where it does not
+//! arrive Lemke's method proposes contact states on a polygon of 8 facets, turned at
+//! each contact so that a corner lies along the trial traction. Newton's method goes on from there to the round cone, and the answer says so
 //! ([`Cone::Round`](crate::equilibrium::Cone::Round), [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the
 //! proposal dearer, and the answer no better. An onset needs no facets at all: a quadratic equation a contact.
 //!

@@ -53,7 +53,8 @@
 //!
 //! * everything rolls;
 //! * everything that touches rolls;
-//! * the end of a path of Lemke's method (from 32 contacts on Newton's method is tried before);
+//! * in space and from 32 contacts on, where Newton's method arrives from the elastic trial state;
+//! * the end of a path of Lemke's method;
 //! * the first of all combinations.
 //!
 //! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) says which. The order is the same for every number of

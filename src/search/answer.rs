@@ -16,8 +16,8 @@ pub enum Rung {
     EverythingTouchingRolls,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
-    /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried with many
-    /// contacts, and on the round cone where what Lemke's method proposes on polygons leads nowhere.
+    /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried on the
+    /// round cone and with many contacts.
     Newton,
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,

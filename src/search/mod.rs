@@ -10,7 +10,7 @@
 //! | `touching` | everything that touches rolls |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
-//! | `newton`, `round_pieces`, `polish` | from a polygon's answer to the round cone |
+//! | `newton`, `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
 //! | `enumerate` | every combination of states |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 

@@ -65,9 +65,9 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
 
     /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.
     pub(super) fn solve(mut self, problem: &Problem<D, C>) -> Option<Found<D, C>> {
+        let mut piece = Piece::new(problem, &self.states);
         for step in 1..=STEPS {
-            let piece = Piece::new(problem, &self.states);
-            let [sharp, settled] = self.step(problem, &piece);
+            let [sharp, near, settled] = self.step(problem, &piece);
             let last = (sharp || step == STEPS && settled) && self.on_cones(problem);
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
@@ -77,6 +77,10 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
             let left = self.leave_states(problem, closing);
             if sharp && !left {
                 return None;
+            }
+            // Where forces have settled the next step is by so much smaller with the tangent of this one.
+            if left || !near {
+                piece = Piece::new(problem, &self.states);
             }
         }
         None
@@ -93,20 +97,21 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
     }
 
     /// Solves the piece; whether every force has settled to its last digit, and whether it has but for rounding of the largest.
-    fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> [bool; 2] {
+    fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> [bool; 3] {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
-        let mut sharp = missing.twist.norm() <= SHARP * twist.norm();
-        let mut settled = true;
+        let (moved, size) = (missing.twist.norm(), twist.norm());
+        let (mut sharp, mut near, mut settled) = (moved <= SHARP * size, moved <= SETTLED * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
             // Each contact by itself: a small force may still turn while the large ones have settled.
             sharp &= missing.norm() <= SHARP * force.norm() + NO_DIGIT * largest;
+            near &= missing.norm() <= SETTLED * force.norm();
             settled &= missing.norm() <= SETTLED * force.norm() + ROUNDING * largest;
         }
-        [sharp, settled]
+        [sharp, near, settled]
     }
 
     /// As an answer, if every inequality holds.

@@ -1,7 +1,7 @@
 //! The rolling equilibrium of what touches: contacts that would pull are open, and everything closed sticks.
 
 use super::answer::Found;
-use super::candidate::{Verdict, try_states};
+use super::candidate::{Verdict, admit};
 use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 
@@ -19,14 +19,12 @@ pub(super) fn touching_contacts<const D: usize, const C: usize>(
     trial: PieceState<D, C>,
 ) -> Option<Found<D, C>> {
     let mut solved = trial;
+    // In the first round these are the states that have failed before.
+    let mut piece = None;
     let mut changed = Vec::new();
     // Every contact usually changes once; the bound ends those that would go in circles.
     let rounds = if states.len() > ONE_BY_ONE { ROUNDS } else { 2 * states.len() + 2 };
-    for round in 0..rounds {
-        if round > 0 {
-            solved =
-                Piece::new(problem, &states).solve(problem.sites, &problem.drives, problem.load()).ok()?;
-        }
+    for _ in 0..rounds {
         // Few contacts let go one at a time: a contact that pulls makes others pull that will not when it has let go. The first is
         // the one that is farthest from the object before anything moves.
         let reach = |i: usize| problem.drives[i][0];
@@ -51,15 +49,16 @@ pub(super) fn touching_contacts<const D: usize, const C: usize>(
             }
         }
         if changed.is_empty() {
-            // In the first round these are the states that have failed before.
-            return match (round, try_states(problem, states)) {
-                (1.., Verdict::Holds(found)) => Some(found),
+            return match admit(problem, states, &piece?, solved) {
+                Verdict::Holds(found) => Some(found),
                 _ => None,
             };
         }
         for &i in &changed {
             states[i] = next;
         }
+        let changed = piece.insert(Piece::new(problem, &states));
+        solved = changed.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     }
     None
 }
