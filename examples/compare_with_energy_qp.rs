@@ -15,10 +15,10 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Result<()> {
     let grasp = two_fingers()?;
-    let onset = grasp.onset_of_sliding(Wrench::ZERO, down())?.factor().ok_or("has an onset")?;
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?.factor().ok_or("has an onset")?;
     along_the_load(&grasp, onset)?;
     println!("\nThree laws of friction at W = 0.14 N (beyond W*)\n");
-    print!("{}", grasp.three_laws(&(down() * 0.14), &Settings::default())?);
+    print!("{}", grasp.three_laws(&(down() * 0.14))?);
     beyond_first_order(&grasp)?;
     power()?;
     picture(&grasp, onset)
@@ -65,7 +65,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         "method on its optimality conditions, below {:.0e} N by an interior-point method",
         ceil(interior_off)
     );
-    let ends = grasp.agreement_with_minimum_energy(&Ramp::load(Wrench::ZERO, down()), &settings)?;
+    let ends = grasp.agreement_with_minimum_energy_with(&Ramp::load(Wrench::ZERO, down()), &settings)?;
     let Agreement::UpTo { factor, .. } = ends else { return Err("the agreement ends".into()) };
     println!("\nfirst friction constraint binds at W = {factor:.15}");
     println!("onset of sliding, found directly   W* = {onset:.15}");
@@ -79,7 +79,7 @@ fn ceil(x: f64) -> f64 {
 
 fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
-    let outcome = grasp.second_order_equilibrium(&load, &Settings::default())?;
+    let outcome = grasp.second_order_equilibrium(&load)?;
     let state = outcome.equilibrium().ok_or("there is one")?;
     let first = grasp.stability(&state.first_order);
     println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
@@ -165,7 +165,7 @@ fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut coulomb, mut program, mut missing, mut associated) = (vec![], vec![], vec![], vec![]);
     for step in 0..=32 {
         let w = if step == 32 { onset } else { 0.005 * f64::from(step) };
-        let laws = grasp.three_laws(&(down() * w), &Settings::default())?;
+        let laws = grasp.three_laws(&(down() * w))?;
         if let Some(state) = laws.comparison.equilibrium.equilibrium() {
             coulomb.push((w, state.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
         }

@@ -123,7 +123,7 @@ fn main() -> Result<(), Failure> {
             for _ in 0..each {
                 let grasp = grasp(place, count, &mut numbers)?;
                 let direction = load(kind, &mut numbers);
-                let onset = grasp.onset_of_sliding(Wrench::ZERO, direction)?;
+                let onset = grasp.onset_of_sliding(&Wrench::ZERO, &direction)?;
                 let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
                 for (part, tally) in PARTS.into_iter().zip(&mut tallies) {
                     let (load, start) = (direction * (part * onset), Instant::now());
@@ -157,7 +157,7 @@ fn main() -> Result<(), Failure> {
                 let grasp = grasp(place, count, &mut numbers)?;
                 let leg = Leg::load_to(load(kind, &mut numbers));
                 let start = Instant::now();
-                let mut path = grasp.follow(Wrench::ZERO, &[leg])?;
+                let mut path = grasp.follow(&Wrench::ZERO, &[leg])?;
                 path.run();
                 let answer = match path.end() {
                     Some(PathEnd::Completed) => "completed",

@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut events, mut best) = (Vec::new(), f64::INFINITY);
     for _ in 0..5 {
         let start = Instant::now();
-        let mut path = pad.grasp.follow_patch(pad.load(0.0), &legs)?;
+        let mut path = pad.grasp.follow_patch(&pad.load(0.0), &legs)?;
         events = path.by_ref().collect();
         best = best.min(start.elapsed().as_secs_f64());
         if !matches!(path.end(), Some(PathEnd::Completed)) {
@@ -156,7 +156,7 @@ impl Pad {
 
     /// The cycle at many loads.
     fn looks(&self, legs: &[Leg]) -> Result<Vec<Look>, Box<dyn Error>> {
-        let mut path = self.grasp.follow_patch(self.load(0.0), legs)?;
+        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
         let steps = 200;
         let mut looks = Vec::new();
         for leg in 0..3 {
@@ -223,7 +223,7 @@ impl Pad {
             "traction over μ times the largest pressure",
         );
         let largest = 2.0 / std::f64::consts::PI * NORMAL * (DEPTH / RADIUS).sqrt();
-        let mut path = self.grasp.follow_patch(self.load(0.0), legs)?;
+        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
         for (_, part) in &SHOWN[..3] {
             while path.next_before(0, part / MOST).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
@@ -245,7 +245,7 @@ impl Pad {
 
     /// The zones of the round contact at six loads.
     fn zones(&self, legs: &[Leg]) -> Result<Chart, Box<dyn Error>> {
-        let mut path = self.grasp.follow_patch(self.load(0.0), legs)?;
+        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
         let mut dots = [const { Vec::new() }; 3];
         for (k, &(leg, part)) in SHOWN.iter().enumerate() {
             let fraction = if leg == 0 { part / MOST } else { (MOST - part) / (2.0 * MOST) };

@@ -108,7 +108,7 @@ fn the_papers_grasp() -> Result<(), Failure> {
     }
     println!("pivots spent on all rows together: {pivots}");
 
-    let onset = grasp.onset_of_sliding(Wrench::ZERO, down())?;
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?;
     let event = onset.event().ok_or("the paper's grasp has an onset")?;
     let exact = 65f64.sqrt() / 66.0;
     println!("\nOnset of sliding, found directly");

@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         other => println!("  beyond: {other:?}"),
     }
 
-    let beyond = grasp.bracket(&(direction * (BEYOND * event.factor)), &Settings::default())?;
+    let beyond = grasp.bracket(&(direction * (BEYOND * event.factor)))?;
     let Outcome::Equilibrium(state) = &beyond.round else { return Err(format!("{:?}", beyond.round).into()) };
     println!(
         "\nAt {BEYOND} of it, on the round cone by {:?}: residual {:.0e}",

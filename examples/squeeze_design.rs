@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let onset = grasp.onset_with(&ramp, &settings)?;
     let event = onset.event().ok_or("slides at some load")?;
     println!("  onset of sliding with it: {:.12} times the weight", event.factor);
-    let both = grasp.reserve(&ramp, 100.0, &settings)?;
+    let both = grasp.reserve_with(&ramp, 100.0, &settings)?;
     match both.limit {
         Some(limit) => {
             println!("  the object is lost at {limit:.6} times the weight, after {} events\n", both.events);

@@ -18,7 +18,7 @@
 //! };
 //! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 //!
-//! let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+//! let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
 //! let exact = 65f64.sqrt() / 66.0;
 //! assert!((onset.factor().unwrap() - exact).abs() < 1e-15);
 //!

@@ -115,7 +115,7 @@ fn pad() -> Result<Panel, Failure> {
         found
     };
     let (slides, time) = timed(|| {
-        let events = grasp.follow(load(0.0), &legs)?.run();
+        let events = grasp.follow(&load(0.0), &legs)?.run();
         let slides = events.iter().flat_map(|e| {
             let contacts =
                 e.changes.iter().filter(|(_, change)| self::slides(change)).map(|(contact, _)| *contact);
@@ -125,7 +125,7 @@ fn pad() -> Result<Panel, Failure> {
     })?;
     panel.add("exact events, Grasp::follow", "", off(&when(&slides)), time);
     let (slides, time) = timed(|| {
-        let events = grasp.follow_patch(load(0.0), &legs)?;
+        let events = grasp.follow_patch(&load(0.0), &legs)?;
         let slides = events.filter(|e| self::slides(&e.change));
         Ok(slides.map(|e| (e.leg, e.load.as_vector()[0], e.contact)).collect::<Vec<_>>())
     })?;
@@ -171,7 +171,7 @@ fn dragged() -> Result<Panel, Failure> {
     for tolerance in [1e-4, 1e-7, 1e-10, 1e-13] {
         let settings = Settings::default().with_step_error(tolerance);
         let (path, time) = timed(|| {
-            let mut path = grasp.follow_with(spatial::Wrench::ZERO, &legs, &settings)?;
+            let mut path = grasp.follow_with(&spatial::Wrench::ZERO, &legs, &settings)?;
             path.run();
             Ok(path)
         })?;

@@ -2,10 +2,10 @@
 //!
 //! Five fingers in space, all springs alike, and the same with one finger 10⁶ times as stiff; forces against rational arithmetic.
 
+use grasp_lcp::PolygonCone;
 use grasp_lcp::energy::{QpOutcome, QuadraticProgram, Unknowns};
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use grasp_lcp::structured::{Search, Workspace};
-use grasp_lcp::{PolygonCone, Settings};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
 use crate::exact_rolling;
@@ -98,7 +98,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
         let error = if let Oracle::Minimum(x, _) = oracle { off(&by_reduced(&x)) } else { f64::NAN };
         panel.add("reduced QP by Clarabel", format!("{tolerance:.0e}"), error, time);
     }
-    let held = grasp.minimum_energy(&load, &Settings::default())?;
+    let held = grasp.minimum_energy(&load)?;
     let binding = held.minimum().map_or(usize::MAX, |minimum| minimum.binding.len());
     if binding > 0 {
         return Err("a friction row binds: the programs would answer another question".into());

@@ -57,7 +57,7 @@ pub(crate) fn last<const D: usize, const C: usize>(
     most: f64,
 ) -> Result<Last, Error> {
     let settings = settings.with_step_error(STEP_ERROR);
-    let mut path = grasp.follow_with(base, &[Leg::load_by(direction * most)], &settings)?;
+    let mut path = grasp.follow_with(&base, &[Leg::load_by(direction * most)], &settings)?;
     path.by_ref().for_each(drop);
     let (end, fraction) = match path.end() {
         Some(PathEnd::Completed) => (End::Held, f64::INFINITY),

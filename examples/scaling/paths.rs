@@ -36,16 +36,16 @@ fn whole_path<const D: usize, const C: usize>(
     let press = Wrench::from_vector(press);
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
     for (name, legs) in [("", &there_and_back[..1]), (" and back", &there_and_back)] {
-        let mut path = grasp.follow_patch(press, legs)?;
+        let mut path = grasp.follow_patch(&press, legs)?;
         let events = path.by_ref().count();
         let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
         let looked = path.contacts_looked_at() as f64 / events as f64;
         let how = if matches!(path.end(), Some(PathEnd::Completed)) { "" } else { ", not completed" };
         let time = best((20_000 / grasp.len()).clamp(5, 50), || {
-            black_box(grasp.follow_patch(press, legs).map_or(0, Iterator::count));
+            black_box(grasp.follow_patch(&press, legs).map_or(0, Iterator::count));
         });
         let settings = Settings::default().on_the_polygon();
-        let whole = || grasp.follow_with(press, legs, &settings).map(|mut path| path.run().len());
+        let whole = || grasp.follow_with(&press, legs, &settings).map(|mut path| path.run().len());
         let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
         row(
             &format!("load path{name}, patch {place}, n = {}", grasp.len()),

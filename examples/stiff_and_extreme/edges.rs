@@ -40,7 +40,7 @@ fn onset<const D: usize, const C: usize>(
     case: &'static str,
     scene: &Scene<D, C>,
 ) -> Result<(), Failure> {
-    let factor = scene.grasp().onset_of_sliding(Wrench::ZERO, scene.wrench())?.factor();
+    let factor = scene.grasp().onset_of_sliding(&Wrench::ZERO, &scene.wrench())?.factor();
     let factor = factor.ok_or("the fingers slide at some load")?;
     for value in parts() {
         let mut scene = scene.clone();

@@ -56,7 +56,7 @@ pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, F
                 _ => page,
             },
             Question::Follow { start, legs } => {
-                let mut path = grasp.follow_with(*start, &setup.legs(legs)?, settings)?;
+                let mut path = grasp.follow_with(start, &setup.legs(legs)?, settings)?;
                 for event in path.run() {
                     let changes = event.changes.iter();
                     let names: Vec<_> = changes.map(|(i, _)| grasp.contacts()[*i].label_text(*i)).collect();

@@ -61,21 +61,28 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let factor = grasp.agreement_with_minimum_energy(&ramp, &Settings::default())?.factor().expect("agrees at first");
+    /// let factor = grasp.agreement_with_minimum_energy(&ramp)?.factor().expect("agrees at first");
     /// assert!((factor - 10.0).abs() < 1e-12); // the onset of sliding
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].
-    pub fn agreement_with_minimum_energy(
+    pub fn agreement_with_minimum_energy(&self, ramp: &Ramp<D, C>) -> Result<Agreement<D, C>, Error> {
+        self.agreement_with_minimum_energy_with(ramp, &Settings::default())
+    }
+
+    /// [`Self::agreement_with_minimum_energy`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::agreement_with_minimum_energy`].
+    pub fn agreement_with_minimum_energy_with(
         &self,
         ramp: &Ramp<D, C>,
         settings: &Settings,
@@ -89,7 +96,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
             None => vec![SVector::zeros(); self.len()],
         };
-        let start = self.minimum_energy(&ramp.base, settings)?;
+        let start = self.minimum_energy_with(&ramp.base, settings)?;
         if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));
         }

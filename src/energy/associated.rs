@@ -94,7 +94,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// What the associated friction law says under a load ([`AssociatedState`] has the law). In space on the polygonal cone of the settings.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
@@ -103,7 +102,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// // Coulomb's law has no equilibrium under 12 N. The associated law lets the contacts slide and open until they press with 12 N,
     /// // which takes 12 mm of spring: 2 mm more than the command, and μ times the slip.
-    /// let law = grasp.associated_friction(&Wrench::force([0.0, -12.0]), &Settings::default())?;
+    /// let law = grasp.associated_friction(&Wrench::force([0.0, -12.0]))?;
     /// let contact = law.rest().expect("in the friction wrench cone").contacts[0];
     /// assert!((contact.force[0] - 12.0).abs() < 1e-13);
     /// assert!((contact.dilation() - 0.002).abs() < 1e-16);
@@ -113,7 +112,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn associated_friction(
+    pub fn associated_friction(&self, load: &Wrench<D>) -> Result<AssociatedOutcome<D, C>, Error> {
+        self.associated_friction_with(load, &Settings::default())
+    }
+
+    /// [`Self::associated_friction`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::associated_friction`].
+    pub fn associated_friction_with(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

@@ -178,7 +178,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<Comparison<D, C>, Error> {
         let equilibrium = self.solve_with(load, &(*settings).on_the_polygon())?;
-        let minimum = self.minimum_energy(load, settings)?;
+        let minimum = self.minimum_energy_with(load, settings)?;
         let difference = equilibrium
             .equilibrium()
             .zip(minimum.minimum())

@@ -117,14 +117,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// so that rigid sides and series stiffness are welcome.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.minimum_energy(&Wrench::force([0.0, -6.0]), &Settings::default())?;
+    /// let outcome = grasp.minimum_energy(&Wrench::force([0.0, -6.0]))?;
     /// let minimum = outcome.minimum().expect("everything rolls");
     /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
     /// assert!(minimum.imbalance.as_vector().amax() < 1e-14);
@@ -135,7 +134,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn minimum_energy(
+    pub fn minimum_energy(&self, load: &Wrench<D>) -> Result<MinimumOutcome<D, C>, Error> {
+        self.minimum_energy_with(load, &Settings::default())
+    }
+
+    /// [`Self::minimum_energy`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::minimum_energy`].
+    pub fn minimum_energy_with(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

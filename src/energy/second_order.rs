@@ -94,7 +94,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// commands stay as they are in space.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
@@ -103,7 +102,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// // A weight of 2 N at the end of an arm of 10 mm turns the body by M / (2 · 800 N/m · (1 m)²), to first order.
     /// let load = Wrench::force_at([0.0, -2.0], [0.01, 0.0]);
-    /// let outcome = grasp.second_order_equilibrium(&load, &Settings::default())?;
+    /// let outcome = grasp.second_order_equilibrium(&load)?;
     /// let found = outcome.equilibrium().expect("it hardly turns");
     /// let angle = 0.02 / 1600.0;
     /// assert!((found.first_order.twist.rotation() + angle).abs() < 1e-18);
@@ -116,7 +115,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn second_order_equilibrium(
+    pub fn second_order_equilibrium(&self, load: &Wrench<D>) -> Result<SecondOrderOutcome<D, C>, Error> {
+        self.second_order_equilibrium_with(load, &Settings::default())
+    }
+
+    /// [`Self::second_order_equilibrium`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::second_order_equilibrium`].
+    pub fn second_order_equilibrium_with(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

@@ -28,7 +28,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The same load under three laws of friction; the module [`energy`](crate::energy) has them side by side.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
@@ -36,7 +35,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// // Twelve newtons are two more than friction holds: an equilibrium for the associated law alone.
-    /// let table = grasp.three_laws(&Wrench::force([0.0, -12.0]), &Settings::default())?;
+    /// let table = grasp.three_laws(&Wrench::force([0.0, -12.0]))?;
     /// assert!(table.comparison.equilibrium.equilibrium().is_none());
     /// assert!(table.associated.rest().is_some());
     /// assert!(table.to_string().contains("no equilibrium exists"));
@@ -45,10 +44,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn three_laws(&self, load: &Wrench<D>, settings: &Settings) -> Result<ThreeLaws<D, C>, Error> {
+    pub fn three_laws(&self, load: &Wrench<D>) -> Result<ThreeLaws<D, C>, Error> {
+        self.three_laws_with(load, &Settings::default())
+    }
+
+    /// [`Self::three_laws`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::three_laws`].
+    pub fn three_laws_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<ThreeLaws<D, C>, Error> {
         Ok(ThreeLaws {
             comparison: self.compare_with_minimum_energy_with(load, settings)?,
-            associated: self.associated_friction(load, settings)?,
+            associated: self.associated_friction_with(load, settings)?,
             labels: self.contacts().iter().enumerate().map(|(i, c)| c.label_text(i)).collect(),
         })
     }

@@ -51,7 +51,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// `settings.cone` has; its fit and `settings.round` are not looked at. In the plane the three are one.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
     ///
     /// // Three fingers under a plate of 12 N, μ = 0.5: they hold 6 N sideways on the round cone.
@@ -61,14 +60,22 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
     ///
     /// // Below 6 cos(π/8) N everything rolls on every polygon of 8 facets, and the three answers are one.
-    /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]), &Settings::default())?;
+    /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]))?;
     /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn bracket(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
+    pub fn bracket(&self, load: &Wrench<D>) -> Result<Bracket<D, C>, Error> {
+        self.bracket_with(load, &Settings::default())
+    }
+
+    /// [`Self::bracket`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::bracket`].
+    pub fn bracket_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
         let on = |fit: Fit| {
             let polygon = PolygonCone::new(settings.cone.facets(), fit)?;
             self.solve_with(load, &(*settings).with_cone(polygon).on_the_polygon())

@@ -57,7 +57,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// };
     /// let grasp = Grasp::new([finger(1.0, 0.0), finger(0.0, 1.0), finger(-1.0, 0.0), finger(0.0, -1.0)])?;
     /// let up = Wrench::force([0.0, 0.0, 19.9]);
-    /// assert!(grasp.solve_with(&up, &Settings::default())?.equilibrium().is_some());
+    /// assert!(grasp.solve(&up)?.equilibrium().is_some());
     ///
     /// // A triangle in the cone, its corner pointing sideways, does not.
     /// let triangle = Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed)?);
@@ -81,13 +81,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let all = grasp.equilibria(&Wrench::force([0.0, -4.0]), &Settings::default())?;
+    /// let all = grasp.equilibria(&Wrench::force([0.0, -4.0]))?;
     /// assert_eq!(all.len(), 1); // a pinch with horizontal normals has no other
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -95,7 +94,19 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
     /// finite, or beyond 1e50.
-    pub fn equilibria(&self, load: &Wrench<D>, settings: &Settings) -> Result<Vec<Equilibrium<D, C>>, Error> {
+    pub fn equilibria(&self, load: &Wrench<D>) -> Result<Vec<Equilibrium<D, C>>, Error> {
+        self.equilibria_with(load, &Settings::default())
+    }
+
+    /// [`Self::equilibria`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::equilibria`].
+    pub fn equilibria_with(
+        &self,
+        load: &Wrench<D>,
+        settings: &Settings,
+    ) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let problem = self.problem_under(load, settings)?;
         let combinations = combinations(&problem);
         if combinations > settings.most_states as f64 {

@@ -40,7 +40,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// equilibrium, [`Settings::most_states`] allows too few cases, or no cone is round, as in the plane.
     ///
     /// ```
-    /// use grasp_lcp::Settings;
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
     ///
     /// // Three fingers around a jar press with 10 N each, μ = 0.5: they hold 15 N, and more if they squeezed more.
@@ -49,20 +48,27 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///     Contact::new([c, s, 0.0], [-c, -s, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0, 0.0])
     /// };
     /// let jar = Grasp::new([0.0, 2.0, 4.0].map(finger))?;
-    /// let settings = Settings::default();
     /// let load = Wrench::force([0.0, 0.0, -16.0]);
     ///
-    /// let proof = jar.refutation(&load, &settings)?.expect("too heavy");
+    /// let proof = jar.refutation(&load)?.expect("too heavy");
     /// assert!(proof.check(&jar, &load)?.is_some_and(|escape| escape > 1e4));
     /// // It says nothing about a load that is held.
     /// assert!(proof.check(&jar, &Wrench::force([0.0, 0.0, -1.0]))?.is_none());
-    /// assert!(jar.refutation(&Wrench::force([0.0, 0.0, -1.0]), &settings)?.is_none());
+    /// assert!(jar.refutation(&Wrench::force([0.0, 0.0, -1.0]))?.is_none());
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn refutation(
+    pub fn refutation(&self, load: &Wrench<D>) -> Result<Option<Refutation<D, C>>, Error> {
+        self.refutation_with(load, &Settings::default())
+    }
+
+    /// [`Self::refutation`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::refutation`].
+    pub fn refutation_with(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

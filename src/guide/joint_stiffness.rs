@@ -62,7 +62,7 @@
 //! };
 //! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 //! // Squeezed with u_n / C_nn each, the pair slides at 2 μ N.
-//! let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?.factor();
+//! let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?.factor();
 //! let exact = 2.0 * 0.6 * close[0] / compliance[0];
 //! assert!(onset.is_some_and(|newtons| (newtons / exact - 1.0).abs() < 1e-14));
 //! # Ok::<(), grasp_lcp::Error>(())

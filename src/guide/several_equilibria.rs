@@ -13,7 +13,6 @@
 //! Under the load (2.5, -1) the body may hang free, lifted by (K⁻¹W)_n = 1/6, or rest on the floor, whose friction keeps it from being lifted:
 //!
 //! ```
-//! use grasp_lcp::Settings;
 //! use grasp_lcp::equilibrium::{ContactState, Rung};
 //! use grasp_lcp::load_path::Leg;
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -23,7 +22,7 @@
 //! let grasp = Grasp::new([spring(-1.0), spring(1.0), floor])?;
 //! let load = Wrench::force([2.5, -1.0]);
 //!
-//! let all = grasp.equilibria(&load, &Settings::default())?;
+//! let all = grasp.equilibria(&load)?;
 //! let has = |what: fn(&ContactState<2>) -> bool| all.iter().filter(|e| what(&e.contacts[2].state)).count();
 //! assert_eq!(has(|s| matches!(s, ContactState::Rolling)), 1);
 //! assert_eq!(has(|s| matches!(s, ContactState::Sliding { .. })), 1);
@@ -39,7 +38,7 @@
 //! // first pulled and then pressed down, it hangs free.
 //! let (down, along) = (Wrench::force([0.0, -1.0]), Wrench::force([2.5, 0.0]));
 //! for (first, state) in [(down, ContactState::Rolling), (along, ContactState::Separated)] {
-//!     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
+//!     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
 //!     path.run();
 //!     let end = path.state_at(1, 1.0).ok_or("the path is completed")?;
 //!     assert_eq!(end.contacts[2].state, state);

@@ -52,10 +52,10 @@
 //! let pull = Wrench::force([1.0, 0.0]);
 //!
 //! // The load is shared evenly, so that the middle finger slides at 3 · 0.5 · 1 N …
-//! let onset = grasp.onset_of_sliding(weight, pull)?.factor();
+//! let onset = grasp.onset_of_sliding(&weight, &pull)?.factor();
 //! assert!(onset.is_some_and(|factor| (factor - 1.5).abs() < 1e-12));
 //! // … but the others hold until friction is used up everywhere: 0.5 · 5 N.
-//! let mut path = grasp.follow(weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;
+//! let mut path = grasp.follow(&weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;
 //! path.run();
 //! let Some(PathEnd::Lost(loss)) = path.end() else { panic!("something gives way") };
 //! assert!((10.0 * loss.fraction - 2.5).abs() < 1e-12);

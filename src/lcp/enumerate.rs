@@ -33,22 +33,28 @@ impl Lcp {
     /// All solutions of a small problem, by trying all 2ⁿ complementary bases. `None` if n > 20.
     ///
     /// Each basis costs one factorisation of at most n rows, and each singular one a linear
-    /// program. Of the settings only the tolerances count.
+    /// program.
     ///
     /// ```
-    /// use grasp_lcp::lcp::{Lcp, Settings};
+    /// use grasp_lcp::lcp::Lcp;
     /// use nalgebra::{DMatrix, DVector};
     ///
     /// // w = 1 − z in both rows: z_i = 0 or z_i = 1, each by itself.
     /// let problem = Lcp::new(-DMatrix::identity(2, 2), DVector::from_element(2, 1.0))?;
-    /// let all = problem.all_solutions(&Settings::default()).expect("n <= 20");
+    /// let all = problem.all_solutions().expect("n <= 20");
     /// let z: Vec<[f64; 2]> = all.solutions.iter().map(|solution| [solution.z[0], solution.z[1]]).collect();
     /// assert_eq!(z, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
     /// assert!(all.singular.is_empty());
     /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
     /// ```
     #[must_use]
-    pub fn all_solutions(&self, settings: &Settings) -> Option<AllSolutions> {
+    pub fn all_solutions(&self) -> Option<AllSolutions> {
+        self.all_solutions_with(&Settings::default())
+    }
+
+    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances count.
+    #[must_use]
+    pub fn all_solutions_with(&self, settings: &Settings) -> Option<AllSolutions> {
         (self.len() <= LARGEST).then(|| all_solutions(self, settings))
     }
 }

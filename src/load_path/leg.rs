@@ -26,7 +26,7 @@ use crate::grasp::{Grasp, Wrench};
 ///     Leg::load_to(Wrench::force([0.0, -12.0])),
 ///     Leg::commands_to(press(0.0075)).and_load_to(Wrench::ZERO),
 /// ];
-/// let mut path = grasp.follow(Wrench::ZERO, &legs)?;
+/// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
 /// assert!(path.run().is_empty()); // 6 N on each side, of 0.5 · 15 N
 /// let squeezed = path.state_at(0, 1.0).expect("has passed");
 /// assert!((squeezed.contacts[0].normal_force() - 15.0).abs() < 1e-13);

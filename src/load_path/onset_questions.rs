@@ -34,7 +34,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// // Both contacts slide when half the load is μ N = 5 N.
-    /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
     /// let event = onset.event().expect("friction is finite");
     /// assert!((event.factor - 10.0).abs() < 1e-14);
     /// assert_eq!(event.leaving.len(), 2);
@@ -43,8 +43,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
-    pub fn onset_of_sliding(&self, base: Wrench<D>, direction: Wrench<D>) -> Result<Onset<D, C>, Error> {
-        self.onset(&Ramp::load(base, direction))
+    pub fn onset_of_sliding(&self, base: &Wrench<D>, direction: &Wrench<D>) -> Result<Onset<D, C>, Error> {
+        self.onset(&Ramp::load(*base, *direction))
     }
 
     /// The factor at which the first contact leaves rolling along a [`Ramp`], and which contacts leave and how, with default [`Settings`]: in
@@ -131,7 +131,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
     ///
     /// let state = grasp.state_at_onset(onset.event().expect("slides")).expect("its own event");
     /// assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15);
@@ -159,7 +159,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5. Both slide at once, and nothing is left.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
     ///
     /// let beyond = grasp.beyond(onset.event().expect("slides")).expect("its own event");
     /// assert!(matches!(beyond, Beyond::LimitLoad));

@@ -35,7 +35,7 @@ use crate::search::{Doubt, Settings, Settled, settle};
 /// };
 /// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
 /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
-/// let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
+/// let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
 /// let events: Vec<_> = path.by_ref().collect();
 /// assert_eq!(events[0].changes[0].0, 1);
 /// // The guide gives way by 1/51: F_n = 50/51 N. Each foot carries half of the pull, up to 0.25 F_n.
@@ -78,7 +78,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
     /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`].
-    pub fn follow(&self, start: Wrench<D>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
+    pub fn follow(&self, start: &Wrench<D>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
         self.follow_with(start, legs, &Settings::default())
     }
 
@@ -88,21 +88,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::follow`].
     pub fn follow_with(
         &self,
-        start: Wrench<D>,
+        start: &Wrench<D>,
         legs: &[Leg<D, C>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
-        let (round, wrench) = (settings.is_round::<C>(), self.inside(&start, "start load")?);
+        let (round, wrench) = (settings.is_round::<C>(), self.inside(start, "start load")?);
         let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
-        let mut program = Program::new(self, start);
+        let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, settings);
         let cone = Cone::of::<C>(settings);
         let (start_state, end) = match settled {
             Settled::Found(found, _) => (Some(found), None),
             lost => {
-                let outcome = self.outcome(&problem, &start, lost, &effort, cone);
+                let outcome = self.outcome(&problem, start, lost, &effort, cone);
                 (None, Some(PathEnd::NoStart(Box::new(outcome))))
             }
         };

@@ -52,32 +52,44 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let reserve = grasp.reserve(&weight, 100.0, &Settings::default())?;
+    /// let reserve = grasp.reserve(&weight, 100.0)?;
     /// assert!((reserve.onset.factor().expect("slides") - 10.0).abs() < 1e-13);
     /// assert!((reserve.limit.expect("falls") - 10.0).abs() < 1e-12); // both slide at once, and nothing is left
     /// assert!(reserve.held_to == reserve.limit);
     ///
-    /// let holds = grasp.reserve(&weight, 5.0, &Settings::default())?;
+    /// let holds = grasp.reserve(&weight, 5.0)?;
     /// assert!(holds.completed && holds.limit.is_none() && holds.held_to == Some(5.0));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].
-    pub fn reserve(&self, ramp: &Ramp<D, C>, most: f64, settings: &Settings) -> Result<Reserve<D, C>, Error> {
+    pub fn reserve(&self, ramp: &Ramp<D, C>, most: f64) -> Result<Reserve<D, C>, Error> {
+        self.reserve_with(ramp, most, &Settings::default())
+    }
+
+    /// [`Self::reserve`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::reserve`].
+    pub fn reserve_with(
+        &self,
+        ramp: &Ramp<D, C>,
+        most: f64,
+        settings: &Settings,
+    ) -> Result<Reserve<D, C>, Error> {
         let onset = self.onset_with(ramp, settings)?;
         let mut leg = Leg::load_by(ramp.direction * most);
         if let Some(change) = &ramp.command_change {
             leg = leg.and_commands_by(change.iter().map(|a| a * most).collect::<Vec<_>>());
         }
-        let mut path = self.follow_with(ramp.base, &[leg], settings)?;
+        let mut path = self.follow_with(&ramp.base, &[leg], settings)?;
         let events = path.run().len();
         let end = path.end();
         let loss = end.and_then(PathEnd::loss).cloned();
@@ -94,21 +106,28 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let range = grasp.rolling_range(&ramp, &Settings::default())?.expect("rolls without load");
+    /// let range = grasp.rolling_range(&ramp)?.expect("rolls without load");
     /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].
-    pub fn rolling_range(
+    pub fn rolling_range(&self, ramp: &Ramp<D, C>) -> Result<Option<RollingRange>, Error> {
+        self.rolling_range_with(ramp, &Settings::default())
+    }
+
+    /// [`Self::rolling_range`] with other [`Settings`].
+    ///
+    /// # Errors
+    /// As for [`Self::rolling_range`].
+    pub fn rolling_range_with(
         &self,
         ramp: &Ramp<D, C>,
         settings: &Settings,

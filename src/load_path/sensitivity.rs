@@ -167,7 +167,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);

@@ -237,7 +237,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
                 Answer::Onset(places.onset(grasp, settings, &onset))
             }
             Question::Follow { start, legs } => {
-                let mut path = grasp.follow_with(*start, &self.legs(legs)?, settings)?;
+                let mut path = grasp.follow_with(start, &self.legs(legs)?, settings)?;
                 let events = path.run();
                 Answer::Follow(places.path(&path, &events))
             }

@@ -12,19 +12,28 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let loads = [3.0, 30.0].map(|weight| Wrench::force([0.0, -weight]));
-    /// let outcomes = grasp.solve_each(&loads, &Settings::default()).into_iter().collect::<Result<Vec<_>, _>>()?;
+    /// let outcomes = grasp.solve_each(&loads).into_iter().collect::<Result<Vec<_>, _>>()?;
     /// assert_eq!([true, false], [0, 1].map(|i| outcomes[i].equilibrium().is_some()));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn solve_each(&self, loads: &[Wrench<D>], settings: &Settings) -> Vec<Result<Outcome<D, C>, Error>> {
+    pub fn solve_each(&self, loads: &[Wrench<D>]) -> Vec<Result<Outcome<D, C>, Error>> {
+        self.solve_each_with(loads, &Settings::default())
+    }
+
+    /// [`Self::solve_each`] with other [`Settings`].
+    #[must_use]
+    pub fn solve_each_with(
+        &self,
+        loads: &[Wrench<D>],
+        settings: &Settings,
+    ) -> Vec<Result<Outcome<D, C>, Error>> {
         map_in_order(loads, |load| self.solve_with(load, settings))
     }
 
@@ -33,21 +42,30 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::Settings;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let tilted = |angle: f64| Ramp::load(Wrench::ZERO, Wrench::force([angle.sin(), -angle.cos()]));
-    /// let onsets = grasp.onset_each(&[tilted(0.0), tilted(0.5)], &Settings::default());
+    /// let onsets = grasp.onset_each(&[tilted(0.0), tilted(0.5)]);
     /// let factors = onsets.into_iter().map(|onset| onset.map(|o| o.factor().expect("slides"))).collect::<Result<Vec<_>, _>>()?;
     /// // The contact that the pull relieves slides first: W cos φ / 2 = μ (10 - W sin φ / 2).
     /// assert!((factors[1] - 10.0 / (0.5_f64.cos() + 0.5 * 0.5_f64.sin())).abs() < 1e-13);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn onset_each(&self, ramps: &[Ramp<D, C>], settings: &Settings) -> Vec<Result<Onset<D, C>, Error>> {
+    pub fn onset_each(&self, ramps: &[Ramp<D, C>]) -> Vec<Result<Onset<D, C>, Error>> {
+        self.onset_each_with(ramps, &Settings::default())
+    }
+
+    /// [`Self::onset_each`] with other [`Settings`].
+    #[must_use]
+    pub fn onset_each_with(
+        &self,
+        ramps: &[Ramp<D, C>],
+        settings: &Settings,
+    ) -> Vec<Result<Onset<D, C>, Error>> {
         map_in_order(ramps, |ramp| self.onset_with(ramp, settings))
     }
 }
@@ -58,7 +76,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
 /// use grasp_lcp::sweep::onset_of_each;
-/// use grasp_lcp::Settings;
 ///
 /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N: they slide at 2 μ N.
 /// let frictions = [0.2, 0.4, 0.8];
@@ -68,13 +85,22 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 /// };
 /// let grasps = frictions.into_iter().map(pinch).collect::<Result<Vec<_>, _>>()?;
 /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-/// for (onset, mu) in onset_of_each(&grasps, &weight, &Settings::default()).into_iter().zip(frictions) {
+/// for (onset, mu) in onset_of_each(&grasps, &weight).into_iter().zip(frictions) {
 ///     assert!((onset?.factor().expect("slides") - 2.0 * mu * 10.0).abs() < 1e-13);
 /// }
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[must_use]
 pub fn onset_of_each<const D: usize, const C: usize>(
+    grasps: &[Grasp<D, C>],
+    ramp: &Ramp<D, C>,
+) -> Vec<Result<Onset<D, C>, Error>> {
+    onset_of_each_with(grasps, ramp, &Settings::default())
+}
+
+/// [`onset_of_each`] with other [`Settings`].
+#[must_use]
+pub fn onset_of_each_with<const D: usize, const C: usize>(
     grasps: &[Grasp<D, C>],
     ramp: &Ramp<D, C>,
     settings: &Settings,

@@ -12,7 +12,7 @@ mod progress;
 mod uncertainty;
 
 pub use batch::onsets_of_batch;
-pub use grasps::onset_of_each;
+pub use grasps::{onset_of_each, onset_of_each_with};
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
 pub use uncertainty::Uncertainty;

@@ -16,7 +16,6 @@ use crate::numerics::Draw;
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
 /// use grasp_lcp::sweep::Uncertainty;
-/// use grasp_lcp::Settings;
 ///
 /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.4).command([0.01, 0.0]);
 /// let grasp = Grasp::new([finger(1.0), finger(-1.0)])?;
@@ -24,7 +23,7 @@ use crate::numerics::Draw;
 ///
 /// // How often does it hold 6 N without sliding, if friction is known to 20 % and stiffness to 10 %?
 /// let off = Uncertainty::seeded(7).with_friction(0.2).with_stiffness(0.1);
-/// let onsets = grasp.onset_of_samples(&weight, &off, 1000, &Settings::default());
+/// let onsets = grasp.onset_of_samples(&weight, &off, 1000);
 /// let holds = onsets.iter().filter(|o| o.as_ref().is_ok_and(|o| o.factor().is_some_and(|w| w > 6.0))).count();
 /// assert!((700..950).contains(&holds));
 ///
@@ -106,6 +105,17 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// does not stop the rest.
     #[must_use]
     pub fn onset_of_samples(
+        &self,
+        ramp: &Ramp<D, C>,
+        uncertainty: &Uncertainty,
+        samples: u64,
+    ) -> Vec<Result<Onset<D, C>, Error>> {
+        self.onset_of_samples_with(ramp, uncertainty, samples, &Settings::default())
+    }
+
+    /// [`Self::onset_of_samples`] with other [`Settings`].
+    #[must_use]
+    pub fn onset_of_samples_with(
         &self,
         ramp: &Ramp<D, C>,
         uncertainty: &Uncertainty,

@@ -149,7 +149,7 @@ fn same_minimum<const D: usize, const C: usize>(counts: std::ops::Range<usize>, 
     for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.1), |scene| {
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
-        let outcome = grasp.minimum_energy(&load, &settings).unwrap();
+        let outcome = grasp.minimum_energy_with(&load, &settings).unwrap();
         let printed = grasp.printed_qp(&load, &settings.cone).unwrap();
         let reduced = grasp.reduced_qp(&load, &settings.cone, Unknowns::TwistAndGaps).unwrap();
         let twist_only = grasp.reduced_qp(&load, &settings.cone, Unknowns::Twist).unwrap();

@@ -3,7 +3,6 @@
 
 use std::cell::Cell;
 
-use grasp_lcp::Settings;
 use grasp_lcp::energy::{AssociatedOutcome, QuadraticProgram};
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use nalgebra::{DMatrix, DVector, SVector};
@@ -55,7 +54,7 @@ fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::
             scene.load = -scene.load;
         }
         let grasp = scene.grasp();
-        let outcome = grasp.associated_friction(&scene.wrench(), &Settings::default()).unwrap();
+        let outcome = grasp.associated_friction(&scene.wrench()).unwrap();
         let qp = complementary_energy(&scene);
         let oracle = interior_point(&qp);
         let state = match (&outcome, &oracle) {
@@ -127,7 +126,7 @@ fn spatial() {
 fn it_holds_what_coulomb_friction_does_not() {
     let grasp = support::paper::two_fingers().unwrap();
     for w in [0.13, 0.14, 1.0, 10.0] {
-        let laws = grasp.three_laws(&(support::paper::down() * w), &Settings::default()).unwrap();
+        let laws = grasp.three_laws(&(support::paper::down() * w)).unwrap();
         assert!(matches!(laws.comparison.equilibrium, Outcome::NoEquilibrium(ref n)
             if matches!(n.proof, Proof::EveryStateTried { .. })));
         let rest = laws.associated.rest().expect("at rest");
@@ -149,7 +148,7 @@ fn it_holds_what_coulomb_friction_does_not() {
 #[test]
 fn one_answer_while_everything_rolls() {
     let grasp = support::paper::two_fingers().unwrap();
-    let laws = grasp.three_laws(&(support::paper::down() * 0.1), &Settings::default()).unwrap();
+    let laws = grasp.three_laws(&(support::paper::down() * 0.1)).unwrap();
     let state = laws.comparison.equilibrium.equilibrium().unwrap();
     let minimum = laws.comparison.minimum.minimum().unwrap();
     let rest = laws.associated.rest().unwrap();

@@ -59,7 +59,7 @@ fn same_onset<const D: usize, const C: usize>(
             return Ok(());
         }
         let onset = grasp.onset_with(&ramp, &settings.on_the_polygon()).unwrap();
-        let agreement = grasp.agreement_with_minimum_energy(&ramp, &settings).unwrap();
+        let agreement = grasp.agreement_with_minimum_energy_with(&ramp, &settings).unwrap();
         let slides = |event: &OnsetEvent<D, C>| {
             event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))
         };

@@ -1,7 +1,6 @@
 //! Second derivatives of the energy against finite differences of the exact one; a grasp that tips over when squeezed too
 //! hard; equilibrium with the second-order displacement.
 
-use grasp_lcp::Settings;
 use grasp_lcp::energy::{SecondOrderOutcome, StabilityVerdict};
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -207,7 +206,7 @@ fn second_order_equilibrium<const D: usize, const C: usize>(counts: std::ops::Ra
             datum.command *= 0.2;
         }
         let grasp = scene.grasp();
-        let outcome = grasp.second_order_equilibrium(&scene.wrench(), &Settings::default()).unwrap();
+        let outcome = grasp.second_order_equilibrium(&scene.wrench()).unwrap();
         let SecondOrderOutcome::Equilibrium(state) = outcome else { return Ok(()) };
         if state.states.iter().any(|s| *s != ContactState::Rolling) {
             return Ok(());
@@ -252,7 +251,7 @@ fn squeezing_softens_the_grasp() {
     let grasp = squeezed(0.002).unwrap();
     let m = 1e-4;
     let load = Wrench::new([0.0, 0.0], m);
-    let outcome = grasp.second_order_equilibrium(&load, &Settings::default()).unwrap();
+    let outcome = grasp.second_order_equilibrium(&load).unwrap();
     let state = outcome.equilibrium().expect("stable");
     let (first, second) = (m / (2.0 * 10.0 * 0.25), m / (2.0 * (10.0 * 0.25 - 2.0 * 0.5)));
     assert!((state.first_order.twist.rotation() - first).abs() < 1e-15);
@@ -263,12 +262,10 @@ fn squeezing_softens_the_grasp() {
     let tipped = squeezed(0.02).unwrap();
     let first = tipped.solve(&load).unwrap();
     assert_eq!(tipped.stability(first.equilibrium().unwrap()).verdict, StabilityVerdict::Unstable);
-    let outcome = tipped.second_order_equilibrium(&load, &Settings::default()).unwrap();
+    let outcome = tipped.second_order_equilibrium(&load).unwrap();
     let state = outcome.equilibrium().expect("turned");
     assert!((state.twist.rotation() - 0.06_f64.sqrt()).abs() < 1e-4, "{}", state.twist.rotation());
     assert_eq!(state.stability.verdict, StabilityVerdict::Stable);
     assert!(state.displacement_left_out > 0.1);
-    assert!(
-        grasp.second_order_equilibrium(&Wrench::new([f64::NAN, 0.0], 0.0), &Settings::default()).is_err()
-    );
+    assert!(grasp.second_order_equilibrium(&Wrench::new([f64::NAN, 0.0], 0.0)).is_err());
 }

@@ -80,7 +80,7 @@ fn ask<const D: usize, const C: usize>(
     if let Ok(outcome) = grasp.solve_with(&load, &settings) {
         answers.extend(outcome.equilibrium().cloned());
     }
-    answers.extend(grasp.equilibria(&load, &settings).unwrap_or_default());
+    answers.extend(grasp.equilibria_with(&load, &settings).unwrap_or_default());
     let ramp = Ramp::load(load, direction).with_commands(change);
     for onset in [grasp.onset_with(&ramp, &settings), grasp.onset_with(&ramp, &settings.on_the_polygon())] {
         match onset {

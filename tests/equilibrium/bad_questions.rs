@@ -52,10 +52,10 @@ fn wrench_refused<const D: usize, const C: usize>(grasp: &Grasp<D, C>) {
             let mut w = SVector::<f64, D>::zeros();
             w[component] = value;
             let (bad, settings) = (Wrench::from_vector(w), Settings::default());
-            let onset = |base, direction| grasp.onset_of_sliding(base, direction).unwrap_err();
+            let onset = |base, direction| grasp.onset_of_sliding(&base, &direction).unwrap_err();
             for (what, error) in [
                 ("load", grasp.solve(&bad).unwrap_err()),
-                ("load", grasp.equilibria(&bad, &settings).unwrap_err()),
+                ("load", grasp.equilibria_with(&bad, &settings).unwrap_err()),
                 ("base load", onset(bad, Wrench::ZERO)),
                 ("load direction", onset(Wrench::ZERO, bad)),
             ] {
@@ -90,8 +90,8 @@ fn a_friction_polygon_with_too_few_or_too_many_facets() {
 #[test]
 fn too_many_combinations_to_list() {
     let grasp = planar::Grasp::new(planar_contacts()).unwrap();
-    let error = grasp.equilibria(&Wrench::ZERO, &Settings::default().with_most_states(63)).unwrap_err();
+    let error = grasp.equilibria_with(&Wrench::ZERO, &Settings::default().with_most_states(63)).unwrap_err();
     assert_eq!(error, Error::TooManyStates { contacts: 3, combinations: 64.0, most: 63 });
     assert_eq!(error.to_string(), "3 contacts have 6.4e1 combinations of states, at most 63 are tried");
-    assert!(grasp.equilibria(&Wrench::ZERO, &Settings::default().with_most_states(64)).is_ok());
+    assert!(grasp.equilibria_with(&Wrench::ZERO, &Settings::default().with_most_states(64)).is_ok());
 }

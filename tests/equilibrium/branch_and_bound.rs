@@ -4,7 +4,6 @@
 use std::f64::consts::TAU;
 use std::ops::AddAssign;
 
-use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use nalgebra::{SMatrix, SVector};
@@ -101,7 +100,7 @@ fn every_load_beyond_the_onset_is_decided() {
             let fingers = fingers(count, spread, friction, &mut numbers);
             let grasp = grasp(&fingers);
             let direction = Wrench::new(numbers.three(), numbers.three().map(|x| 0.3 * x));
-            let onset = grasp.onset_of_sliding(Wrench::ZERO, direction).unwrap();
+            let onset = grasp.onset_of_sliding(&Wrench::ZERO, &direction).unwrap();
             let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
             for part in [1.15, 2.5, 6.0] {
                 let load = direction * (part * onset);
@@ -115,8 +114,7 @@ fn every_load_beyond_the_onset_is_decided() {
                         none += 1;
                         if let Proof::EveryCaseContradicted { escape, .. } = answer.proof {
                             assert!(escape >= 1e4);
-                            let proof =
-                                grasp.refutation(&load, &Settings::default()).unwrap().expect("again");
+                            let proof = grasp.refutation(&load).unwrap().expect("again");
                             let checked = proof.check(&grasp, &load).unwrap().expect("it holds");
                             // In closed form a case holds no more than in the polygons around its arcs.
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
@@ -162,7 +160,7 @@ fn a_proof_holds_for_its_own_scene_alone() {
     let mut numbers = Numbers(5);
     let [one, other] = [0, 1].map(|_| grasp(&fingers(4, 0.3, [0.3, 0.6], &mut numbers)));
     let load = Wrench::force([0.0, 0.0, -60.0]);
-    let proof = one.refutation(&load, &Settings::default()).unwrap().expect("too heavy");
+    let proof = one.refutation(&load).unwrap().expect("too heavy");
     assert!(proof.cases() > 1);
     assert!(proof.check(&one, &load).unwrap().is_some_and(|escape| escape > 1e4));
     assert!(proof.check(&one, &(load * 0.1)).unwrap().is_none());
@@ -197,7 +195,7 @@ fn no_proof_contradicts_an_equilibrium() {
         let grasp = Grasp::new((0..5).map(contact).collect::<Vec<_>>()).unwrap();
         let load = Wrench::new(numbers.three(), numbers.three()) * (10.0 * (3.0 * numbers.signed()).exp());
         let outcome = grasp.solve(&load).unwrap();
-        let proof = grasp.refutation(&load, &Settings::default()).unwrap();
+        let proof = grasp.refutation(&load).unwrap();
         held += usize::from(outcome.equilibrium().is_some());
         refuted += usize::from(proof.is_some());
         assert!(outcome.equilibrium().is_none() || proof.is_none(), "scene {scene}: {grasp:?}, {load:?}");

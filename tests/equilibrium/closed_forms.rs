@@ -43,7 +43,7 @@ fn planar_pinch() {
         assert_close!(contact.force_world[1], w / 2.0);
         assert_close!(contact.margin, mu * k * a - w / 2.0);
     }
-    let onset = grasp.onset_of_sliding(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0])).unwrap();
+    let onset = grasp.onset_of_sliding(&planar::Wrench::ZERO, &planar::Wrench::force([0.0, -1.0])).unwrap();
     let event = onset.event().expect("finite onset");
     assert_close!(event.factor, 2.0 * mu * k * a);
     assert_eq!(event.leaving.len(), 2);
@@ -117,7 +117,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let grasp = spatial::Grasp::new((0..3).map(finger)).unwrap();
     let (w, m) = (0.7, 0.9);
     let direction = spatial::Wrench::new([0.0, 0.0, -w], [0.0, 0.0, m]);
-    let onset = grasp.onset_of_sliding(spatial::Wrench::ZERO, direction).unwrap();
+    let onset = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &direction).unwrap();
     let event = onset.event().expect("finite onset");
     let exact = mu * k * a / (w / 3.0).hypot(m / (3.0 * radius));
     assert_close!(event.factor, exact);
@@ -154,7 +154,7 @@ fn quadratic_onset_from_a_loaded_base() {
     };
     let grasp = spatial::Grasp::new((0..3).map(finger)).unwrap();
     let base = spatial::Wrench::force([0.0, 0.0, -w]);
-    let onset = grasp.onset_of_sliding(base, spatial::Wrench::new([0.0; 3], [0.0, 0.0, m])).unwrap();
+    let onset = grasp.onset_of_sliding(&base, &spatial::Wrench::new([0.0; 3], [0.0, 0.0, m])).unwrap();
     let limit = mu * k * a;
     let exact = (limit * limit - (w / 3.0) * (w / 3.0)).sqrt() * 3.0 * radius / m;
     assert_close!(onset.factor().expect("a rolling base"), exact);
@@ -276,7 +276,7 @@ fn a_support_lets_go() {
     let expected = w * (2.0 * e - 1.0) / k - w * (1.0 - e) / k;
     assert_close!(state.contacts[0].gap, expected);
     assert!(expected > 0.0);
-    let onset = bar.onset_of_sliding(load(0.0), load(1.0) - load(0.0)).unwrap();
+    let onset = bar.onset_of_sliding(&load(0.0), &(load(1.0) - load(0.0))).unwrap();
     let event = onset.event().expect("finite onset");
     assert_close!(event.factor, 2.0 / 3.0);
     assert!(matches!(event.leaving[..], [planar::Leaving { contact: 0, how: planar::Departure::Opens, .. }]));

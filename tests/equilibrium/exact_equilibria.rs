@@ -8,7 +8,6 @@
 //! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
 //! is something to find.
 
-use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
 use proptest::prelude::*;
@@ -185,7 +184,7 @@ impl Tally {
             _ if clear => return Err(complaint("undecided, and nothing is borderline".into())),
             _ => self.undecided += 1,
         }
-        let list = grasp.equilibria(&load, &Settings::default()).expect("few contacts");
+        let list = grasp.equilibria(&load).expect("few contacts");
         if clear && list.len() != census.entries.len() {
             return Err(complaint(format!(
                 "{} listed, there are {}: {list:?}",

@@ -86,7 +86,7 @@ proptest! {
             prop_assert!(size(pose.rotation * a.force_world - b.force_world) < 1e-12);
         }
         prop_assert!(size(a.twist.transformed(&pose).as_vector() - b.twist.as_vector()) < 1e-13);
-        let onset = |grasp: &Grasp, load: Wrench| grasp.onset_of_sliding(Wrench::ZERO, load).expect("a load").factor();
+        let onset = |grasp: &Grasp, load: Wrench| grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("a load").factor();
         let (a, b) = (onset(&here, load).expect("slides"), onset(&there, load.transformed(&pose)).expect("slides"));
         prop_assert!((a - b).abs() < 1e-11 * a, "{a} {b}");
     }

@@ -110,7 +110,7 @@ fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
     }
     let beyond = grasp.compare_with_minimum_energy(&(weight + pull * 1.01)).unwrap();
     assert!(matches!(beyond.verdict, Verdict::NoEquilibrium { .. }), "{}", beyond.verdict);
-    let ends = grasp.agreement_with_minimum_energy(&Ramp::load(weight, pull), &Settings::default()).unwrap();
+    let ends = grasp.agreement_with_minimum_energy(&Ramp::load(weight, pull)).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - 1.0).abs() < 1e-14, "{factor}");
     assert_eq!(binding.iter().map(|(contact, _)| *contact).collect::<Vec<_>>(), [2]);

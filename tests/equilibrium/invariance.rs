@@ -59,7 +59,7 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
     let outcome = grasp.solve_with(&scene.wrench(), &settings()).expect("a finite load");
     let e = outcome.equilibrium()?;
     if e.rule != Rung::EverythingRolls {
-        let all = grasp.equilibria(&scene.wrench(), &settings()).ok()?;
+        let all = grasp.equilibria_with(&scene.wrench(), &settings()).ok()?;
         if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
             return None;
         }
@@ -198,7 +198,7 @@ fn not_felt<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let off = |other: &Equilibrium<D, C>| distance(scene, e, &picture(other));
     let mut alone = false;
-    if let Ok(all) = changed.grasp().equilibria(&changed.wrench(), &settings()) {
+    if let Ok(all) = changed.grasp().equilibria_with(&changed.wrench(), &settings()) {
         prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
         alone = all.len() == 1;
     }

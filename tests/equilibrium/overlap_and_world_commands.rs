@@ -64,7 +64,7 @@ fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>;
         let state = outcome.equilibrium().expect("holds");
         let ramp = Ramp::load(Wrench::ZERO, down);
         let factor = grasp.onset_with(&ramp, &settings).unwrap().factor();
-        let events = grasp.follow(Wrench::ZERO, &[Leg::load_by(down * 50.0)]).unwrap().run();
+        let events = grasp.follow(&Wrench::ZERO, &[Leg::load_by(down * 50.0)]).unwrap().run();
         let forces: Vec<_> = state.contacts.iter().map(|contact| contact.force).collect();
         let fractions: Vec<_> = events.iter().map(|event| event.fraction).collect();
         (state.twist, forces, factor, fractions)

@@ -80,7 +80,7 @@ fn check<const D: usize, const C: usize>(
         _ => tally.undecided += 1,
     }
     if list {
-        let all = grasp.equilibria(&scene.wrench(), &Settings::default()).expect("few contacts");
+        let all = grasp.equilibria(&scene.wrench()).expect("few contacts");
         prop_assert!(all.is_empty() == found.is_empty(), "solved {found:?}, listed {all:?}");
         tally.several += u32::from(all.len() > 1);
         found.extend(all);

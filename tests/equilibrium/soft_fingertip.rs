@@ -80,7 +80,7 @@ fn a_tip_tilts_until_it_opens() {
         let press = Wrench::force([0.0, 0.0, -N]);
         // A negative turn about y lifts the body where x > 0; there is a point on the rim along +x.
         let tilt = Wrench::new([0.0; 3], [0.0, -1.0, 0.0]);
-        let onset = grasp.onset_of_sliding(press, tilt).unwrap();
+        let onset = grasp.onset_of_sliding(&press, &tilt).unwrap();
         let event = onset.event().expect("it opens");
         assert_relatively_close!(event.factor, N * square * R / 2.0);
         assert!(event.leaving.iter().any(|l| l.how == Departure::Opens), "{:?}", event.leaving);
@@ -120,7 +120,7 @@ fn planar_pads() {
         assert_relatively_close!(tip.first_opening(N), N * square * half);
         let press = Wrench::force_at([0.6 * N, -0.8 * N], [0.2, 0.1]);
         for side in [-1.0, 1.0] {
-            let onset = grasp.onset_of_sliding(press, Wrench::new([0.0; 2], side)).unwrap();
+            let onset = grasp.onset_of_sliding(&press, &Wrench::new([0.0; 2], side)).unwrap();
             let event = onset.event().expect("it opens");
             assert_relatively_close!(event.factor, N * square * half);
             let [leaving] = &event.leaving[..] else { panic!("{:?}", event.leaving) };
@@ -154,7 +154,7 @@ fn the_choice_of_tangents_changes_nothing() {
         for step in 1..10 {
             let other = with_tangent(TAU * f64::from(step) / 10.0 + 0.1);
             assert!((twist(&other) - first).amax() < 1e-12 * first.amax());
-            let onset = other.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
+            let onset = other.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
             assert_relatively_close!(onset.factor().expect("a rolling base"), 2.0 * MU * N * square * R);
         }
     }

@@ -36,7 +36,7 @@ fn a_pinch_no_longer_turns_freely() {
         assert!(pushed.free_motions.is_empty());
         let (a, b) = (pushed.twist.as_vector(), by_points.twist.as_vector());
         assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "as stiff as one contact: {a} {b}");
-        let onset = grasp.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
+        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         assert_relatively_close!(event.factor, 2.0 * MU * N * square * R);
         let rim: Vec<_> = [tip.points(), tip.points()]
@@ -69,7 +69,7 @@ fn uneven_tangential_stiffness() {
         let points = if first == 1 { 12 } else { 8 };
         let tip = SoftFingertip::ring(R, points).unwrap();
         let grasp = pinch(&tip, finger);
-        let onset = grasp.onset_of_sliding(Wrench::ZERO, spin(1.0)).unwrap();
+        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         let exact = 2.0 * MU * N * R * 0.5 * (k1 + k2) / k1.max(k2);
         assert_relatively_close!(event.factor, exact);
@@ -129,7 +129,7 @@ fn a_path_of_torsion() {
         let tip = SoftFingertip::disc(R, 2, 4, pressure).unwrap();
         let grasp = pinch(&tip, finger);
         let limit = 2.0 * MU * N * mean * R;
-        let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(spin(2.0 * limit))]).unwrap();
+        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(spin(2.0 * limit))]).unwrap();
         let events = path.run();
         let radii: Vec<_> = tip.points().step_by(4).map(|(at, _)| at.norm()).collect();
         assert_eq!(radii.len(), 4);

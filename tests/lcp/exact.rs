@@ -111,7 +111,7 @@ fn all_solutions_are_those_of_exact_enumeration() {
     let mut several = 0;
     for trial in 0..3000 {
         let problem = problem(&mut random, trial % 7, 4);
-        let all = problem.problem().all_solutions(&Settings::default()).expect("n is small");
+        let all = problem.problem().all_solutions().expect("n is small");
         let exact = problem.regular_solutions();
         several += usize::from(exact.len() > 1);
         for z in &exact {

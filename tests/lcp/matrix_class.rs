@@ -67,7 +67,7 @@ fn p_matrices_have_one_solution_and_what_is_guaranteed_is_solved() {
         let lcp = Lcp::new(m, q).unwrap();
         let one_path = Settings::default().with_retries(0).with_enumerate_up_to(0);
         let solved = matches!(lcp.solve_with(&one_path), Outcome::Solved(_));
-        let all = lcp.all_solutions(&Settings::default()).unwrap().solutions.len();
+        let all = lcp.all_solutions().unwrap().solutions.len();
         let guarantee = class.guarantee();
         seen[guarantee as usize] += 1;
         match guarantee {

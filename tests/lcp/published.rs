@@ -8,7 +8,7 @@
 
 use crate::common::published::{Known, small};
 use crate::common::{Integers, Random};
-use grasp_lcp::lcp::{Lcp, Outcome, Proof, Settings, Solution};
+use grasp_lcp::lcp::{Lcp, Outcome, Proof, Solution};
 use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
 
@@ -53,7 +53,7 @@ fn small_problems_end_as_exact_arithmetic_says() {
 #[test]
 fn all_three_solutions_of_handbook_10_2_2_and_of_10_2_4_are_listed() {
     let problems = small();
-    let count = |at: usize| problems[at].1.problem().all_solutions(&Settings::default()).unwrap().solutions;
+    let count = |at: usize| problems[at].1.problem().all_solutions().unwrap().solutions;
     // (1, 0) and (0, 1); (1/2, 1/2) lies on the singular basis between them.
     assert!(count(1).len() >= 2);
     let games = count(3);

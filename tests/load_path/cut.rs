@@ -42,9 +42,9 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let grasp = scene.grasp();
     let (more, legs) = cut(scene, places);
     let program = more.legs();
-    let mut pieces = grasp.follow_with(more.start(), &program, &support::programs::polygon()).unwrap();
+    let mut pieces = grasp.follow_with(&more.start(), &program, &support::programs::polygon()).unwrap();
     let again = pieces.run();
-    let mut continued = grasp.follow_with(more.start(), &[], &support::programs::polygon()).unwrap();
+    let mut continued = grasp.follow_with(&more.start(), &[], &support::programs::polygon()).unwrap();
     let mut later = continued.run();
     for leg in &program {
         continued.continue_with(std::slice::from_ref(leg)).unwrap();
@@ -87,7 +87,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
@@ -102,7 +102,7 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));

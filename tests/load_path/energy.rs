@@ -13,7 +13,7 @@ fn energy_balances<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let Some((last_leg, last, _)) = path.position() else { return Ok(()) };

@@ -146,7 +146,7 @@ fn few_everyday_paths_end_undecided() {
     let count = |cell: &Cell<u32>| cell.set(cell.get() + 1);
     for_all(file!(), 120, &everyday(), |scene| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(scene.load())]).unwrap();
+        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(scene.load())]).unwrap();
         path.run();
         let end = path.end().unwrap();
         count(&paths);

@@ -15,7 +15,7 @@ fn pulled(
     settings: &Settings,
 ) -> Result<(Equilibrium, PathEnd, Option<Beyond>), Box<dyn Error>> {
     let mut path =
-        grasp.follow_with(Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
+        grasp.follow_with(&Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("run to its end")?.clone();
     let (_, _, state) = path.position().ok_or("it starts")?;

@@ -4,7 +4,7 @@
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::{LossKind, PathEnd};
-use grasp_lcp::{Settings, planar, spatial};
+use grasp_lcp::{planar, spatial};
 use support::ends::limit_load;
 
 /// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
@@ -29,7 +29,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
         (load(p, -1.0, m), Some(-1.0)),
         (load(-p, 0.0, 2.0 * m), None),
     ] {
-        let mut path = grasp.follow(start, &away).unwrap();
+        let mut path = grasp.follow(&start, &away).unwrap();
         let events = path.run();
         assert_story(&events, &[(2, 0.0, vec![(0, "opens")])]);
         let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
@@ -64,7 +64,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
         }
     }
     // The foot comes back: it touches where it left, and from there takes the body, which weighs nothing, along.
-    let mut path = grasp.follow(start, &away).unwrap();
+    let mut path = grasp.follow(&start, &away).unwrap();
     path.run();
     path.continue_with(&[command(a)]).unwrap();
     let events = path.run();
@@ -103,7 +103,7 @@ fn fingers_dragged_both_ways_hold_all_the_same() {
     let up = |state: &planar::Equilibrium| {
         state.contacts.iter().map(|c| c.force_world[1] / (mu * n)).collect::<Vec<_>>()
     };
-    let mut path = grasp.follow(planar::Wrench::ZERO, &[drag(2.0 * edge), down(6.0 * mu * n)]).unwrap();
+    let mut path = grasp.follow(&planar::Wrench::ZERO, &[drag(2.0 * edge), down(6.0 * mu * n)]).unwrap();
     let events = path.run();
     let all = (0..4).map(|i| (i, "slides")).collect();
     assert_story(&events, &[(0, 0.5, all), (1, 0.0, vec![(2, "sticks"), (3, "sticks")])]);
@@ -169,7 +169,7 @@ fn a_pinch_may_turn_about_its_line() {
     ];
     for (more, way) in cases {
         let legs = [away.clone(), held.clone(), spatial::Leg::load_by(more)];
-        let mut path = grasp.follow(spatial::Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(&spatial::Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert_story(&events, &[(0, 0.5, vec![(2, "opens")])]);
         let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
@@ -210,7 +210,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     let n0 = K * A * 2.0 * KT / (2.0 * KT + K);
     for side in [1.0, -1.0] {
         let turn = spatial::Leg::load_to(spatial::Wrench::new([0.0; 3], [side * m, 0.0, 0.0]));
-        let mut path = grasp.follow(spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
+        let mut path = grasp.follow(&spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
         assert!(path.run().is_empty());
         let loss = limit_load(&path);
         assert_eq!((loss.leg, &loss.contacts[..]), (1, &[2][..]));
@@ -230,7 +230,7 @@ fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Er
     let grasp = planar::Grasp::new([guide(-1.0), guide(1.0)])?;
     let reserve = |x: f64, y: f64| {
         let ramp = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([x, y]));
-        grasp.reserve(&ramp, 100.0, &Settings::default())
+        grasp.reserve(&ramp, 100.0)
     };
     let along = reserve(1.0, 0.0)?;
     let kind = along.loss.map(|loss| loss.kind);

@@ -31,11 +31,11 @@ fn tells_the_same<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let (grasp, there) = (scene.grasp(), other.grasp());
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let mut path_there =
-        there.follow_with(other.start(), &other.legs(), &support::programs::polygon()).unwrap();
+        there.follow_with(&other.start(), &other.legs(), &support::programs::polygon()).unwrap();
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
     // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.

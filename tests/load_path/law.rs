@@ -40,7 +40,7 @@ fn law_holds<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for event in &events {

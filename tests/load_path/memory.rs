@@ -1,7 +1,6 @@
 //! Where a path forgets nothing and where it has nothing to remember: without sticking again it ends at the one-shot
 //! equilibrium, and without events it can be reversed. Random paths in the plane.
 
-use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Change, PathEnd};
@@ -16,7 +15,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(3000, &planar_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let mut path =
-            grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+            grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
@@ -27,7 +26,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
         }
         let end = scene.goals.last().unwrap();
         let there = scene.grasp().with_commands(end.commands.iter().copied()).unwrap();
-        let list = there.equilibria(&Wrench::from_vector(end.load), &Settings::default()).unwrap();
+        let list = there.equilibria(&Wrench::from_vector(end.load)).unwrap();
         prop_assert!(!list.is_empty(), "the path found one");
         if list.len() == 1 {
             same_state(&scene, &list[0], &path.position().unwrap().2, 1e-9)?;
@@ -48,7 +47,7 @@ fn a_path_without_events_can_be_reversed() {
         scene.goals.extend(scene.goals.clone().into_iter().rev().skip(1));
         let grasp = scene.grasp();
         let mut path =
-            grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+            grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

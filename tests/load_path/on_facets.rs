@@ -47,7 +47,7 @@ fn pulled(q: Vector2<f64>) -> Wrench {
 fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Event>) {
     let legs: Vec<_> = loads.iter().map(|q| Leg::load_to(pulled(*q))).collect();
     let mut path =
-        grasp.follow_with(pulled(Vector2::zeros()), &legs, &Settings::default().on_the_polygon()).unwrap();
+        grasp.follow_with(&pulled(Vector2::zeros()), &legs, &Settings::default().on_the_polygon()).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13 && e.dissipated >= 0.0));
@@ -200,7 +200,7 @@ fn a_ring_turned_about_its_axis_has_one_event() {
         let most = 1.25 * lets_go;
         let mut path = ring
             .follow_with(
-                Wrench::ZERO,
+                &Wrench::ZERO,
                 &[torque(most), torque(-most), torque(most)],
                 &Settings::default().on_the_polygon(),
             )

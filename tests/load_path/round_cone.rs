@@ -22,7 +22,7 @@ fn to_all_digits() -> Settings {
 /// From what follows events and samples the law; slips go along the friction force, over ever shorter ways.
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let completed = matches!(path.end(), Some(PathEnd::Completed));
@@ -164,7 +164,7 @@ fn same_start(start: &Equilibrium<6, 3>, other: &Spatial, contacts: &[usize], pr
 fn frames_and_order_do_not_matter() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+        let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !clear(&events) || matches!(path.end(), Some(PathEnd::NoStart(_))) {
@@ -188,7 +188,7 @@ fn frames_and_order_do_not_matter() {
                 continue;
             }
             let there = other.grasp();
-            let mut path_there = there.follow_with(other.start(), &other.legs(), &to_all_digits()).unwrap();
+            let mut path_there = there.follow_with(&other.start(), &other.legs(), &to_all_digits()).unwrap();
             let events_there = path_there.run();
             if !clear(&events_there) {
                 continue;
@@ -231,7 +231,7 @@ fn turned(scene: &Spatial, angle: f64) -> Spatial {
 fn cutting_legs_changes_nothing() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+        let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let mut halves = scene.clone();
@@ -245,7 +245,7 @@ fn cutting_legs_changes_nothing() {
             }
             halves.goals.extend([middle, pair[1].clone()]);
         }
-        let mut pieces = grasp.follow_with(halves.start(), &halves.legs(), &to_all_digits()).unwrap();
+        let mut pieces = grasp.follow_with(&halves.start(), &halves.legs(), &to_all_digits()).unwrap();
         let again = pieces.run();
         if !clear(&events) || !clear(&again) {
             return Ok(());
@@ -309,7 +309,7 @@ fn small_steps_lead_to_the_same_end() {
     let t = over(40, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let mut path: LoadPath<'_, 6, 3> =
-            grasp.follow_with(scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+            grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !matches!(path.end(), Some(PathEnd::Completed)) || path.step_error() == 0.0 {
@@ -340,7 +340,7 @@ fn coarse_steps_end_nearby() {
         let grasp = scene.grasp();
         let ends = [1e-13, 1e-6].map(|tolerance| {
             let settings = Settings::default().with_step_error(tolerance);
-            let mut path = grasp.follow_with(scene.start(), &scene.legs(), &settings).unwrap();
+            let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &settings).unwrap();
             let events = path.run();
             tally.count(&events, &path);
             (matches!(path.end(), Some(PathEnd::Completed)), path.step_error(), path.position())

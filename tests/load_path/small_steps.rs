@@ -24,7 +24,7 @@ const JUMP: f64 = 1e-3;
 
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

@@ -19,7 +19,7 @@ fn around(count: u32, up: bool) -> Grasp {
 }
 
 fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
-    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
     path.run();
     path
 }
@@ -97,7 +97,7 @@ fn a_cylinder_that_touches_a_wall_is_held_by_it() {
             assert!(at_rest.equilibrium().unwrap().contacts[1].gap.abs() < 1e-15);
             for (couple, limit) in [(-1.0, 1.0), (1.0, 0.0)] {
                 let load = Wrench::new([0.0, -w], 2.0 * couple * most);
-                let mut path = grasp.follow(weight, &[Leg::load_to(load)]).unwrap();
+                let mut path = grasp.follow(&weight, &[Leg::load_to(load)]).unwrap();
                 path.run();
                 let loss = path.end().unwrap().loss().unwrap();
                 assert!((2.0 * loss.fraction - limit).abs() < 1e-12, "{mu} {kn} {couple}: {loss:?}");

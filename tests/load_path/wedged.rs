@@ -69,7 +69,7 @@ fn in_the_plane_the_height_is_anything_in_an_interval() {
     for contact in &state.contacts[..2] {
         assert_close!(contact.force[1], -MU * KN * PRESS);
     }
-    let mut path = grasp.follow(planar::Wrench::ZERO, &[planar::Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(&planar::Wrench::ZERO, &[planar::Leg::load_to(load)]).unwrap();
     path.run();
     let state = path.state_at(0, 1.0).unwrap();
     check(&state, by_hand(2.0 * GUIDE), 2);
@@ -105,7 +105,7 @@ fn in_space_the_height_is_anything_in_an_interval() {
     let load = spatial::Wrench::new([0.0; 3], [0.0, 0.0, COUPLE]);
     let Outcome::Equilibrium(state) = grasp.solve(&load).unwrap() else { panic!("it holds") };
     check(&state, by_hand(4.0 * GUIDE), 5);
-    let mut path = grasp.follow(spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(&spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).unwrap();
     path.run();
     let state = path.state_at(0, 1.0).unwrap();
     check(&state, by_hand(4.0 * GUIDE), 5);

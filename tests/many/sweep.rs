@@ -66,13 +66,13 @@ fn a_sweep_that_is_stopped_answers_no_more() {
 #[test]
 fn one_bad_question_does_not_stop_the_rest() {
     let grasps = [pinch(K), pinch(2.0 * K), pinch(3.0 * K)];
-    for (k, onset) in onset_of_each(&grasps, &weight(), &Settings::default()).iter().enumerate() {
+    for (k, onset) in onset_of_each(&grasps, &weight()).iter().enumerate() {
         let expected = 2.0 * MU * K * A * (k + 1) as f64;
         assert!((factor(onset) / expected - 1.0).abs() < 1e-14);
     }
     // Where a standard deviation is so large that some friction overflows, others do not.
     let wild = Uncertainty::seeded(1).with_friction(500.0);
-    let onsets = pinch(K).onset_of_samples(&weight(), &wild, 300, &Settings::default());
+    let onsets = pinch(K).onset_of_samples(&weight(), &wild, 300);
     let errors = onsets.iter().filter(|o| matches!(o, Err(Error::Contact { .. }))).count();
     assert!(errors > 10 && errors < 290, "{errors}");
     let nan = Uncertainty::seeded(1).with_stiffness(f64::NAN);
@@ -84,7 +84,7 @@ fn one_bad_question_does_not_stop_the_rest() {
 fn samples_are_distributed_as_they_should_be() {
     let (grasp, settings, count) = (pinch(K), Settings::default(), 4000_u64);
     let off = Uncertainty::seeded(42).with_friction(0.2);
-    let onsets = grasp.onset_of_samples(&weight(), &off, count, &settings);
+    let onsets = grasp.onset_of_samples_with(&weight(), &off, count, &settings);
     let nominal = 2.0 * MU * K * A;
     // c and Φ(-ln c / 0.2).
     for (c, phi) in
@@ -113,7 +113,7 @@ fn samples_depend_on_seed_and_number_alone() {
     let seeded = |seed| Uncertainty::seeded(seed).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.05);
     let off = seeded(9);
     let sweep = || -> Vec<u64> {
-        let onsets = grasp.onset_of_samples(&weight(), &off, 300, &settings);
+        let onsets = grasp.onset_of_samples_with(&weight(), &off, 300, &settings);
         onsets.iter().map(|o| factor(o).to_bits()).collect()
     };
     let one_by_one: Vec<u64> = (0..300)
@@ -126,7 +126,7 @@ fn samples_depend_on_seed_and_number_alone() {
         assert_eq!(pool.install(sweep), one_by_one);
     }
     let other = seeded(10);
-    let others = grasp.onset_of_samples(&weight(), &other, 300, &settings);
+    let others = grasp.onset_of_samples_with(&weight(), &other, 300, &settings);
     assert!(others.iter().zip(&one_by_one).all(|(o, bits)| factor(o).to_bits() != *bits));
     let mut distinct = one_by_one.clone();
     distinct.sort_unstable();

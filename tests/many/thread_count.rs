@@ -32,7 +32,7 @@ fn onsets_do_not_depend_on_who_computes_them() {
     let (grasp, ramps, settings) = (grasp(), ramps(), Settings::default());
     let one_by_one: Vec<String> =
         ramps.iter().map(|ramp| format!("{:?}", grasp.onset_with(ramp, &settings).unwrap())).collect();
-    let swept = || grasp.onset_each(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
+    let swept = || grasp.onset_each_with(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
     // Debug prints floats so that they read back to the same bits.
     assert!(swept().eq(one_by_one.iter().cloned()));
@@ -48,7 +48,7 @@ fn onsets_do_not_depend_on_who_computes_them() {
 fn answers_come_in_the_order_of_the_questions() {
     let grasp = grasp();
     let loads: Vec<_> = (0..50).map(|i| Wrench::force([0.0, 0.0, -0.01 * f64::from(i)])).collect();
-    let answers = grasp.solve_each(&loads, &Settings::default());
+    let answers = grasp.solve_each(&loads);
     for (load, answer) in loads.iter().zip(answers) {
         assert_eq!(answer.unwrap().equilibrium().expect("holds").load, *load);
     }
@@ -70,7 +70,7 @@ fn paths_of_patches_do_not_depend_on_who_computes_them() {
     let press = f64::from(n) * 0.8;
     let legs = [planar::Leg::load_by(planar::Wrench::new([0.1 * press, 0.0], 0.0))];
     let followed = || {
-        let mut path = grasp.follow_patch(planar::Wrench::new([0.0, -press], 0.0), &legs).unwrap();
+        let mut path = grasp.follow_patch(&planar::Wrench::new([0.0, -press], 0.0), &legs).unwrap();
         let events: Vec<_> = path.by_ref().collect();
         assert!(events.len() > 100, "{}", events.len());
         format!("{events:?} {:?}", path.state())

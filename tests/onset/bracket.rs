@@ -41,7 +41,7 @@ fn check_order(
     for facets in [3, 8] {
         let on = |fit| grasp.onset_with(&ramp, &polygon(facets, fit).on_the_polygon()).unwrap();
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
-        let base = grasp.bracket(&scene.wrench(), &polygon(facets, Fit::Inscribed)).unwrap();
+        let base = grasp.bracket_with(&scene.wrench(), &polygon(facets, Fit::Inscribed)).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
             if !rolls(base) {
                 continue;
@@ -71,7 +71,7 @@ fn polygons_bracket_the_onset() {
 /// If everything rolls on the inscribed polygon the three answers are one, and the inscribed polygon rolls only where the
 /// others do.
 fn check_rolling(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
-    let bracket = scene.grasp().bracket(&scene.wrench(), &polygon(5, Fit::Balanced)).unwrap();
+    let bracket = scene.grasp().bracket_with(&scene.wrench(), &polygon(5, Fit::Balanced)).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(rolls);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
@@ -122,7 +122,7 @@ fn the_spread_of_a_sliding_foot() {
             };
             let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
             let settings = polygon(m as usize, Fit::Inscribed);
-            let spread = grasp.bracket(&load, &settings).unwrap().spread.expect("three equilibria");
+            let spread = grasp.bracket_with(&load, &settings).unwrap().spread.expect("three equilibria");
             assert_close!(spread.force / w, force / w);
             assert_close!(spread.displacement * c / w, force / w);
             let most = mu * normal * step;
@@ -143,7 +143,7 @@ fn in_the_plane_there_is_nothing_to_bracket() {
     };
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     for load in [1.0, 20.0] {
-        let bracket = grasp.bracket(&planar::Wrench::force([0.0, -load]), &Settings::default()).unwrap();
+        let bracket = grasp.bracket(&planar::Wrench::force([0.0, -load])).unwrap();
         let holds = load < 10.0;
         assert_eq!(bracket.spread.map(|s| (s.force, s.displacement)), holds.then_some((0.0, 0.0)));
         assert_eq!(bracket.round.equilibrium().is_some(), holds);

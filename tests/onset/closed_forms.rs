@@ -5,7 +5,7 @@ use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, 
 use grasp_lcp::{Settings, spatial};
 
 fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
-    grasp.onset_of_sliding(base, direction).expect("valid loads")
+    grasp.onset_of_sliding(&base, &direction).expect("valid loads")
 }
 
 /// Fingers at ±1 pressing inwards by `a`: N = k a each.
@@ -84,7 +84,7 @@ fn gives_way() {
     };
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let twist = spatial::Wrench::new([0.0, 0.0, -1.0], [0.3, 0.0, 0.0]);
-    let outcome = grasp.onset_of_sliding(spatial::Wrench::ZERO, twist).unwrap();
+    let outcome = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &twist).unwrap();
     let spatial::Onset::GivesWay { factor, reason } = outcome else { panic!("{outcome:?}") };
     assert_eq!(factor, 0.0);
     assert!(matches!(reason.proof, spatial::Proof::FreeMotion { work, .. } if work > 0.0));

@@ -25,7 +25,7 @@ fn pull(angle: f64) -> Wrench {
 }
 
 fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
-    Ok(grasp.onset_of_sliding(Wrench::ZERO, pull(angle))?.factor().ok_or("rolls without load")?)
+    Ok(grasp.onset_of_sliding(&Wrench::ZERO, &pull(angle))?.factor().ok_or("rolls without load")?)
 }
 
 /// Rows (c, g) with c + g·W >= 0 while nothing slides or opens, from the equilibria under three small loads.
@@ -72,7 +72,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
 
 /// How the load path towards a large force in a direction ends; that no equilibrium lies beyond where it is lost.
 fn end(grasp: &Grasp, angle: f64) -> Result<PathEnd, Failure> {
-    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
     path.by_ref().for_each(drop);
     assert!(matches!(path.beyond(), None | Some(Beyond::LimitLoad)), "{angle}: {:?}", path.beyond());
     Ok(path.end().ok_or("an end")?.clone())
@@ -83,7 +83,8 @@ const MOST: f64 = 4.0;
 #[test]
 fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Failure> {
     let grasp = support::paper::two_fingers()?;
-    let down = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
+    let down =
+        grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
     assert!((down - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let mut limits = 0;
     for angle in angles(90) {

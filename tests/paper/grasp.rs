@@ -40,7 +40,7 @@ fn second_table_to_the_digits_printed() {
 fn second_grasp_slides_first_at_root_65_over_66() {
     let grasp = two_fingers().unwrap();
     let exact = 65f64.sqrt() / 66.0;
-    let onset = grasp.onset_of_sliding(Wrench::ZERO, down()).unwrap();
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down()).unwrap();
     let event = onset.event().expect("finite onset");
     assert!((event.factor - exact).abs() < 4.0 * f64::EPSILON * exact, "{}", event.factor);
     let state = grasp.state_at_onset(event).expect("its own event");
@@ -77,7 +77,7 @@ fn four_equilibria_below_w_star() {
     let grasp = two_fingers().unwrap();
     let settings = Settings::default();
     for w in [0.05, 0.1, 0.12, 0.122] {
-        let list = grasp.equilibria(&(down() * w), &settings).unwrap();
+        let list = grasp.equilibria_with(&(down() * w), &settings).unwrap();
         assert_eq!(list.len(), 4, "W = {w}");
         let slide = |c: &grasp_lcp::planar::ContactAnswer| matches!(c.state, ContactState::Sliding { .. });
         let mut kinds: Vec<_> = list.iter().map(|e| (slide(&e.contacts[0]), slide(&e.contacts[1]))).collect();
@@ -87,7 +87,7 @@ fn four_equilibria_below_w_star() {
             assert!(state.residuals.worst() < 1e-14, "{:?}", state.residuals);
         }
     }
-    assert!(grasp.equilibria(&(down() * 0.1222), &settings).unwrap().is_empty());
+    assert!(grasp.equilibria_with(&(down() * 0.1222), &settings).unwrap().is_empty());
 }
 
 /// Both fingers commanded deeper by the same amount raise the onset; the factor along a command ramp agrees with the
@@ -114,7 +114,7 @@ fn more_squeeze_carries_more() {
         })
         .collect();
     let at = two_fingers().unwrap().with_commands(released).unwrap();
-    let again = at.onset_of_sliding(Wrench::ZERO, down()).unwrap().factor().unwrap();
+    let again = at.onset_of_sliding(&Wrench::ZERO, &down()).unwrap().factor().unwrap();
     assert!((again - 0.9 * exact).abs() < 1e-14, "{again}");
 }
 

@@ -15,7 +15,7 @@ const LAST_DIGIT: f64 = 1.0001e-4;
 /// Contact forces by all three forms of the program.
 fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let settings = Settings::default();
-    let accurate = grasp.minimum_energy(load, &settings).unwrap();
+    let accurate = grasp.minimum_energy_with(load, &settings).unwrap();
     let accurate = accurate.minimum().expect("a minimum").contacts.iter().map(|c| c.force).collect();
     let printed = grasp.printed_qp(load, &settings.cone).unwrap();
     let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
@@ -89,7 +89,7 @@ fn up_to_the_onset_both_agree() {
         assert!(comparison.difference.unwrap().relative() < 1e-14);
     }
     let ramp = Ramp::load(Wrench::ZERO, down());
-    let ends = grasp.agreement_with_minimum_energy(&ramp, &Settings::default()).unwrap();
+    let ends = grasp.agreement_with_minimum_energy(&ramp).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - onset).abs() <= 2e-16, "{factor} {onset}");
     assert_eq!(binding, [(0, Some(1)), (1, Some(0))]);

@@ -271,7 +271,7 @@ fn the_papers_grasps_are_those_of_the_paper() {
     };
     let grasp = fingers.grasp().unwrap();
     let down = grasp_lcp::planar::Wrench::force([0.0, -1.0]);
-    let onset = grasp.onset_of_sliding(grasp_lcp::planar::Wrench::ZERO, down).unwrap();
+    let onset = grasp.onset_of_sliding(&grasp_lcp::planar::Wrench::ZERO, &down).unwrap();
     assert!((onset.factor().unwrap() - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let Space::Planar(disk) = read(&folder.join("paper_disk.json")).unwrap().space else {
         panic!("is planar")

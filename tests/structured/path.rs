@@ -67,10 +67,10 @@ fn compare<const D: usize, const C: usize>(
     count: &mut Count,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut long = grasp.follow_with(scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let mut long = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = long.run();
     let expected = told(&events);
-    let mut short = grasp.follow_patch(scene.start(), &scene.legs()).unwrap();
+    let mut short = grasp.follow_patch(&scene.start(), &scene.legs()).unwrap();
     let list: Vec<_> = short.by_ref().collect();
     let beyond = [long.beyond(), short.beyond()].map(|beyond| beyond.as_ref().map(discriminant));
     let story = || {
@@ -116,7 +116,7 @@ fn compare<const D: usize, const C: usize>(
         return Ok(());
     }
     // The same once more, with a stop in the middle of every leg.
-    let mut slow = grasp.follow_patch(scene.start(), &scene.legs()).unwrap();
+    let mut slow = grasp.follow_patch(&scene.start(), &scene.legs()).unwrap();
     let mut told = 0;
     for leg in 0..scene.goals.len() - 1 {
         while slow.next_before(leg, 0.5).is_some() {
@@ -129,7 +129,7 @@ fn compare<const D: usize, const C: usize>(
     }
     prop_assert_eq!(told + slow.count(), list.len());
     // And leg by leg.
-    let mut parts = grasp.follow_patch(scene.start(), &[]).unwrap();
+    let mut parts = grasp.follow_patch(&scene.start(), &[]).unwrap();
     let mut events = Vec::new();
     for leg in scene.legs() {
         parts.continue_with(&[leg]).unwrap();

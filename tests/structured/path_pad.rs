@@ -70,7 +70,7 @@ fn every_contact_slides_where_it_must_and_back_at_twice_the_range() {
         let x0 = 0.6 * MU / C;
         let [most, least] = [pad.virgin(x0), pad.virgin(x0) - 2.0 * pad.virgin(0.9 * x0)];
         let legs = [most, least].map(|q| Leg::load_to(pad.load(q)));
-        let mut path = pad.grasp.follow_patch(pad.load(0.0), &legs).unwrap();
+        let mut path = pad.grasp.follow_patch(&pad.load(0.0), &legs).unwrap();
         let events: Vec<_> = path.by_ref().collect();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let (mut slid, mut stuck, mut back) = (vec![false; n], vec![false; n], vec![false; n]);
@@ -119,7 +119,8 @@ fn it_gives_way_when_every_contact_slides() {
     for n in [3, 40, 500, 5000] {
         let pad = Pad::new(n);
         let most: f64 = pad.limits.iter().sum();
-        let mut path = pad.grasp.follow_patch(pad.load(0.0), &[Leg::load_to(pad.load(1.25 * most))]).unwrap();
+        let mut path =
+            pad.grasp.follow_patch(&pad.load(0.0), &[Leg::load_to(pad.load(1.25 * most))]).unwrap();
         let events: Vec<_> = path.by_ref().collect();
         // The last ones reach their limit where the path ends.
         let last = pad.limits.iter().copied().fold(0.0, f64::max);
@@ -157,7 +158,7 @@ fn pairs_touch_and_part_at_known_loads() {
     let press = |z: f64| Wrench::force([0.0, -load(z)]);
     let (first, most) = (0.5 * clearance(1), load(deepest));
     let legs = [Leg::load_to(press(deepest)), Leg::load_to(press(first))];
-    let mut path = grasp.follow_patch(press(first), &legs).unwrap();
+    let mut path = grasp.follow_patch(&press(first), &legs).unwrap();
     let events: Vec<_> = path.by_ref().collect();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     let touching = (1..n).filter(|&j| clearance(j) < deepest).count();
@@ -199,7 +200,7 @@ fn a_pad_in_space_slides_like_one_in_the_plane() {
     let (x0, limit) = (0.7 * MU / C, MU * pressed);
     let legs = [virgin(x0), virgin(x0) - 2.0 * virgin(0.9 * x0), 1.1 * limit]
         .map(|q| spatial::Leg::load_to(load(q)));
-    let mut path = grasp.follow_patch(load(0.0), &legs).unwrap();
+    let mut path = grasp.follow_patch(&load(0.0), &legs).unwrap();
     let ends = [0.0, virgin(x0), virgin(x0) - 2.0 * virgin(0.9 * x0), 1.1 * limit];
     let mut slides = [0; 3];
     for event in path.by_ref() {

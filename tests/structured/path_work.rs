@@ -22,7 +22,7 @@ fn planar(n: usize) -> (usize, usize, f64) {
     let pressed: f64 = (0..n).map(|i| press(i).1 * (1.0 + uneven(3 * i))).sum();
     let load = |shear: f64, tilt: f64| Wrench::new([shear * 0.3 * pressed, -pressed], tilt * pressed);
     let legs = [load(0.9, 0.2), load(0.0, 0.0), load(-0.8, -0.1)].map(Leg::load_to);
-    let mut path = grasp.follow_patch(load(0.0, 0.0), &legs).unwrap();
+    let mut path = grasp.follow_patch(&load(0.0, 0.0), &legs).unwrap();
     let events = path.by_ref().count();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     (events, path.contacts_looked_at(), path.state().unwrap().residuals.worst())
@@ -48,7 +48,7 @@ fn the_same_in_space() {
         spatial::Wrench::new([x * pressed, y * pressed, -pressed], [0.0, 0.0, turn * pressed])
     };
     let legs = [load(0.23, 0.07, 0.03), load(0.0, 0.2, 0.0), load(0.0, 0.0, 0.0)].map(spatial::Leg::load_to);
-    let mut path = grasp.follow_patch(load(0.0, 0.0, 0.0), &legs).unwrap();
+    let mut path = grasp.follow_patch(&load(0.0, 0.0, 0.0), &legs).unwrap();
     let events = path.by_ref().count();
     assert!(matches!(path.end(), Some(spatial::PathEnd::Completed)), "{:?}", path.end());
     let (looked, residual) = (path.contacts_looked_at(), path.state().unwrap().residuals.worst());

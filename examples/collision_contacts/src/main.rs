@@ -11,8 +11,8 @@ mod hand;
 mod picture;
 
 use glamx::{DPose3, DVec3};
+use grasp_lcp::Error;
 use grasp_lcp::spatial::{Contact, ContactState, Departure, Equilibrium, Grasp, Ramp, Wrench};
-use grasp_lcp::{Error, Settings};
 use hand::{Fingertip, fingertips, mug};
 use parry3d_f64::query;
 use parry3d_f64::shape::{Compound, Shape};
@@ -87,7 +87,7 @@ fn main() -> Result<(), Failure> {
     report(&grasp, held, &mug)?;
     directions(&grasp, centre)?;
     moved_hands(&mug, centre)?;
-    let onset = grasp.onset_of_sliding(Wrench::ZERO, pull(-DVec3::Z, centre))?;
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &pull(-DVec3::Z, centre))?;
     let slides = onset.event().and_then(|event| {
         Some((format!("first slides, at {:.3} N", event.factor), grasp.state_at_onset(event)?))
     });
@@ -140,7 +140,7 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     ];
     for (way, direction) in ways {
         let ramp = Ramp::load(Wrench::ZERO, pull(direction, centre));
-        let both = grasp.reserve(&ramp, 100.0, &Settings::default())?;
+        let both = grasp.reserve(&ramp, 100.0)?;
         let separated = |event, i: usize| {
             let state = grasp.state_at_onset(event);
             state.is_some_and(|state| state.contacts[i].state == ContactState::Separated)
@@ -177,7 +177,7 @@ fn moved_hands(mug: &Compound, centre: DVec3) -> Result<(), Failure> {
         let tips = contacts.len();
         let reserve = match Grasp::new(contacts) {
             Ok(grasp) => {
-                match grasp.onset_of_sliding(Wrench::ZERO, pull(-DVec3::Z, centre) * WEIGHT)?.factor() {
+                match grasp.onset_of_sliding(&Wrench::ZERO, &(pull(-DVec3::Z, centre) * WEIGHT))?.factor() {
                     Some(factor) => format!("at {factor:.3} times"),
                     None => "slides by the squeeze alone".into(),
                 }

@@ -24,7 +24,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// As for [`Self::follow`].
-    pub fn follow_patch(&self, start: Wrench<D>, legs: &[Leg<D, C>]) -> Result<PatchPath<'_, D, C>, Error> {
+    pub fn follow_patch(&self, start: &Wrench<D>, legs: &[Leg<D, C>]) -> Result<PatchPath<'_, D, C>, Error> {
         self.follow_patch_on(start, legs, PolygonCone::default())
     }
 
@@ -34,12 +34,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::follow`].
     pub fn follow_patch_on(
         &self,
-        start: Wrench<D>,
+        start: &Wrench<D>,
         legs: &[Leg<D, C>],
         cone: PolygonCone,
     ) -> Result<PatchPath<'_, D, C>, Error> {
-        let wrench = self.inside(&start, "start load")?;
-        let mut program = Program::new(self, start);
+        let wrench = self.inside(start, "start load")?;
+        let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (polygon, settings) = (Arc::new(Polygon::new(&cone)), Settings::default().with_cone(cone));
         Ok(PatchPath::new(self, program, polygon, settings.on_the_polygon(), &wrench))
@@ -71,7 +71,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
     /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
     /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
-    /// let mut path = grasp.follow_patch(Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
+    /// let mut path = grasp.follow_patch(&Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
     ///
     /// assert!(path.next_before(0, 0.5).is_none());
     /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);

@@ -48,7 +48,7 @@ pub(super) enum Due {
 /// let pressed: f64 = (0..n).map(|i| 1.0 - xi(i) * xi(i)).sum();
 /// let pull = |part: f64| Wrench::new([part * 0.3 * pressed, -pressed], 0.0);
 ///
-/// let mut path = grasp.follow_patch(pull(0.0), &[Leg::load_to(pull(0.5)), Leg::load_to(pull(0.0))])?;
+/// let mut path = grasp.follow_patch(&pull(0.0), &[Leg::load_to(pull(0.5)), Leg::load_to(pull(0.0))])?;
 /// let events: Vec<_> = path.by_ref().collect();
 /// assert!(matches!(path.end(), Some(grasp_lcp::load_path::PathEnd::Completed)));
 /// // The rim slides on the way there and stays displaced: letting go is not the way back.

@@ -37,7 +37,7 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 ///         .command([0.004, 0.0, 0.0])
 /// };
 /// let grasp = Grasp::new([finger("thumb", 180.0), finger("index", 60.0), finger("middle", -60.0)])?;
-/// let onset = grasp.onset_of_sliding(Wrench::ZERO, Wrench::force([0.0, 0.0, -1.0]))?;
+/// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?;
 /// let event = onset.event().ok_or("slides at some load")?;
 ///
 /// let state = grasp.state_at_onset(event).ok_or("its own event")?;
