@@ -1,16 +1,7 @@
-//! A start for many contacts: semismooth Newton on the return maps.
+//! A start for many contacts: Newton's method on polygons, summed in halves by several threads.
 //!
-//! Given the motion q of the object every contact's force is explicit. It sticks, or its force is
-//! the nearest one of the cone in the metric of its springs. Equilibrium is then d piecewise linear
-//! equations,
-//!
-//! ```text
-//! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      T dq = R,   T = Σ G_i (∂F_i/∂v) G_iᵀ
-//! ```
-//!
-//! and where forces balance that is an equilibrium: every inequality of the law is part of the
-//! return map. A few steps do at any number of contacts, but it may go round in circles, most often
-//! with few contacts, where Lemke's method does not.
+//! Where forces balance that is an equilibrium: every inequality of the law is part of the return map. Stretches that all stick give the
+//! twist to start from.
 
 use std::ops::Range;
 
@@ -19,15 +10,12 @@ use nalgebra::{SMatrix, SVector};
 use super::solution::{BALANCED, Solution};
 use crate::contact::{Mode, PolygonState, Tangent};
 use crate::grasp::Site;
-use crate::numerics::{Bordered, SUMMED_IN_TURN, both, in_halves};
-use crate::object::Problem;
+use crate::numerics::{Factors, SUMMED_IN_TURN, both, in_halves};
+use crate::object::{self, Answers, Imbalance, Problem};
 
-/// Steps: it converges in a few of them or goes round in circles.
-const STEPS: usize = 16;
-
-/// R, the sizes of its terms and T.
+/// Of some contacts: R without the load, the sizes of its terms and T.
 #[derive(Clone, Copy)]
-struct Imbalance<const D: usize> {
+struct Sums<const D: usize> {
     left: SVector<f64, D>,
     size: f64,
     stiffness: SMatrix<f64, D, D>,
@@ -35,8 +23,28 @@ struct Imbalance<const D: usize> {
     lawful: bool,
 }
 
-/// The number of steps after which the method has arrived at an equilibrium from the states in
-/// which everything sticks. Rates on an edge are not for it.
+struct OnPolygons<'p, 'g, const D: usize, const C: usize> {
+    problem: &'p Problem<'g, D, C>,
+    states: &'p mut [PolygonState],
+    forces: &'p mut [SVector<f64, C>],
+    /// At the last answer.
+    sums: Sums<D>,
+}
+
+impl<const D: usize, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
+    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D> {
+        self.sums = answer(self.problem, twist, 0, self.states, self.forces);
+        let load = self.problem.wrench;
+        Imbalance { left: self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
+    }
+
+    fn tangent(&mut self) -> Factors<D> {
+        Factors::new(&self.sums.stiffness)
+    }
+}
+
+/// The number of steps after which the method has arrived at an equilibrium from the twist at
+/// which everything that sticks would balance. Rates on an edge are not for it.
 pub(super) fn newton<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     found: &mut Solution<D, C>,
@@ -44,33 +52,25 @@ pub(super) fn newton<const D: usize, const C: usize>(
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
-    found.twist.fill(0.0);
     found.forces.clear();
     found.states.clear();
     found.forces.resize(problem.len(), SVector::zeros());
     found.states.resize(problem.len(), Mode::Rolling);
-    let mut here = stick(problem);
-    here.left += problem.wrench;
-    for step in 1..=STEPS {
-        found.twist += solve(&here.stiffness, &here.left)?;
-        here = answer(problem, &found.twist, 0, &mut found.states, &mut found.forces);
-        here.left += problem.wrench;
-        here.size += problem.wrench.norm() + f64::MIN_POSITIVE;
-        found.residual = here.left.norm() / here.size;
-        if found.residual <= BALANCED {
-            return here.lawful.then_some(step);
-        }
-        if !found.residual.is_finite() {
-            return None;
-        }
-    }
-    None
+    let sums = stick(problem);
+    let start = Factors::new(&sums.stiffness).solve(&(sums.left + problem.wrench));
+    let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
+    let (twist, steps) = object::newton(&mut answers, start, BALANCED)?;
+    let (left, size) = (answers.sums.left + problem.wrench, answers.sums.size + problem.wrench.norm());
+    let lawful = answers.sums.lawful;
+    found.twist = twist;
+    found.residual = left.norm() / (size + f64::MIN_POSITIVE);
+    lawful.then_some(steps + 1)
 }
 
 /// R without the load and T where everything sticks and the object has not moved.
-fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Imbalance<D> {
+fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
     let part = |contacts: Range<usize>| {
-        let mut sum = Imbalance::zero();
+        let mut sum = Sums::zero();
         for contact in contacts {
             let (site, local) = (&problem.sites[contact], problem.local(contact));
             let state = local.unjumped();
@@ -81,7 +81,7 @@ fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Imbalance<D
         }
         sum
     };
-    in_halves(0..problem.len(), &part, &Imbalance::plus)
+    in_halves(0..problem.len(), &part, &Sums::plus)
 }
 
 /// Forces and states of the contacts from number `first` on at a twist, R without the load and T.
@@ -93,7 +93,7 @@ fn answer<const D: usize, const C: usize>(
     first: usize,
     states: &mut [PolygonState],
     forces: &mut [SVector<f64, C>],
-) -> Imbalance<D> {
+) -> Sums<D> {
     if states.len() > SUMMED_IN_TURN {
         let (count, middle) = (states.len(), states.len() / 2);
         let (states, more_states) = states.split_at_mut(middle);
@@ -105,7 +105,7 @@ fn answer<const D: usize, const C: usize>(
         );
         return a.plus(b);
     }
-    let mut sum = Imbalance::<D>::zero();
+    let mut sum = Sums::<D>::zero();
     for (contact, (state, force)) in (first..).zip(states.iter_mut().zip(forces)) {
         let (site, local) = (&problem.sites[contact], problem.local(contact));
         if local.is_absent() {
@@ -150,7 +150,7 @@ fn add_tangent<const D: usize, const C: usize>(
     }
 }
 
-impl<const D: usize> Imbalance<D> {
+impl<const D: usize> Sums<D> {
     fn zero() -> Self {
         Self { left: SVector::zeros(), size: 0.0, stiffness: SMatrix::zeros(), lawful: true }
     }
@@ -163,16 +163,4 @@ impl<const D: usize> Imbalance<D> {
             lawful: self.lawful && other.lawful,
         }
     }
-}
-
-/// T dq = R with the units of the twist taken out; `None` if T is singular.
-fn solve<const D: usize>(stiffness: &SMatrix<f64, D, D>, left: &SVector<f64, D>) -> Option<SVector<f64, D>> {
-    let unit = SVector::<f64, D>::from_fn(|i, _| {
-        let size = stiffness.row(i).amax();
-        if size > 0.0 { 1.0 / size.sqrt() } else { 1.0 }
-    });
-    let scaled = SMatrix::<f64, D, D>::from_fn(|i, j| stiffness[(i, j)] * unit[i] * unit[j]);
-    let zero = SVector::zeros();
-    let factors = Bordered::new(&scaled, &zero, &zero, 1.0)?;
-    Some(factors.solve(&left.component_mul(&unit), 0.0).0.component_mul(&unit))
 }

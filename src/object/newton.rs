@@ -1,0 +1,73 @@
+//! Newton's method for balance, whatever the contacts answer to a motion of the object.
+//!
+//! Given the twist q each contact's force is explicit, its state with it, so equilibrium is d equations, piecewise smooth:
+//!
+//! ```text
+//! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
+//! ```
+//!
+//! with the tangent stiffness C_i of each contact. A few steps do at any number of contacts, but the method may go round in circles, most often
+//! with few contacts, where Lemke's method does not.
+
+use nalgebra::SVector;
+
+use crate::numerics::Factors;
+
+/// Newton's steps: it converges in a few of them.
+const STEPS: usize = 20;
+/// A step must take away this part of the share of the imbalance that its length promises.
+const GAIN: f64 = 0.1;
+/// Shorter parts of a step than this are not tried.
+const SHORTEST: f64 = 1e-3;
+
+/// R and the sizes of its terms.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Imbalance<const D: usize> {
+    pub(crate) left: SVector<f64, D>,
+    pub(crate) size: f64,
+}
+
+/// Contacts that answer a motion of the object with forces.
+pub(crate) trait Answers<const D: usize> {
+    /// Their answers to a twist.
+    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D>;
+
+    /// T where they were last asked.
+    fn tangent(&mut self) -> Factors<D>;
+}
+
+/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes; the twist, and how many steps it took. The
+/// answers there are those that the contacts gave last.
+///
+/// A step that leaves more out of balance than before is halved: without that the method jumps
+/// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
+pub(crate) fn newton<const D: usize>(
+    contacts: &mut impl Answers<D>,
+    mut twist: SVector<f64, D>,
+    settled: f64,
+) -> Option<(SVector<f64, D>, usize)> {
+    let mut here = contacts.answer(&twist);
+    for steps in 0..STEPS {
+        let norm = here.left.norm();
+        if norm <= settled * here.size {
+            return Some((twist, steps));
+        }
+        if !norm.is_finite() {
+            break;
+        }
+        let step = contacts.tangent().solve(&here.left);
+        let mut next = contacts.answer(&(twist + step));
+        let mut part = 1.0;
+        while next.left.norm() > (1.0 - GAIN * part) * norm && part > SHORTEST {
+            part *= 0.5;
+            next = contacts.answer(&(twist + step * part));
+        }
+        if part <= SHORTEST {
+            part = 1.0;
+            next = contacts.answer(&(twist + step));
+        }
+        twist += step * part;
+        here = next;
+    }
+    None
+}
