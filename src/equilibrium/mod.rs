@@ -26,6 +26,8 @@ mod answer;
 mod bracket;
 mod decomposition;
 mod distinct;
+#[cfg(test)]
+mod exact_refutation;
 mod questions;
 mod recomputed;
 mod refutation;

@@ -138,7 +138,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The problem at rest under a load.
-    pub(crate) fn problem_under(
+    pub(super) fn problem_under(
         &self,
         load: &Wrench<D>,
         settings: &Settings,

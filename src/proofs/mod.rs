@@ -5,12 +5,9 @@
 //! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
 //! | `escape` | when a contradiction counts |
 //! | `refutation` | case by case on the round cone, to be checked by anyone |
-//! | `exact_check` | (tests) refutations in rational numbers |
 //! | `open_choices` | for each choice of open contacts, all that friction could do is a convex question |
 
 mod escape;
-#[cfg(test)]
-mod exact_check;
 mod open_choices;
 mod refutation;
 mod wrench_cone;

@@ -9,12 +9,11 @@ use nalgebra::SVector;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, Zero};
 
-use super::escape::ESCAPE;
-use super::refutation::{Step, check};
 use crate::contact::{Label, Sector};
-use crate::object::Problem;
+use crate::grasp::{Contact, Grasp, Wrench};
+use crate::object::{Piece, Problem};
+use crate::proofs::{ESCAPE, Step, check};
 use crate::search::{Settings, refute};
-use crate::spatial::{Contact, Grasp, Wrench};
 
 type Rational = BigRational;
 
@@ -172,7 +171,7 @@ fn is_contradicted(
 }
 
 /// Three fingers around a jar, each with a number of its own, pulled out with more than they hold.
-fn jar(shift: f64, load: [f64; 3]) -> (Grasp, Wrench) {
+fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
         Contact::new([cos, sin, 0.1 * k], [-cos, -sin, 0.05 * k])
@@ -180,7 +179,7 @@ fn jar(shift: f64, load: [f64; 3]) -> (Grasp, Wrench) {
             .friction(0.5)
             .command([0.01 + 0.001 * k, 0.0, 0.0])
     };
-    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::force(load))
+    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::<6>::force(load))
 }
 
 #[test]
@@ -194,7 +193,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let contacts: Vec<_> = (0..problem.len()).map(|i| Exact::new(&problem, i)).collect();
         // Data as in `check`: the trial state in √J.
-        let trial = crate::object::Piece::new(&problem, &problem.unjumped());
+        let trial = Piece::new(&problem, &problem.unjumped());
         let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
