@@ -156,9 +156,8 @@ mod tests {
 
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
-    use crate::grasp::Twist;
+    use crate::grasp::{Contact, Grasp, Twist, Wrench};
     use crate::object::{Load, Problem};
-    use crate::planar::{Contact, Grasp, Wrench};
 
     /// A comparison with a bound must fail wherever anything is not finite.
     #[test]
@@ -169,8 +168,8 @@ mod tests {
                 .friction(0.5)
                 .command([0.01, 0.0])
         };
-        let grasp = Grasp::new([jaw(-1.0), jaw(1.0)])?;
-        let load = Wrench::force([0.0, -1.0]);
+        let grasp = Grasp::<3, 2>::new([jaw(-1.0), jaw(1.0)])?;
+        let load = Wrench::<3>::force([0.0, -1.0]);
         let answer = grasp.solve(&load)?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
