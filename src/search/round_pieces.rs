@@ -29,6 +29,9 @@ const ON_THE_CONE: f64 = 1e-14;
 const BALANCED: f64 = 1e-13;
 /// A state is left where its inequality fails by more than this part of its terms.
 const FAILS: f64 = 1e-14;
+/// No answer is farther from the start than this times start and drives together: hardly a digit of what contacts do would be left. Beside a locking
+/// angle steps lead there, where another rung finds an equilibrium close by.
+const FAR: f64 = 1e12;
 /// A motion that moves a contact by less than this part of its reach does not move it.
 const FELT: f64 = 1e-10;
 
@@ -65,9 +68,13 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
 
     /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.
     pub(super) fn solve(mut self, problem: &Problem<D, C>) -> Option<Found<D, C>> {
+        let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
         for step in 1..=STEPS {
             let [sharp, near, settled] = self.step(problem, &piece);
+            if self.twist.value().norm() > FAR * driven {
+                return None;
+            }
             let last = (sharp || step == STEPS && settled) && self.on_cones(problem);
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
