@@ -32,12 +32,12 @@ pub(crate) trait Answers<const D: usize> {
     /// Their answers to a twist.
     fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D>;
 
-    /// T where they were last asked.
-    fn tangent(&mut self) -> Factors<D>;
+    /// T where they were last asked; `None` where Newton's method should not go on with it.
+    fn tangent(&mut self) -> Option<Factors<D>>;
 }
 
-/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes; the twist, and how many steps it took. The
-/// answers there are those that the contacts gave last.
+/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes: the twist, how many steps it took, and what is
+/// left. The answers there are those that the contacts gave last.
 ///
 /// A step that leaves more out of balance than before is halved: without that the method jumps
 /// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
@@ -45,17 +45,17 @@ pub(crate) fn newton<const D: usize>(
     contacts: &mut impl Answers<D>,
     mut twist: SVector<f64, D>,
     settled: f64,
-) -> Option<(SVector<f64, D>, usize)> {
+) -> Option<(SVector<f64, D>, usize, Imbalance<D>)> {
     let mut here = contacts.answer(&twist);
     for steps in 0..STEPS {
         let norm = here.left.norm();
         if norm <= settled * here.size {
-            return Some((twist, steps));
+            return Some((twist, steps, here));
         }
         if !norm.is_finite() {
             break;
         }
-        let step = contacts.tangent().solve(&here.left);
+        let step = contacts.tangent()?.solve(&here.left);
         let mut next = contacts.answer(&(twist + step));
         let mut part = 1.0;
         while next.left.norm() > (1.0 - GAIN * part) * norm && part > SHORTEST {

@@ -38,11 +38,11 @@ impl<const D: usize, const C: usize> Answers<D> for OnTheRoundCone<'_, '_, D, C>
         Imbalance { left, size }
     }
 
-    fn tangent(&mut self) -> Factors<D> {
+    fn tangent(&mut self) -> Option<Factors<D>> {
         let tangents = self.contacts.iter().zip(self.problem.locals());
         self.tangents.clear();
         self.tangents.extend(tangents.map(|(at, local)| local.tangent(&at.state).matrix()));
-        Factors::new(&tangent_stiffness(self.problem.sites, &self.tangents))
+        Some(Factors::new(&tangent_stiffness(self.problem.sites, &self.tangents)))
     }
 }
 
@@ -53,6 +53,6 @@ pub(super) fn newton<const D: usize, const C: usize>(
 ) -> Option<Arrived<D, C>> {
     let tangents = Vec::with_capacity(problem.len());
     let mut answers = OnTheRoundCone { problem, contacts: vec![Answer::open(); problem.len()], tangents };
-    let (twist, _) = object::newton(&mut answers, twist, SETTLED)?;
+    let (twist, ..) = object::newton(&mut answers, twist, SETTLED)?;
     Some(Arrived { twist, contacts: answers.contacts })
 }

@@ -44,6 +44,16 @@ pub(super) struct RoundPieces<const D: usize, const C: usize> {
     twist: PreciseTwist<D>,
 }
 
+/// What a step has changed.
+struct Progress {
+    /// No force, and not the twist, but for its last digit.
+    sharp: bool,
+    /// No force, and not the twist, by more than a part `SETTLED` of itself: the directions of friction have hardly turned.
+    near: bool,
+    /// No force by more than that but for rounding of the largest.
+    settled: bool,
+}
+
 impl<const D: usize, const C: usize> RoundPieces<D, C> {
     /// Where Newton's method on the twist has arrived.
     pub(super) fn arrived(arrived: &Arrived<D, C>) -> Self {
@@ -71,7 +81,7 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
         let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
         for step in 1..=STEPS {
-            let [sharp, near, settled] = self.step(problem, &piece);
+            let Progress { sharp, near, settled } = self.step(problem, &piece);
             if self.twist.value().norm() > FAR * driven {
                 return None;
             }
@@ -103,8 +113,8 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
         })
     }
 
-    /// Solves the piece; whether every force has settled to its last digit, and whether it has but for rounding of the largest.
-    fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> [bool; 3] {
+    /// Solves the piece.
+    fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> Progress {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
@@ -118,7 +128,7 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
             near &= missing.norm() <= SETTLED * force.norm();
             settled &= missing.norm() <= SETTLED * force.norm() + ROUNDING * largest;
         }
-        [sharp, near, settled]
+        Progress { sharp, near, settled }
     }
 
     /// As an answer, if every inequality holds.

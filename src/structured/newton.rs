@@ -38,8 +38,8 @@ impl<const D: usize, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
         Imbalance { left: self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
     }
 
-    fn tangent(&mut self) -> Factors<D> {
-        Factors::new(&self.sums.stiffness)
+    fn tangent(&mut self) -> Option<Factors<D>> {
+        regular(&self.sums)
     }
 }
 
@@ -57,14 +57,19 @@ pub(super) fn newton<const D: usize, const C: usize>(
     found.forces.resize(problem.len(), SVector::zeros());
     found.states.resize(problem.len(), Mode::Rolling);
     let sums = stick(problem);
-    let start = Factors::new(&sums.stiffness).solve(&(sums.left + problem.wrench));
+    let start = regular(&sums)?.solve(&(sums.left + problem.wrench));
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
-    let (twist, steps) = object::newton(&mut answers, start, BALANCED)?;
-    let (left, size) = (answers.sums.left + problem.wrench, answers.sums.size + problem.wrench.norm());
+    let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
     let lawful = answers.sums.lawful;
     found.twist = twist;
-    found.residual = left.norm() / (size + f64::MIN_POSITIVE);
+    found.residual = here.left.norm() / here.size;
     lawful.then_some(steps + 1)
+}
+
+/// Factors of T if it is regular. Where a motion is free the least one is asked for, which Newton's method does not know.
+fn regular<const D: usize>(sums: &Sums<D>) -> Option<Factors<D>> {
+    let factors = Factors::new(&sums.stiffness);
+    matches!(factors, Factors::Regular(_)).then_some(factors)
 }
 
 /// R without the load and T where everything sticks and the object has not moved.

@@ -14,6 +14,7 @@ mod foreign_vectors;
 mod frames;
 mod frictionless_sliding;
 mod invariance;
+mod near_the_trial;
 mod overlap_and_world_commands;
 mod pinch;
 mod properties_law;
