@@ -12,17 +12,17 @@ pub type SoftFingertip = crate::grasp::SoftFingertip<2>;
 /// A planar grasp; see [`crate::grasp::Grasp`].
 pub type Grasp = crate::grasp::Grasp<3, 2>;
 /// Force (x, y) and moment; see [`crate::grasp::Wrench`].
-pub type Wrench = crate::grasp::Wrench<3>;
+pub type Wrench = crate::grasp::Wrench<3, 2>;
 /// Translation (x, y) and rotation; see [`crate::grasp::Twist`].
-pub type Twist = crate::grasp::Twist<3>;
+pub type Twist = crate::grasp::Twist<3, 2>;
 /// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
-pub type Outcome = crate::equilibrium::Outcome<3, 2>;
+pub type Outcome<const D: usize = 3> = crate::equilibrium::Outcome<D, 2>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
-pub type Equilibrium = crate::equilibrium::Equilibrium<3, 2>;
+pub type Equilibrium<const D: usize = 3> = crate::equilibrium::Equilibrium<D, 2>;
 /// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
-pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<3>;
+pub type NoEquilibrium<const D: usize = 3> = crate::equilibrium::NoEquilibrium<D, 2>;
 /// How it is known that none exists; see [`crate::equilibrium::Proof`].
-pub type Proof = crate::equilibrium::Proof<3>;
+pub type Proof<const D: usize = 3> = crate::equilibrium::Proof<D, 2>;
 /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
 pub type ContactAnswer = crate::equilibrium::ContactAnswer<2>;
 /// What a contact does; see [`crate::equilibrium::ContactState`].
@@ -32,34 +32,34 @@ pub type Decomposition = crate::equilibrium::Decomposition<2>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<3, 2>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
-pub type Onset = crate::load_path::Onset<3, 2>;
+pub type Onset<const D: usize = 3> = crate::load_path::Onset<D, 2>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
-pub type OnsetEvent = crate::load_path::OnsetEvent<3, 2>;
+pub type OnsetEvent<const D: usize = 3> = crate::load_path::OnsetEvent<D, 2>;
 /// A contact that leaves rolling; see [`crate::load_path::Leaving`].
 pub type Leaving = crate::load_path::Leaving<2>;
 /// How a contact leaves rolling; see [`crate::load_path::Departure`].
 pub type Departure = crate::load_path::Departure<2>;
 /// What comes after the onset; see [`crate::load_path::Beyond`].
-pub type Beyond = crate::load_path::Beyond<3, 2>;
+pub type Beyond<const D: usize = 3> = crate::load_path::Beyond<D, 2>;
 /// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
-pub type Continuation = crate::load_path::Continuation<3, 2>;
+pub type Continuation<const D: usize = 3> = crate::load_path::Continuation<D, 2>;
 /// One leg of a load program; see [`crate::load_path::Leg`].
 pub type Leg = crate::load_path::Leg<3, 2>;
 /// Something changes on a load path; see [`crate::load_path::Event`].
-pub type Event = crate::load_path::Event<3, 2>;
+pub type Event<const D: usize = 3> = crate::load_path::Event<D, 2>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<2>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
-pub type PathEnd = crate::load_path::PathEnd<3, 2>;
+pub type PathEnd<const D: usize = 3> = crate::load_path::PathEnd<D, 2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
-pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3, 2>;
+pub type LoadPath<'g, const D: usize = 3> = crate::load_path::LoadPath<'g, D, 2>;
 /// A few contacts made ready for screening; see [`crate::screening::Fingers`].
 pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
 /// Many of them; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
 /// The load on them; see [`crate::screening::Pull`].
-pub type Pull = crate::screening::Pull<3>;
+pub type Pull = crate::screening::Pull<3, 2>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
-pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3, 2>;
+pub type PatchPath<'g, const D: usize = 3> = crate::load_path::PatchPath<'g, D, 2>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
-pub type PatchEvent = crate::load_path::PatchEvent<3, 2>;
+pub type PatchEvent<const D: usize = 3> = crate::load_path::PatchEvent<D, 2>;

@@ -52,7 +52,7 @@ impl Solver {
 /// A grasp without load at factor 0, its load at factor 1.
 struct Question<'a, const D: usize, const C: usize> {
     grasp: &'a Grasp<D, C>,
-    direction: Wrench<D>,
+    direction: Wrench<D, C>,
     cone: PolygonCone,
     /// Stepping and bisection look from 0 to here.
     most: f64,
@@ -186,7 +186,7 @@ fn in_the_plane() -> Result<Panel, Failure> {
 fn screened<const D: usize, const C: usize, const N: usize>(
     panel: &mut Panel,
     contacts: &[grasp_lcp::grasp::Contact<C>; N],
-    direction: &Wrench<D>,
+    direction: &Wrench<D, C>,
     exact: f64,
 ) -> Result<(), Failure> {
     const CALLS: u32 = 1000;

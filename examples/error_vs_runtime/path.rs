@@ -39,7 +39,7 @@ impl<const D: usize, const C: usize> Stepper<D, C> {
     }
 
     /// On to another load and other commands.
-    fn step(&mut self, load: &Wrench<D>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
+    fn step(&mut self, load: &Wrench<D, C>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
         let left: Vec<_> = commands.iter().zip(&self.slips).map(|(a, s)| a - s).collect();
         self.grasp = self.grasp.clone().with_commands(left)?;
         let outcome = self.grasp.solve(load)?;

@@ -50,7 +50,7 @@ fn wrench<const D: usize, const C: usize>(p: &SVector<f64, C>, f: &SVector<f64, 
 impl Full {
     /// Makes the matrices.
     pub fn new<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Self, Failure> {
-        let (grasp, load): (&Grasp<D, C>, &Wrench<D>) = (&scene.grasp, &scene.load);
+        let (grasp, load): (&Grasp<D, C>, &Wrench<D, C>) = (&scene.grasp, &scene.load);
         let (n, normals) = (grasp.len(), facets::<C>());
         let (mut g, mut k, mut a) = (DMatrix::zeros(D, C * n), DVector::zeros(C * n), DVector::zeros(C * n));
         let pairs = 1 + normals.len();

@@ -9,7 +9,7 @@ pub type Failure = Box<dyn std::error::Error>;
 pub struct Scene<const D: usize, const C: usize> {
     pub name: &'static str,
     pub grasp: Grasp<D, C>,
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     pub holds: Vec<Hold>,
 }
 
@@ -17,7 +17,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     pub fn new(
         name: &'static str,
         contacts: impl IntoIterator<Item = Contact<C>>,
-        load: Wrench<D>,
+        load: Wrench<D, C>,
     ) -> Result<Self, grasp_lcp::Error> {
         let grasp = Grasp::new(contacts)?;
         let holds = vec![Hold::Unilateral; grasp.len()];

@@ -17,7 +17,7 @@ pub(crate) fn point<const C: usize>(text: Option<&str>) -> Result<[f64; C], Fail
 }
 
 /// The load on top of which the force comes.
-pub(crate) fn base<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<D> {
+pub(crate) fn base<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<D, C> {
     let asked = setup.questions.iter().find_map(|question| match question {
         Question::Onset(ramp) => Some(ramp.base),
         _ => None,
@@ -87,7 +87,7 @@ pub(crate) fn check_base<const D: usize, const C: usize>(
 }
 
 /// Lines that say where the force acts, and on top of what.
-pub(crate) fn words<const D: usize, const C: usize>(at: [f64; C], base: &Wrench<D>) -> Vec<String> {
+pub(crate) fn words<const D: usize, const C: usize>(at: [f64; C], base: &Wrench<D, C>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.as_vector();
     let mut lines = vec![format!("Force at ({point}) m")];

@@ -52,8 +52,8 @@ pub(crate) const STEP_ERROR: f64 = 1e-6;
 pub(crate) fn last<const D: usize, const C: usize>(
     grasp: &Grasp<D, C>,
     settings: &Settings,
-    base: Wrench<D>,
-    direction: Wrench<D>,
+    base: Wrench<D, C>,
+    direction: Wrench<D, C>,
     most: f64,
 ) -> Result<Last, Error> {
     let settings = settings.with_step_error(STEP_ERROR);

@@ -49,7 +49,7 @@ pub fn patches() -> Outcome {
 fn patch<const D: usize, const C: usize>(
     place: &str,
     grasp: &Grasp<D, C>,
-    load: &Wrench<D>,
+    load: &Wrench<D, C>,
     affordable: bool,
 ) -> Outcome {
     let runs = (20_000 / grasp.len()).clamp(3, 50);
@@ -109,12 +109,16 @@ pub fn whole_solve() -> Outcome {
 }
 
 /// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
-fn program_once<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>, runs: usize) -> f64 {
+fn program_once<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    load: &Wrench<D, C>,
+    runs: usize,
+) -> f64 {
     best(runs, || drop(black_box(rolls(grasp, load))))
 }
 
 /// The kinematic form made and solved as a dense problem, without check of the answer as physics.
-fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>, runs: usize) -> f64 {
+fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D, C>, runs: usize) -> f64 {
     best(runs, || {
         if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {
             black_box(form.lcp.solve());
@@ -125,7 +129,7 @@ fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>, 
 fn found<const D: usize, const C: usize>(
     workspace: &mut Workspace<D, C>,
     grasp: &Grasp<D, C>,
-    load: &Wrench<D>,
+    load: &Wrench<D, C>,
 ) -> Result<String, grasp_lcp::Error> {
     Ok(remark(workspace.solve(grasp, load)?))
 }

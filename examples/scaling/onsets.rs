@@ -28,7 +28,7 @@ pub fn rows() -> Outcome {
 fn family<const D: usize, const C: usize, const N: usize>(
     name: &str,
     contacts: impl Fn(usize) -> [Contact<C>; N],
-    direction: &Wrench<D>,
+    direction: &Wrench<D, C>,
 ) -> Outcome {
     let scenes: Vec<_> = (0..GRASPS).map(contacts).collect();
     let pull = Pull::new(&Wrench::ZERO, direction)?;

@@ -28,7 +28,7 @@ pub fn rows() -> Outcome {
 fn whole_path<const D: usize, const C: usize>(
     place: &str,
     grasp: &Grasp<D, C>,
-    load: &Wrench<D>,
+    load: &Wrench<D, C>,
     affordable: bool,
 ) -> Outcome {
     // Along the normals, which all contacts share.

@@ -14,7 +14,7 @@ const HALVINGS: usize = 20;
 /// One solution of the program under a load; whether no friction row is active in it.
 pub fn rolls<const D: usize, const C: usize>(
     grasp: &Grasp<D, C>,
-    load: &Wrench<D>,
+    load: &Wrench<D, C>,
 ) -> Result<bool, grasp_lcp::Error> {
     let reduced = grasp.reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
     let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
@@ -28,7 +28,7 @@ pub fn rolls<const D: usize, const C: usize>(
 /// The factor of the load from which on the program has a friction row active, by doubling and halving.
 pub fn bisected_onset<const D: usize, const C: usize>(
     grasp: &Grasp<D, C>,
-    direction: &Wrench<D>,
+    direction: &Wrench<D, C>,
 ) -> Result<f64, grasp_lcp::Error> {
     let (mut below, mut above) = (0.0, 1.0);
     while rolls(grasp, &(*direction * above))? && above < 1e12 {

@@ -164,7 +164,7 @@ fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
     parts.collect::<Vec<_>>().join(", ")
 }
 
-fn proof<const D: usize>(proof: &Proof<D>) -> String {
+fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> String {
     match proof {
         Proof::FreeMotion { motion, .. } => {
             format!("nothing resists the motion {}", row(motion.as_vector().as_slice()))
@@ -187,7 +187,7 @@ fn name(place: &grasp_lcp::scene::Place) -> String {
     place.point.map_or(name.clone(), |point| format!("{name}, point {point},"))
 }
 
-fn wrench<const D: usize>(wrench: &Wrench<D>) -> String {
+fn wrench<const D: usize, const C: usize>(wrench: &Wrench<D, C>) -> String {
     row(wrench.as_vector().as_slice())
 }
 

@@ -61,9 +61,9 @@ impl<const D: usize, const C: usize> AssociatedOutcome<D, C> {
 #[non_exhaustive]
 pub struct AssociatedState<const D: usize, const C: usize> {
     /// The load of the question.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Motion of the object about the origin, m and rad.
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// One a contact, in the order of the grasp.
     pub contacts: Vec<AssociatedContact<C>>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
@@ -112,7 +112,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn associated_friction(&self, load: &Wrench<D>) -> Result<AssociatedOutcome<D, C>, Error> {
+    pub fn associated_friction(&self, load: &Wrench<D, C>) -> Result<AssociatedOutcome<D, C>, Error> {
         self.associated_friction_with(load, &Settings::default())
     }
 
@@ -122,7 +122,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::associated_friction`].
     pub fn associated_friction_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<AssociatedOutcome<D, C>, Error> {
         let law = AssociatedLaw::new(self.on_polygons(load, &settings.cone)?);
@@ -148,7 +148,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     fn at_rest(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         law: &AssociatedLaw<D, C>,
         state: &PieceState<D, C>,
         binding: &[usize],

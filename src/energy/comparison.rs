@@ -163,7 +163,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn compare_with_minimum_energy(&self, load: &Wrench<D>) -> Result<Comparison<D, C>, Error> {
+    pub fn compare_with_minimum_energy(&self, load: &Wrench<D, C>) -> Result<Comparison<D, C>, Error> {
         self.compare_with_minimum_energy_with(load, &Settings::default())
     }
 
@@ -174,7 +174,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn compare_with_minimum_energy_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Comparison<D, C>, Error> {
         let equilibrium = self.solve_with(load, &(*settings).on_the_polygon())?;

@@ -23,7 +23,7 @@ pub enum MinimumOutcome<const D: usize, const C: usize> {
     /// The load works on a motion that no spring resists: the energy falls for ever.
     Unbounded {
         /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), pointing the way the load drives it.
-        motion: Twist<D>,
+        motion: Twist<D, C>,
         /// Work of the load on it, positive, J.
         work: f64,
     },
@@ -57,23 +57,23 @@ impl<const D: usize, const C: usize> MinimumOutcome<D, C> {
 #[non_exhaustive]
 pub struct MinimumEnergy<const D: usize, const C: usize> {
     /// The load of the question.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Motion of the object about the origin, m and rad; the least one where some motions stretch no spring.
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// One a contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
     /// Friction constraints that bind, with their multipliers.
     pub binding: Vec<Binding>,
     /// `Σ G_i F_i + W` about the origin, N and N m: its opposite is missing to equilibrium. Computed from the multipliers, so that it
     /// is exactly zero when none is positive.
-    pub imbalance: Wrench<D>,
+    pub imbalance: Wrench<D, C>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// The minimum itself: stored energy less `W·q`, J.
     pub potential_energy: f64,
     /// Motions that stretch no spring that holds: the twist is known up to them. Of unit size as in
     /// [`Stability::softest`](super::Stability::softest), at right angles to one another.
-    pub free_motions: Vec<Twist<D>>,
+    pub free_motions: Vec<Twist<D, C>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
     /// Size of the largest force: what the imbalance is measured against.
@@ -134,7 +134,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn minimum_energy(&self, load: &Wrench<D>) -> Result<MinimumOutcome<D, C>, Error> {
+    pub fn minimum_energy(&self, load: &Wrench<D, C>) -> Result<MinimumOutcome<D, C>, Error> {
         self.minimum_energy_with(load, &Settings::default())
     }
 
@@ -144,7 +144,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::minimum_energy`].
     pub fn minimum_energy_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<MinimumOutcome<D, C>, Error> {
         let program = Program::new(self.on_polygons(load, &settings.cone)?);
@@ -178,7 +178,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     fn write_out(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         program: &Program<D, C>,
         point: &Point<D, C>,
         pivots: usize,

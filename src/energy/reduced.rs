@@ -95,7 +95,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn reduced_qp(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         cone: &PolygonCone,
         unknowns: Unknowns,
     ) -> Result<ReducedQp<D, C>, Error> {

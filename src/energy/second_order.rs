@@ -71,7 +71,7 @@ pub struct SecondOrder<const D: usize, const C: usize> {
     /// The first-order equilibrium it started from.
     pub first_order: Equilibrium<D, C>,
     /// Motion of the object: translation of its point at the origin (m), rotation vector (rad).
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// Force on the object at each contact, in the contact frame as it was at first, N; F_n > 0 pushes.
     pub forces: Vec<SVector<f64, C>>,
     /// What each contact does, in the order of the grasp.
@@ -85,7 +85,7 @@ pub struct SecondOrder<const D: usize, const C: usize> {
     /// Outer iterations made.
     pub iterations: usize,
     /// Stability there, with the moved arms.
-    pub stability: Stability<D>,
+    pub stability: Stability<D, C>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -115,7 +115,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn second_order_equilibrium(&self, load: &Wrench<D>) -> Result<SecondOrderOutcome<D, C>, Error> {
+    pub fn second_order_equilibrium(&self, load: &Wrench<D, C>) -> Result<SecondOrderOutcome<D, C>, Error> {
         self.second_order_equilibrium_with(load, &Settings::default())
     }
 
@@ -125,7 +125,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::second_order_equilibrium`].
     pub fn second_order_equilibrium_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<SecondOrderOutcome<D, C>, Error> {
         let first_order = match self.solve_with(load, settings)? {
@@ -156,7 +156,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The first-order problem about a twist, solved.
-    fn iterate(&self, twist: &SVector<f64, D>, load: &Wrench<D>, settings: &Settings) -> Option<Step<D, C>> {
+    fn iterate(
+        &self,
+        twist: &SVector<f64, D>,
+        load: &Wrench<D, C>,
+        settings: &Settings,
+    ) -> Option<Step<D, C>> {
         let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
         let sites: Vec<Site<D, C>> = self

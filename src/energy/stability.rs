@@ -33,7 +33,7 @@ const ZERO: f64 = 1e-12;
 /// friction is not conservative and no energy decides.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Stability<const D: usize> {
+pub struct Stability<const D: usize, const C: usize> {
     /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that the
     /// object feels.
     pub elastic: SMatrix<f64, D, D>,
@@ -46,7 +46,7 @@ pub struct Stability<const D: usize> {
     pub most_curvature: f64,
     /// The unit motion along which the energy rises least, as a twist about the origin; its sign means nothing. A rotation is counted in radians times
     /// the root mean square distance of the contacts from their centroid, a translation is that of the centroid.
-    pub softest: Twist<D>,
+    pub softest: Twist<D, C>,
     /// What follows.
     pub verdict: StabilityVerdict,
 }
@@ -66,7 +66,7 @@ pub enum StabilityVerdict {
     Sliding,
 }
 
-impl<const D: usize> Stability<D> {
+impl<const D: usize, const C: usize> Stability<D, C> {
     /// Elastic and geometric stiffness together: the restoring wrench about the origin is `-H q` for a small twist q.
     #[must_use]
     pub fn hessian(&self) -> SMatrix<f64, D, D> {
@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn stability(&self, equilibrium: &Equilibrium<D, C>) -> Stability<D> {
+    pub fn stability(&self, equilibrium: &Equilibrium<D, C>) -> Stability<D, C> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
@@ -107,7 +107,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         arms: &[SVector<f64, C>],
         forces: &[SVector<f64, C>],
         states: &[ContactState<C>],
-    ) -> Stability<D> {
+    ) -> Stability<D, C> {
         let (mut elastic, mut geometric) = (SMatrix::zeros(), SMatrix::zeros());
         let mut slides = false;
         let contacts = arms.iter().zip(forces).zip(states);

@@ -44,7 +44,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn three_laws(&self, load: &Wrench<D>) -> Result<ThreeLaws<D, C>, Error> {
+    pub fn three_laws(&self, load: &Wrench<D, C>) -> Result<ThreeLaws<D, C>, Error> {
         self.three_laws_with(load, &Settings::default())
     }
 
@@ -52,7 +52,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// As for [`Self::three_laws`].
-    pub fn three_laws_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<ThreeLaws<D, C>, Error> {
+    pub fn three_laws_with(
+        &self,
+        load: &Wrench<D, C>,
+        settings: &Settings,
+    ) -> Result<ThreeLaws<D, C>, Error> {
         Ok(ThreeLaws {
             comparison: self.compare_with_minimum_energy_with(load, settings)?,
             associated: self.associated_friction_with(load, settings)?,

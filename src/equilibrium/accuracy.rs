@@ -113,7 +113,7 @@ struct Variation<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Variation<D, C> {
     fn new(
         grasp: &Grasp<D, C>,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         problem: &Problem<D, C>,
         states: &[State<C>],
         at: &PieceState<D, C>,

@@ -15,7 +15,7 @@ pub enum Outcome<const D: usize, const C: usize> {
     /// The grasp holds: here is where the object goes and what the contacts carry.
     Equilibrium(Box<Equilibrium<D, C>>),
     /// No quasi-static equilibrium exists under this load, with the proof.
-    NoEquilibrium(NoEquilibrium<D>),
+    NoEquilibrium(NoEquilibrium<D, C>),
     /// None was found and none was ruled out.
     Undecided(Undecided),
 }
@@ -36,11 +36,11 @@ impl<const D: usize, const C: usize> Outcome<D, C> {
 #[non_exhaustive]
 pub struct Equilibrium<const D: usize, const C: usize> {
     /// The load it balances, about the origin.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm,
     /// unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is about the centroid of
     /// the contact points, with lengths in units of their root mean square distance from it.
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,
     /// By which rule this equilibrium was found; there may be others, see
@@ -51,10 +51,10 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
     /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
     /// from it; either sign is meant. None where every motion is resisted.
-    pub free_motions: Vec<Twist<D>>,
+    pub free_motions: Vec<Twist<D, C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
     /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
-    pub neutral_motions: Vec<Twist<D>>,
+    pub neutral_motions: Vec<Twist<D, C>>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
     /// What was done to find it.
@@ -211,19 +211,19 @@ pub struct WorkDone {
 /// No equilibrium exists: the grasp gives way under this load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct NoEquilibrium<const D: usize> {
+pub struct NoEquilibrium<const D: usize, const C: usize> {
     /// Why, and how that is known.
-    pub proof: Proof<D>,
+    pub proof: Proof<D, C>,
 }
 
 /// Why no equilibrium exists, and how that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Proof<const D: usize> {
+pub enum Proof<const D: usize, const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
-        motion: Twist<D>,
+        motion: Twist<D, C>,
         /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },
@@ -231,7 +231,7 @@ pub enum Proof<const D: usize> {
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
-        motion: Twist<D>,
+        motion: Twist<D, C>,
         /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },

@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn bracket(&self, load: &Wrench<D>) -> Result<Bracket<D, C>, Error> {
+    pub fn bracket(&self, load: &Wrench<D, C>) -> Result<Bracket<D, C>, Error> {
         self.bracket_with(load, &Settings::default())
     }
 
@@ -75,7 +75,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// As for [`Self::bracket`].
-    pub fn bracket_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
+    pub fn bracket_with(&self, load: &Wrench<D, C>, settings: &Settings) -> Result<Bracket<D, C>, Error> {
         let on = |fit: Fit| {
             let polygon = PolygonCone::new(settings.cone.facets(), fit)?;
             self.solve_with(load, &(*settings).with_cone(polygon).on_the_polygon())

@@ -171,7 +171,7 @@ fn is_contradicted(
 }
 
 /// Three fingers around a jar, each with a number of its own, pulled out with more than they hold.
-fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6>) {
+fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6, 3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
         Contact::new([cos, sin, 0.1 * k], [-cos, -sin, 0.05 * k])
@@ -179,7 +179,7 @@ fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6>) {
             .friction(0.5)
             .command([0.01 + 0.001 * k, 0.0, 0.0])
     };
-    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::<6>::force(load))
+    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::<6, 3>::force(load))
 }
 
 #[test]

@@ -41,7 +41,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn solve(&self, load: &Wrench<D>) -> Result<Outcome<D, C>, Error> {
+    pub fn solve(&self, load: &Wrench<D, C>) -> Result<Outcome<D, C>, Error> {
         self.solve_with(load, &Settings::default())
     }
 
@@ -67,7 +67,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn solve_with(&self, load: &Wrench<D>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
+    pub fn solve_with(&self, load: &Wrench<D, C>, settings: &Settings) -> Result<Outcome<D, C>, Error> {
         let problem = self.problem_under(load, settings)?;
         let (settled, effort) = settle(&problem, settings);
         Ok(self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings)))
@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`] combinations, [`Error::Wrench`] if the load is not
     /// finite, or beyond 1e50.
-    pub fn equilibria(&self, load: &Wrench<D>) -> Result<Vec<Equilibrium<D, C>>, Error> {
+    pub fn equilibria(&self, load: &Wrench<D, C>) -> Result<Vec<Equilibrium<D, C>>, Error> {
         self.equilibria_with(load, &Settings::default())
     }
 
@@ -104,7 +104,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::equilibria`].
     pub fn equilibria_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Vec<Equilibrium<D, C>>, Error> {
         let problem = self.problem_under(load, settings)?;
@@ -140,7 +140,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The problem at rest under a load.
     pub(super) fn problem_under(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
@@ -151,7 +151,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub(crate) fn outcome(
         &self,
         problem: &Problem<D, C>,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settled: Settled<D, C>,
         effort: &Effort,
         cone: Cone,

@@ -78,8 +78,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
-        load: &Wrench<D>,
-        twist: &Twist<D>,
+        load: &Wrench<D, C>,
+        twist: &Twist<D, C>,
         answers: &[ContactAnswer<C>],
         cone: Cone,
         [force_terms, travel_terms]: [f64; 2],
@@ -128,7 +128,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
     /// are sums of.
-    fn out_of_balance(&self, load: &Wrench<D>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
+    fn out_of_balance(&self, load: &Wrench<D, C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
         for k in 0..D {
@@ -169,12 +169,12 @@ mod tests {
                 .command([0.01, 0.0])
         };
         let grasp = Grasp::<3, 2>::new([jaw(-1.0), jaw(1.0)])?;
-        let load = Wrench::<3>::force([0.0, -1.0]);
+        let load = Wrench::<3, 2>::force([0.0, -1.0]);
         let answer = grasp.solve(&load)?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
         let problem = Problem::at_rest(grasp.sites(), polygon, false, grasp.drives(), &Load::from(&wrench));
-        let worst = |twist: &Twist<3>, contacts: &[_]| {
+        let worst = |twist: &Twist<3, 2>, contacts: &[_]| {
             grasp.residuals(&problem, &load, twist, contacts, answer.cone, [0.0; 2]).worst()
         };
         assert!(worst(&answer.twist, &answer.contacts) < 1e-14);

@@ -30,7 +30,7 @@ impl<const D: usize, const C: usize> Refutation<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn check(&self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Option<f64>, Error> {
+    pub fn check(&self, grasp: &Grasp<D, C>, load: &Wrench<D, C>) -> Result<Option<f64>, Error> {
         Ok(proofs::check(&grasp.problem_under(load, &Settings::default())?, &self.steps))
     }
 }
@@ -60,7 +60,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn refutation(&self, load: &Wrench<D>) -> Result<Option<Refutation<D, C>>, Error> {
+    pub fn refutation(&self, load: &Wrench<D, C>) -> Result<Option<Refutation<D, C>>, Error> {
         self.refutation_with(load, &Settings::default())
     }
 
@@ -70,7 +70,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::refutation`].
     pub fn refutation_with(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Option<Refutation<D, C>>, Error> {
         let problem = self.problem_under(load, &Settings { round: true, ..*settings })?;

@@ -14,7 +14,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub(crate) fn equilibrium(
         &self,
         problem: &Problem<D, C>,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         found: &Found<D, C>,
         rule: Rung,
         effort: &Effort,
@@ -23,7 +23,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let contacts: Vec<_> = self.solved_contacts(problem, found).map(|solved| solved.answer()).collect();
         let twist = self.outside(&found.twist);
         let motions =
-            |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D>>>();
+            |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D, C>>>();
         let stored_energy =
             contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force)).sum();
         Equilibrium {

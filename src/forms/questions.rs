@@ -32,7 +32,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn kinematic_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+    pub fn kinematic_form(&self, load: &Wrench<D, C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;
         let trial = Piece::new(&problem, &problem.unjumped());
         let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
@@ -62,7 +62,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn force_form(&self, load: &Wrench<D>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+    pub fn force_form(&self, load: &Wrench<D, C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         Ok(force_form(&self.on_polygons(load, cone)?))
     }
 }

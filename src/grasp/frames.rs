@@ -57,19 +57,23 @@ fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
 ) -> SVector<f64, D> {
     let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
     let linear = part(0);
-    // A rotation about the one axis of the plane is the same in all frames.
-    let angular = if D == 2 * C { part(C) } else { SVector::repeat(v[D - 1]) };
-    SVector::from_fn(|k, _| if k < C { linear[k] } else { angular[k - C] })
+    // A rotation about the one axis of the plane is the same in all frames, and so is what joints do.
+    let angular = (C == 3).then(|| part(C));
+    SVector::from_fn(|k, _| match angular {
+        _ if k < C => linear[k],
+        Some(angular) if k < 2 * C => angular[k - C],
+        _ => v[k],
+    })
 }
 
 macro_rules! in_other_frames {
-    ($d:literal, $c:literal) => {
-        impl Wrench<$d> {
+    ($c:literal) => {
+        impl<const D: usize> Wrench<D, $c> {
             /// This load with moments about `point` instead of the origin: `m - point × f`, in axes
             /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::from_vector(moved_wrench::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
+                Self::from_vector(moved_wrench::<D, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
             /// This load in other coordinates: `pose` is the frame in which it was given as seen
@@ -78,17 +82,17 @@ macro_rules! in_other_frames {
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());
-                Self::from_vector(moved_wrench::<$d, $c>(&pose.translation.vector, &turned))
+                Self::from_vector(moved_wrench::<D, $c>(&pose.translation.vector, &turned))
             }
         }
 
-        impl Twist<$d> {
+        impl<const D: usize> Twist<D, $c> {
             /// This motion told of the object's point at `point` instead of the one at the origin:
             /// its translation is [`Self::displacement_at`] that point, its rotation stays. In its
             /// result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::from_vector(moved_twist::<$d, $c>(&-SVector::from(point.into()), self.as_vector()))
+                Self::from_vector(moved_twist::<D, $c>(&-SVector::from(point.into()), self.as_vector()))
             }
 
             /// This motion in other coordinates: `pose` is the frame in which it was given as seen
@@ -97,11 +101,11 @@ macro_rules! in_other_frames {
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let turned = turned(&pose.rotation, self.as_vector());
-                Self::from_vector(moved_twist::<$d, $c>(&pose.translation.vector, &turned))
+                Self::from_vector(moved_twist::<D, $c>(&pose.translation.vector, &turned))
             }
         }
     };
 }
 
-in_other_frames!(3, 2);
-in_other_frames!(6, 3);
+in_other_frames!(2);
+in_other_frames!(3);

@@ -14,18 +14,18 @@ use crate::numerics::DoubleDouble;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside(&self, wrench: &Wrench<D>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+    pub(crate) fn inside(&self, wrench: &Wrench<D, C>, what: &'static str) -> Result<SVector<f64, D>, Error> {
         wrench.check(what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
     /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
         self.per_length(moved_wrench::<D, C>(&-self.origin, wrench.as_vector()))
     }
 
     /// What rounding takes from a wrench moved inside.
-    pub(crate) fn inside_rest(&self, wrench: &Wrench<D>) -> SVector<f64, D> {
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
         let (w, inside) = (wrench.as_vector(), self.inside_unchecked(wrench));
         let mut rest = SVector::zeros();
         for (k, &(i, j)) in planes::<C>().iter().enumerate() {
@@ -44,18 +44,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// A wrench as the user sees it, from inside coordinates.
-    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D> {
+    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D, C> {
         Wrench::from_vector(moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
     }
 
     /// A twist in inside coordinates: about the centroid, rotations times the inside unit of
     /// length.
-    pub(crate) fn inside_twist(&self, twist: &Twist<D>) -> SVector<f64, D> {
+    pub(crate) fn inside_twist(&self, twist: &Twist<D, C>) -> SVector<f64, D> {
         self.times_length(moved_twist::<D, C>(&-self.origin, twist.as_vector()))
     }
 
     /// A twist as the user sees it, from inside coordinates.
-    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D> {
+    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D, C> {
         Twist::from_vector(moved_twist::<D, C>(&self.origin, &self.per_length(*q)))
     }
 

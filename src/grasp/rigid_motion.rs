@@ -17,7 +17,7 @@ use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQua
 
 use super::wrench::Twist;
 
-impl Twist<3> {
+impl Twist<3, 2> {
     /// The rigid motion of this twist, by the exponential map: the object turns by θ, and its
     /// origin moves by `s R(θ/2) u` with the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`.
     /// Other rigid motions that fit the twist to first order differ from this one to second order
@@ -59,7 +59,7 @@ impl Twist<3> {
     }
 }
 
-impl Twist<6> {
+impl Twist<6, 3> {
     /// The rigid motion of this twist, by the exponential map: the object turns by |θ| about θ, and
     /// its origin moves by `R(θ/2) (s u⊥ + u∥)`. The translation u has the part u∥ along θ and u⊥
     /// across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid motions that

@@ -29,7 +29,7 @@ use crate::error::{Error, is_moderate};
 /// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wrench<const D: usize>(SVector<f64, D>);
+pub struct Wrench<const D: usize, const C: usize>(SVector<f64, D>);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation, `d`
 /// components.
@@ -56,11 +56,11 @@ pub struct Wrench<const D: usize>(SVector<f64, D>);
 /// assert!((work(load.transformed(&pose), turn.transformed(&pose)) - 0.03).abs() < 1e-16);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Twist<const D: usize>(SVector<f64, D>);
+pub struct Twist<const D: usize, const C: usize>(SVector<f64, D>);
 
 macro_rules! vector_like {
     ($name:ident) => {
-        impl<const D: usize> $name<D> {
+        impl<const D: usize, const C: usize> $name<D, C> {
             /// All components zero.
             pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; D]])));
 
@@ -81,29 +81,29 @@ macro_rules! vector_like {
         vector_like!($name, Add, add, +);
         vector_like!($name, Sub, sub, -);
 
-        impl<const D: usize> Neg for $name<D> {
+        impl<const D: usize, const C: usize> Neg for $name<D, C> {
             type Output = Self;
             fn neg(self) -> Self {
                 Self(-self.0)
             }
         }
 
-        impl<const D: usize> Mul<f64> for $name<D> {
+        impl<const D: usize, const C: usize> Mul<f64> for $name<D, C> {
             type Output = Self;
             fn mul(self, factor: f64) -> Self {
                 Self(self.0 * factor)
             }
         }
 
-        impl<const D: usize> Mul<$name<D>> for f64 {
-            type Output = $name<D>;
-            fn mul(self, other: $name<D>) -> $name<D> {
+        impl<const D: usize, const C: usize> Mul<$name<D, C>> for f64 {
+            type Output = $name<D, C>;
+            fn mul(self, other: $name<D, C>) -> $name<D, C> {
                 $name(other.0 * self)
             }
         }
     };
     ($name:ident, $operator:ident, $operate:ident, $symbol:tt) => {
-        impl<const D: usize> $operator for $name<D> {
+        impl<const D: usize, const C: usize> $operator for $name<D, C> {
             type Output = Self;
             fn $operate(self, other: Self) -> Self {
                 Self(self.0 $symbol other.0)
@@ -115,7 +115,7 @@ macro_rules! vector_like {
 vector_like!(Wrench);
 vector_like!(Twist);
 
-impl<const D: usize> Wrench<D> {
+impl<const D: usize, const C: usize> Wrench<D, C> {
     /// Refuses components that are not finite or too large; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
         match self.0.iter().position(|x| !is_moderate(*x)) {
@@ -125,12 +125,12 @@ impl<const D: usize> Wrench<D> {
     }
 }
 
-impl Wrench<3> {
+impl<const D: usize> Wrench<D, 2> {
     /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
     #[must_use]
     pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
         let [x, y] = force.into();
-        Self(SVector::from([x, y, moment]))
+        Self(leading([x, y, moment]))
     }
 
     /// A force through the origin, N, no moment.
@@ -149,7 +149,7 @@ impl Wrench<3> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
-        Self(wrench_of::<3, 2>(&point.into().into(), &force.into().into()))
+        Self(wrench_of::<D, 2>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -165,12 +165,12 @@ impl Wrench<3> {
     }
 }
 
-impl Wrench<6> {
+impl<const D: usize> Wrench<D, 3> {
     /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m.
     #[must_use]
     pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
         let (f, m) = (force.into(), moment.into());
-        Self(SVector::from([f[0], f[1], f[2], m[0], m[1], m[2]]))
+        Self(leading([f[0], f[1], f[2], m[0], m[1], m[2]]))
     }
 
     /// A force through the origin, N, no moment.
@@ -189,7 +189,7 @@ impl Wrench<6> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
-        Self(wrench_of::<6, 3>(&point.into().into(), &force.into().into()))
+        Self(wrench_of::<D, 3>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -205,13 +205,13 @@ impl Wrench<6> {
     }
 }
 
-impl Twist<3> {
+impl<const D: usize> Twist<D, 2> {
     /// A translation (x, y) of the object's point at the origin, m, and a rotation from x towards
     /// y, rad.
     #[must_use]
     pub fn new(translation: impl Into<[f64; 2]>, rotation: f64) -> Self {
         let [x, y] = translation.into();
-        Self(SVector::from([x, y, rotation]))
+        Self(leading([x, y, rotation]))
     }
 
     /// Translation of the object's point at the origin, m.
@@ -236,16 +236,16 @@ impl Twist<3> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 2]>) -> [f64; 2] {
-        displacement_of::<3, 2>(&point.into().into(), &self.0).into()
+        displacement_of::<D, 2>(&point.into().into(), &self.0).into()
     }
 }
 
-impl Twist<6> {
+impl<const D: usize> Twist<D, 3> {
     /// A translation of the object's point at the origin, m, and a rotation vector, rad.
     #[must_use]
     pub fn new(translation: impl Into<[f64; 3]>, rotation: impl Into<[f64; 3]>) -> Self {
         let (u, w) = (translation.into(), rotation.into());
-        Self(SVector::from([u[0], u[1], u[2], w[0], w[1], w[2]]))
+        Self(leading([u[0], u[1], u[2], w[0], w[1], w[2]]))
     }
 
     /// Translation of the object's point at the origin, m.
@@ -271,6 +271,11 @@ impl Twist<6> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 3]>) -> [f64; 3] {
-        displacement_of::<6, 3>(&point.into().into(), &self.0).into()
+        displacement_of::<D, 3>(&point.into().into(), &self.0).into()
     }
+}
+
+/// These components first, zeros behind them.
+fn leading<const N: usize, const D: usize>(components: [f64; N]) -> SVector<f64, D> {
+    SVector::from_fn(|k, _| if k < N { components[k] } else { 0.0 })
 }

@@ -48,7 +48,7 @@ pub enum Beyond<const D: usize, const C: usize> {
     /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
     /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
     /// [`Settings::most_states`], and no proof that nothing else holds was found.
-    Ends(NoEquilibrium<D>),
+    Ends(NoEquilibrium<D, C>),
     /// Nothing can be said, and why.
     Undecided(Doubt),
 }
@@ -62,7 +62,7 @@ pub struct Continuation<const D: usize, const C: usize> {
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
-    pub twist_rate: Twist<D>,
+    pub twist_rate: Twist<D, C>,
     /// By which rule it was found.
     pub rule: Rung,
 }

@@ -16,14 +16,14 @@ pub struct Event<const D: usize, const C: usize> {
     /// error of the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
     pub changes: Vec<(usize, Change<C>)>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<D, C>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
-    pub free_motions: Vec<Twist<D>>,
+    pub free_motions: Vec<Twist<D, C>>,
     /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the
     /// rates proves or, among few contacts, trying all. `None` if neither says, as at the apex of a round cone.
     ///
@@ -72,7 +72,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
     Completed,
     /// This equilibrium ends here: no way goes on from it with a growing load. Whether another exists beyond is a question of its own, see
     /// [`LoadPath::beyond`](super::LoadPath::beyond).
-    Lost(Loss<D>),
+    Lost(Loss<D, C>),
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<D, C>>),
     /// The path could not be followed further, and whether it goes on or ends there is not known. It holds up to there.
@@ -89,7 +89,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> PathEnd<D, C> {
     /// Where equilibrium was lost, if it was.
     #[must_use]
-    pub fn loss(&self) -> Option<&Loss<D>> {
+    pub fn loss(&self) -> Option<&Loss<D, C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }
     }
 
@@ -117,20 +117,20 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
 /// Where an equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Loss<const D: usize> {
+pub struct Loss<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// What ends the equilibrium.
     pub kind: LossKind,
     /// The contacts that stand on the edge of their cone there, from 0.
     pub contacts: Vec<usize>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.
-    pub motion: Option<Twist<D>>,
+    pub motion: Option<Twist<D, C>>,
 }
 
 /// What ends an equilibrium as the load grows: all that can be said of the place alone.

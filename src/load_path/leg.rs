@@ -36,7 +36,7 @@ use crate::grasp::{Grasp, Wrench};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const D: usize, const C: usize> {
-    load: Goal<Wrench<D>>,
+    load: Goal<Wrench<D, C>>,
     commands: Goal<Vec<SVector<f64, C>>>,
 }
 
@@ -52,13 +52,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
     /// The load changes by this much.
     #[must_use]
-    pub fn load_by(change: Wrench<D>) -> Self {
+    pub fn load_by(change: Wrench<D, C>) -> Self {
         Self { load: Goal::By(change), ..Self::STAY }
     }
 
     /// The load changes to this.
     #[must_use]
-    pub fn load_to(load: Wrench<D>) -> Self {
+    pub fn load_to(load: Wrench<D, C>) -> Self {
         Self { load: Goal::To(load), ..Self::STAY }
     }
 
@@ -76,13 +76,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
     /// Meanwhile the load changes by this much.
     #[must_use]
-    pub fn and_load_by(self, change: Wrench<D>) -> Self {
+    pub fn and_load_by(self, change: Wrench<D, C>) -> Self {
         Self { load: Goal::By(change), ..self }
     }
 
     /// Meanwhile the load changes to this.
     #[must_use]
-    pub fn and_load_to(self, load: Wrench<D>) -> Self {
+    pub fn and_load_to(self, load: Wrench<D, C>) -> Self {
         Self { load: Goal::To(load), ..self }
     }
 
@@ -109,7 +109,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     }
 
     /// Load at the end of the leg.
-    fn load_after(&self, load: &Wrench<D>) -> Wrench<D> {
+    fn load_after(&self, load: &Wrench<D, C>) -> Wrench<D, C> {
         match &self.load {
             Goal::Stay => *load,
             Goal::By(change) => *load + *change,
@@ -134,14 +134,14 @@ pub(super) struct Program<const D: usize, const C: usize> {
     /// The present leg; as many as there are legs when all are done.
     pub(super) leg: usize,
     /// Load at the beginning and at the end of the present leg.
-    pub(super) load: [Wrench<D>; 2],
+    pub(super) load: [Wrench<D, C>; 2],
     /// Finger commands at the beginning and at the end of the present leg.
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
 }
 
 impl<const D: usize, const C: usize> Program<D, C> {
     /// Without legs, at rest under a load and the commands of a grasp.
-    pub(super) fn new(grasp: &Grasp<D, C>, start: Wrench<D>) -> Self {
+    pub(super) fn new(grasp: &Grasp<D, C>, start: Wrench<D, C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         Self { legs: Vec::new(), leg: 0, load: [start; 2], commands: [commands.clone(), commands] }
     }
@@ -174,7 +174,7 @@ impl<const D: usize, const C: usize> Program<D, C> {
     }
 
     /// The load at a fraction of the present leg.
-    pub(super) fn load_at(&self, fraction: f64) -> Wrench<D> {
+    pub(super) fn load_at(&self, fraction: f64) -> Wrench<D, C> {
         self.load[0] + (self.load[1] - self.load[0]) * fraction
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
     (settled, effort): (Settled<D, C>, &Effort),
     sliding: &[State<C>],
     forces: &[SVector<f64, C>],
-    loss: Loss<D>,
+    loss: Loss<D, C>,
     settings: &Settings,
 ) -> PathEnd<D, C> {
     if let Settled::FreeMotion(v) = settled {

@@ -45,7 +45,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         segment: &mut Segment<'_, D, C>,
         leg: usize,
         factor: f64,
-        load: Wrench<D>,
+        load: Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Onward<D, C>, PathEnd<D, C>> {
         let rates = segment.rates(segment.laws_of_rates(&self.stands, &self.states));

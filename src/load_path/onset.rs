@@ -20,13 +20,13 @@ pub enum Onset<const D: usize, const C: usize> {
     /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there rolls, and may leave at 0.)
     AlreadySliding(Box<Equilibrium<D, C>>),
     /// No equilibrium exists at factor 0.
-    NoBase(NoEquilibrium<D>),
+    NoBase(NoEquilibrium<D, C>),
     /// No contact leaves rolling, but from this factor on nothing resists the load's direction: the reason.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
         /// Why it does not hold beyond; the work in it is that of the load direction, J for one unit of the factor.
-        reason: NoEquilibrium<D>,
+        reason: NoEquilibrium<D, C>,
     },
     /// Nothing can be said about the equilibrium at factor 0.
     Undecided(Undecided),
@@ -64,7 +64,7 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
     /// Load factor τ, exact up to rounding.
     pub factor: f64,
     /// The load there, `base + τ direction`.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
     /// The friction cone that the event is for.

@@ -43,7 +43,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
-    pub fn onset_of_sliding(&self, base: &Wrench<D>, direction: &Wrench<D>) -> Result<Onset<D, C>, Error> {
+    pub fn onset_of_sliding(
+        &self,
+        base: &Wrench<D, C>,
+        direction: &Wrench<D, C>,
+    ) -> Result<Onset<D, C>, Error> {
         self.onset(&Ramp::load(*base, *direction))
     }
 

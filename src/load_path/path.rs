@@ -78,7 +78,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
     /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`].
-    pub fn follow(&self, start: &Wrench<D>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
+    pub fn follow(&self, start: &Wrench<D, C>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
         self.follow_with(start, legs, &Settings::default())
     }
 
@@ -88,7 +88,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::follow`].
     pub fn follow_with(
         &self,
-        start: &Wrench<D>,
+        start: &Wrench<D, C>,
         legs: &[Leg<D, C>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {

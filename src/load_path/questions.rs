@@ -23,7 +23,7 @@ pub struct Reserve<const D: usize, const C: usize> {
     /// holds so far, and a lower bound of the limit where the path could not be followed further. `None` where it has no start.
     pub held_to: Option<f64>,
     /// Where and how equilibrium was lost: `limit` is its fraction times the factor asked for.
-    pub loss: Option<Loss<D>>,
+    pub loss: Option<Loss<D, C>>,
     /// Number of events before the path ended.
     pub events: usize,
 }

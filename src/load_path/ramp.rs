@@ -16,22 +16,22 @@ use crate::grasp::Wrench;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ramp<const D: usize, const C: usize> {
-    pub(crate) base: Wrench<D>,
-    pub(crate) direction: Wrench<D>,
+    pub(crate) base: Wrench<D, C>,
+    pub(crate) direction: Wrench<D, C>,
     pub(crate) command_change: Option<Vec<SVector<f64, C>>>,
 }
 
 impl<const D: usize, const C: usize> Ramp<D, C> {
     /// The load changes, the fingers stay as commanded. Base in N and N m, direction in the same for each unit of the factor.
     #[must_use]
-    pub fn load(base: Wrench<D>, direction: Wrench<D>) -> Self {
+    pub fn load(base: Wrench<D, C>, direction: Wrench<D, C>) -> Self {
         Self { base, direction, command_change: None }
     }
 
     /// The load stays, the finger commands change: one displacement a contact for each unit of the factor, each in its contact frame (m),
     /// the normal part positive into the object.
     #[must_use]
-    pub fn commands(load: Wrench<D>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+    pub fn commands(load: Wrench<D, C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { base: load, direction: Wrench::ZERO, command_change: Some(vectors(change)) }
     }
 
@@ -44,7 +44,7 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
 
     /// The load at a factor, `base + τ direction`.
     #[must_use]
-    pub fn load_at(&self, factor: f64) -> Wrench<D> {
+    pub fn load_at(&self, factor: f64) -> Wrench<D, C> {
         self.base + self.direction * factor
     }
 }

@@ -69,7 +69,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         states: &[State<C>],
         factor: f64,
         near: Option<&SVector<f64, D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
         let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let base = piece
             .solve(self.problem.sites, &self.problem.drives, self.problem.load())
@@ -96,7 +96,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    pub(super) fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D> {
+    pub(super) fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D, C> {
         let v = motion.unwrap_or_else(SVector::zeros);
         let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
         NoEquilibrium { proof }

@@ -59,7 +59,7 @@ pub enum Parameter {
 #[non_exhaustive]
 pub struct Derivative<const D: usize, const C: usize> {
     /// Of the twist, m and rad per unit of the parameter; of least norm where motions are free.
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// Of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
     pub forces: Vec<SVector<f64, C>>,
 }
@@ -252,7 +252,10 @@ impl Response {
     /// The smallest commands (least squares over all contacts and axes, m) that move the object by a twist about the origin, in the order of
     /// the columns, to be added to the present ones: `da = (dq/da)⁺ dq`. `None` if the fingers cannot produce it in the present states.
     #[must_use]
-    pub fn smallest_command<const D: usize>(&self, wanted: &Twist<D>) -> Option<DVector<f64>> {
+    pub fn smallest_command<const D: usize, const C: usize>(
+        &self,
+        wanted: &Twist<D, C>,
+    ) -> Option<DVector<f64>> {
         if self.twist.nrows() != D {
             return None;
         }

@@ -64,7 +64,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         &self,
         segment: &Segment<'_, D, C>,
         factor: f64,
-    ) -> Result<Here<D, C>, NoEquilibrium<D>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at)
         } else {

@@ -21,7 +21,7 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) change: Vec<SVector<f64, C>>,
     pub(super) direction: SVector<f64, D>,
     /// Load at the beginning and at the end of the leg.
-    pub(super) load: [Wrench<D>; 2],
+    pub(super) load: [Wrench<D, C>; 2],
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,

@@ -46,7 +46,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub(crate) fn on_polygons(
         &self,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
         cone: &PolygonCone,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(cone);

@@ -16,7 +16,7 @@ pub enum SolveAnswer<const D: usize, const C: usize> {
     /// The grasp holds.
     Equilibrium(Box<Equilibrium<D, C>>),
     /// No equilibrium exists under this load.
-    NoEquilibrium(Proof<D>),
+    NoEquilibrium(Proof<D, C>),
     /// None was found and none was ruled out.
     Undecided {
         /// Why.
@@ -28,11 +28,11 @@ pub enum SolveAnswer<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "proof", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Proof<const D: usize> {
+pub enum Proof<const D: usize, const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
         /// The motion.
-        motion: Twist<D>,
+        motion: Twist<D, C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "found")]
         work: f64,
@@ -40,7 +40,7 @@ pub enum Proof<const D: usize> {
     /// No admissible contact force works against this unit motion, and the load drives it.
     SeparatingMotion {
         /// The motion.
-        motion: Twist<D>,
+        motion: Twist<D, C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "found")]
         work: f64,
@@ -59,8 +59,8 @@ pub enum Proof<const D: usize> {
     },
 }
 
-impl<const D: usize> From<&NoEquilibrium<D>> for Proof<D> {
-    fn from(none: &NoEquilibrium<D>) -> Self {
+impl<const D: usize, const C: usize> From<&NoEquilibrium<D, C>> for Proof<D, C> {
+    fn from(none: &NoEquilibrium<D, C>) -> Self {
         match none.proof {
             state::Proof::FreeMotion { motion, work } => Self::FreeMotion { motion, work },
             state::Proof::SeparatingMotion { motion, work } => Self::SeparatingMotion { motion, work },
@@ -77,9 +77,9 @@ impl<const D: usize> From<&NoEquilibrium<D>> for Proof<D> {
 #[non_exhaustive]
 pub struct Equilibrium<const D: usize, const C: usize> {
     /// The load it balances.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Motion of the object: translation of the origin (m) and rotation (rad).
-    pub twist: Twist<D>,
+    pub twist: Twist<D, C>,
     /// Contact by contact, in the order of the scene; a soft fingertip point by point.
     pub contacts: Vec<Touch<C>>,
     /// How well it satisfies the conditions, recomputed from the question.
@@ -97,10 +97,10 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
     /// as one unit says [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Twist<D>>,
+    pub free_motions: Vec<Twist<D, C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub neutral_motions: Vec<Twist<D>>,
+    pub neutral_motions: Vec<Twist<D, C>>,
     /// The largest change of a contact force, N, from the answer of the polygon that the search
     /// started from, if it did.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]

@@ -25,14 +25,14 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
         state: Box<Equilibrium<D, C>>,
     },
     /// No equilibrium exists at factor 0.
-    NoBase(Proof<D>),
+    NoBase(Proof<D, C>),
     /// No contact leaves rolling, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
         #[serde(with = "found")]
         factor: f64,
         /// Why it does not hold beyond.
-        reason: Proof<D>,
+        reason: Proof<D, C>,
     },
     /// Nothing can be said about the equilibrium at factor 0.
     Undecided {
@@ -49,7 +49,7 @@ pub struct Onset<const D: usize, const C: usize> {
     #[serde(with = "found")]
     pub factor: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// Which contacts leave, all at once.
     pub leaving: Vec<Leaving<C>>,
     /// What comes next.
@@ -98,7 +98,7 @@ pub enum Beyond<const D: usize, const C: usize> {
         #[serde(with = "found")]
         force_rates: Vec<SVector<f64, C>>,
         /// Rate of the object's twist, m and rad.
-        twist_rate: Twist<D>,
+        twist_rate: Twist<D, C>,
         /// By which rule it was found.
         rule: Rung,
     },
@@ -109,7 +109,7 @@ pub enum Beyond<const D: usize, const C: usize> {
     /// This equilibrium ends; whether others exist is not known.
     Ends {
         /// Why.
-        reason: Proof<D>,
+        reason: Proof<D, C>,
     },
     /// Nothing can be said.
     Undecided {

@@ -44,7 +44,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
     Lost {
         /// Where and how.
         #[serde(flatten)]
-        loss: Loss<D>,
+        loss: Loss<D, C>,
         /// Whether another exists just beyond.
         beyond: Beyond<D, C>,
     },
@@ -68,21 +68,21 @@ pub enum PathEnd<const D: usize, const C: usize> {
 /// Where an equilibrium cannot be continued; see [`path::Loss`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct Loss<const D: usize> {
+pub struct Loss<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone.
     #[serde(with = "found")]
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// What ends the equilibrium.
     pub kind: path::LossKind,
     /// The contacts that stand on the edge of their cone there.
     pub contacts: Vec<Place>,
     /// The unit motion with which the object leaves, if the states determine one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub motion: Option<Twist<D>>,
+    pub motion: Option<Twist<D, C>>,
 }
 
 /// Something changes on a load path; see [`path::Event`].
@@ -95,12 +95,12 @@ pub struct Event<const D: usize, const C: usize> {
     #[serde(with = "found")]
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// What changes, contact by contact.
     pub changes: Vec<Change<C>>,
     /// Unit motions that nothing resists from here on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Twist<D>>,
+    pub free_motions: Vec<Twist<D, C>>,
     /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that
     /// is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -238,7 +238,7 @@ impl Places {
         }
     }
 
-    fn loss<const D: usize>(&self, loss: &path::Loss<D>) -> Loss<D> {
+    fn loss<const D: usize, const C: usize>(&self, loss: &path::Loss<D, C>) -> Loss<D, C> {
         Loss {
             leg: loss.leg,
             fraction: loss.fraction,

@@ -17,7 +17,7 @@ pub enum Question<const D: usize, const C: usize> {
     Solve {
         /// The load; none unless said otherwise.
         #[serde(default = "no_load")]
-        load: Wrench<D>,
+        load: Wrench<D, C>,
     },
     /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::grasp::Grasp::onset).
     Onset(RampAsked<D, C>),
@@ -25,7 +25,7 @@ pub enum Question<const D: usize, const C: usize> {
     Follow {
         /// The load at the start; none unless said otherwise.
         #[serde(default = "no_load")]
-        start: Wrench<D>,
+        start: Wrench<D, C>,
         /// The program.
         legs: Vec<Leg<D, C>>,
     },
@@ -38,16 +38,16 @@ pub enum Question<const D: usize, const C: usize> {
 pub struct RampAsked<const D: usize, const C: usize> {
     /// The load at factor 0; none unless said otherwise.
     #[serde(default = "no_load")]
-    pub base: Wrench<D>,
+    pub base: Wrench<D, C>,
     /// What one unit of the factor adds to it; nothing unless said otherwise.
     #[serde(default = "no_load")]
-    pub direction: Wrench<D>,
+    pub direction: Wrench<D, C>,
     /// What one unit of the factor adds to the finger commands, if to them at all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
 }
 
-fn no_load<const D: usize>() -> Wrench<D> {
+fn no_load<const D: usize, const C: usize>() -> Wrench<D, C> {
     Wrench::ZERO
 }
 
@@ -97,7 +97,7 @@ pub enum Goal<T> {
 #[non_exhaustive]
 pub struct Leg<const D: usize, const C: usize> {
     /// What becomes of the load.
-    pub load: Option<Goal<Wrench<D>>>,
+    pub load: Option<Goal<Wrench<D, C>>>,
     /// What becomes of the finger commands.
     pub commands: Option<Goal<Commands<C>>>,
 }
@@ -105,7 +105,7 @@ pub struct Leg<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Leg<D, C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
-    pub fn new(load: Option<Goal<Wrench<D>>>, commands: Option<Goal<Commands<C>>>) -> Self {
+    pub fn new(load: Option<Goal<Wrench<D, C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
         Self { load, commands }
     }
 }
@@ -114,9 +114,9 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenLeg<const D: usize, const C: usize> {
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    load_by: Option<Wrench<D>>,
+    load_by: Option<Wrench<D, C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    load_to: Option<Wrench<D>>,
+    load_to: Option<Wrench<D, C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_by: Option<Commands<C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -13,18 +13,12 @@ use super::object;
 use super::rows::Few;
 use crate::grasp::{Twist, Wrench, wrench_of};
 
-/// Number of linear components of `D` in all.
-const fn linear<const D: usize>() -> usize {
-    const { assert!(D == 3 || D == 6) };
-    if D == 3 { 2 } else { 3 }
-}
-
-fn write<S: Serializer, const D: usize>(
+fn write<S: Serializer, const D: usize, const C: usize>(
     serializer: S,
     components: &SVector<f64, D>,
     [name, linear_name, angular_name]: [&'static str; 3],
 ) -> Result<S::Ok, S::Error> {
-    let (linear, angular) = components.as_slice().split_at(linear::<D>());
+    let (linear, angular) = components.as_slice().split_at(C);
     let mut out = serializer.serialize_struct(name, 2)?;
     out.serialize_field(linear_name, &Few::<Found, 3>::of(linear))?;
     if let [moment] = angular {
@@ -49,14 +43,13 @@ fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f6
 }
 
 /// Both parts in one row.
-fn join<K, const D: usize>(
+fn join<K, const D: usize, const C: usize>(
     parts: [Option<&Few<K, 3>>; 2],
     names: [&str; 2],
 ) -> Result<SVector<f64, D>, String> {
-    let axes = linear::<D>();
-    let linear_part = part(parts[0], axes, names[0])?;
-    let angular_part = part(parts[1], D - axes, names[1])?;
-    Ok(SVector::from_fn(|k, _| if k < axes { linear_part[k] } else { angular_part[k - axes] }))
+    let linear_part = part(parts[0], C, names[0])?;
+    let angular_part = part(parts[1], D - C, names[1])?;
+    Ok(SVector::from_fn(|k, _| if k < C { linear_part[k] } else { angular_part[k - C] }))
 }
 
 #[derive(serde::Deserialize)]
@@ -75,24 +68,24 @@ struct WrittenTwist {
 }
 
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
-impl<const D: usize> Serialize for Wrench<D> {
+impl<const D: usize, const C: usize> Serialize for Wrench<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write(serializer, self.as_vector(), ["Wrench", "force", "moment"])
+        write::<S, D, C>(serializer, self.as_vector(), ["Wrench", "force", "moment"])
     }
 }
 
 /// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`].
 /// Refuses numbers that a grasp would refuse.
-impl<'de, const D: usize> Deserialize<'de> for Wrench<D> {
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Wrench<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {
-            let mut wrench: SVector<f64, D> = join([force.as_ref(), moment.as_ref()], ["force", "moment"])?;
+            let mut wrench = join::<_, D, C>([force.as_ref(), moment.as_ref()], ["force", "moment"])?;
             if at.is_some() {
-                let at = part(at.as_ref(), linear::<D>(), "at")?;
-                let force = |a: usize| if a < linear::<D>() { wrench[a] } else { 0.0 };
+                let at = part(at.as_ref(), C, "at")?;
+                let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
                 let through = wrench_of::<6, 3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
                 // The plane turns about z, the last axis of space.
-                for k in linear::<D>()..D {
+                for k in C..D {
                     wrench[k] += through[6 + k - D];
                 }
             }
@@ -102,18 +95,18 @@ impl<'de, const D: usize> Deserialize<'de> for Wrench<D> {
 }
 
 /// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
-impl<const D: usize> Serialize for Twist<D> {
+impl<const D: usize, const C: usize> Serialize for Twist<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write(serializer, self.as_vector(), ["Twist", "translation", "rotation"])
+        write::<S, D, C>(serializer, self.as_vector(), ["Twist", "translation", "rotation"])
     }
 }
 
 /// `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
-impl<'de, const D: usize> Deserialize<'de> for Twist<D> {
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Twist<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
             let parts = [translation.as_ref(), rotation.as_ref()];
-            join(parts, ["translation", "rotation"]).map(Self::from_vector)
+            join::<_, D, C>(parts, ["translation", "rotation"]).map(Self::from_vector)
         })
     }
 }

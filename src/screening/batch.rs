@@ -113,7 +113,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// }
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    pub fn onsets_into(&self, pulls: &[Pull<D>], answers: &mut Vec<Screened>) {
+    pub fn onsets_into(&self, pulls: &[Pull<D, C>], answers: &mut Vec<Screened>) {
         for part in self.parts(pulls, self.blocks.len(), answers) {
             part.screen();
         }
@@ -122,7 +122,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// The batch in parts of so many blocks of scenes, each with the places for its answers.
     pub(crate) fn parts<'a>(
         &'a self,
-        pulls: &'a [Pull<D>],
+        pulls: &'a [Pull<D, C>],
         blocks: usize,
         answers: &'a mut Vec<Screened>,
     ) -> impl Iterator<Item = Part<'a, D, C, N>> {
@@ -138,7 +138,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 /// A part of a batch.
 pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize> {
     blocks: &'a [Block<C, N, LANES>],
-    pulls: &'a [Pull<D>],
+    pulls: &'a [Pull<D, C>],
     answers: &'a mut [Screened],
 }
 

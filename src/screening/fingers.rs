@@ -95,7 +95,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// does not know.
     #[must_use]
     #[inline(never)]
-    pub fn onset(&self, pull: &Pull<D>) -> Screened {
+    pub fn onset(&self, pull: &Pull<D, C>) -> Screened {
         let [screened] = self.ready.screen(&self.block.friction, pull);
         screened
     }

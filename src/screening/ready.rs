@@ -9,6 +9,7 @@ use super::pull::Pull;
 use super::rolling;
 use super::screened::Screened;
 use crate::contact::ZERO_SLACK as ROUNDING;
+use crate::grasp::Wrench;
 
 /// How forces answer a load, and the forces without one.
 #[derive(Debug, Clone, Copy)]
@@ -39,10 +40,10 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
     }
 
     #[inline(always)]
-    fn under(&self, load: &[f64; D]) -> Forces<C, N, L> {
+    fn under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
         let mut lanes = [Lanes::ZERO; D];
         for k in 0..D {
-            lanes[k] = Lanes::all(load[k]);
+            lanes[k] = Lanes::all(load.as_vector()[k]);
         }
         match &self.answers {
             Answers::Pair(pair) => pair.load(&lanes),
@@ -52,7 +53,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
 
     /// The onsets of all scenes.
     #[inline(always)]
-    pub(super) fn screen(&self, friction: &[Lanes<L>; N], pull: &Pull<D>) -> [Screened; L] {
+    pub(super) fn screen(&self, friction: &[Lanes<L>; N], pull: &Pull<D, C>) -> [Screened; L] {
         let rates = self.under(&pull.direction);
         if !pull.loaded {
             return judge(friction, &self.squeezed, &rates);

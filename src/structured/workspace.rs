@@ -48,7 +48,7 @@ pub struct Workspace<const D: usize, const C: usize> {
     travelled: SVector<f64, D>,
     /// Steps of Newton's method, if they led to the solution.
     newton_steps: Option<usize>,
-    twist: Twist<D>,
+    twist: Twist<D, C>,
 }
 
 /// How a search for an equilibrium ended.
@@ -85,7 +85,7 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
     /// the contacts leave it free motions.
     #[must_use]
-    pub fn twist(&self) -> Twist<D> {
+    pub fn twist(&self) -> Twist<D, C> {
         self.workspace.twist
     }
 
@@ -177,7 +177,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) -> Result<Search<'_, D, C>, Error> {
+    pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D, C>) -> Result<Search<'_, D, C>, Error> {
         self.solve_along(OTHER_PATHS, grasp, load)
     }
 
@@ -189,7 +189,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     pub fn solve_along_one_path(
         &mut self,
         grasp: &Grasp<D, C>,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
     ) -> Result<Search<'_, D, C>, Error> {
         self.solve_along(0, grasp, load)
     }
@@ -198,7 +198,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         &mut self,
         other_paths: usize,
         grasp: &Grasp<D, C>,
-        load: &Wrench<D>,
+        load: &Wrench<D, C>,
     ) -> Result<Search<'_, D, C>, Error> {
         let wrench = grasp.inside(load, "load")?;
         self.path.pivots = 0;

@@ -11,7 +11,7 @@ const BLOCKS: usize = 256;
 /// the loads. `answers` is cleared first; its memory is used again. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
-    pulls: &[Pull<D>],
+    pulls: &[Pull<D, C>],
     answers: &mut Vec<Screened>,
 ) {
     let parts = batch.parts(pulls, BLOCKS, answers);

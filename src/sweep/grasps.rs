@@ -23,7 +23,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn solve_each(&self, loads: &[Wrench<D>]) -> Vec<Result<Outcome<D, C>, Error>> {
+    pub fn solve_each(&self, loads: &[Wrench<D, C>]) -> Vec<Result<Outcome<D, C>, Error>> {
         self.solve_each_with(loads, &Settings::default())
     }
 
@@ -31,7 +31,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     #[must_use]
     pub fn solve_each_with(
         &self,
-        loads: &[Wrench<D>],
+        loads: &[Wrench<D, C>],
         settings: &Settings,
     ) -> Vec<Result<Outcome<D, C>, Error>> {
         map_in_order(loads, |load| self.solve_with(load, settings))

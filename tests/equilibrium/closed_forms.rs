@@ -18,7 +18,7 @@ macro_rules! assert_close {
 
 fn hold<const D: usize, const C: usize>(
     grasp: &grasp::Grasp<D, C>,
-    load: grasp::Wrench<D>,
+    load: grasp::Wrench<D, C>,
 ) -> grasp_lcp::equilibrium::Equilibrium<D, C> {
     let outcome = grasp.solve(&load).expect("valid load");
     outcome.equilibrium().unwrap_or_else(|| panic!("no equilibrium: {outcome:?}")).clone()

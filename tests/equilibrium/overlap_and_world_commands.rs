@@ -47,7 +47,7 @@ fn an_overlap_presses_in_space() {
 }
 
 /// All engines see command less clearance: an overlap is a command of that size, to the bit.
-fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>; 3], down: Wrench<D>) {
+fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>; 3], down: Wrench<D, C>) {
     let depth = 0.004;
     let mut command = [0.0; C];
     command[0] = depth;

@@ -50,7 +50,7 @@ fn pulled(grasp: &Grasp, b: f64, most: f64) -> LoadPath<'_> {
     path
 }
 
-fn lost<'p>(path: &'p LoadPath<'_>, kind: LossKind) -> &'p Loss<6> {
+fn lost<'p>(path: &'p LoadPath<'_>, kind: LossKind) -> &'p Loss<6, 3> {
     match path.end() {
         Some(PathEnd::Lost(loss)) if loss.kind == kind => loss,
         end => panic!("{end:?}"),

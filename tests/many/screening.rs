@@ -40,7 +40,7 @@ fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> 
 /// What screening says, checked against the onset; factors to this part.
 fn check<const D: usize, const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
-    [base, direction]: [Wrench<D>; 2],
+    [base, direction]: [Wrench<D, C>; 2],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {

@@ -204,24 +204,25 @@ fn stiffness_and_commands_are_said_in_several_ways() {
 
 #[test]
 fn a_force_may_act_anywhere() {
-    let plane: Wrench<3> =
+    let plane: Wrench<3, 2> =
         serde_json::from_value(json!({ "force": [1, -2], "moment": 0.5, "at": [3, 4] })).unwrap();
-    assert_eq!(plane, Wrench::<3>::force_at([1.0, -2.0], [3.0, 4.0]) + Wrench::<3>::new([0.0; 2], 0.5));
-    let space: Wrench<6> = serde_json::from_value(json!({ "force": [1, -2, 3], "at": [4, 5, 7] })).unwrap();
-    assert_eq!(space, Wrench::<6>::force_at([1.0, -2.0, 3.0], [4.0, 5.0, 7.0]));
-    assert_eq!(serde_json::from_str::<Wrench<6>>("{}").unwrap(), Wrench::ZERO);
+    assert_eq!(plane, Wrench::<3, 2>::force_at([1.0, -2.0], [3.0, 4.0]) + Wrench::<3, 2>::new([0.0; 2], 0.5));
+    let space: Wrench<6, 3> =
+        serde_json::from_value(json!({ "force": [1, -2, 3], "at": [4, 5, 7] })).unwrap();
+    assert_eq!(space, Wrench::<6, 3>::force_at([1.0, -2.0, 3.0], [4.0, 5.0, 7.0]));
+    assert_eq!(serde_json::from_str::<Wrench<6, 3>>("{}").unwrap(), Wrench::ZERO);
 }
 
 #[test]
 fn what_is_not_finite_is_said_in_words() {
-    let twist = Twist::<3>::from_vector([f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+    let twist = Twist::<3, 2>::from_vector([f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
     let text = serde_json::to_string(&twist).unwrap();
     assert_eq!(text, r#"{"translation":["not a number","infinite"],"rotation":"-infinite"}"#);
-    let back: Twist<3> = serde_json::from_str(&text).unwrap();
+    let back: Twist<3, 2> = serde_json::from_str(&text).unwrap();
     assert!(back.translation()[0].is_nan() && back.rotation() == f64::NEG_INFINITY);
     // No scene can be made of them.
     for word in ["infinite", "rigid", "not a number"] {
-        assert!(serde_json::from_value::<Wrench<3>>(json!({ "force": [0, word] })).is_err());
+        assert!(serde_json::from_value::<Wrench<3, 2>>(json!({ "force": [0, word] })).is_err());
     }
     let endless = planar::Contact::new([0.0, 0.0], [0.0, 1.0])
         .series_stiffness(10.0, 10.0)

@@ -10,7 +10,7 @@ use support::random::{Spread, for_all, scene};
 fn scenes<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     cases: u32,
-) -> Vec<(Grasp<D, C>, Wrench<D>)> {
+) -> Vec<(Grasp<D, C>, Wrench<D, C>)> {
     let list = RefCell::new(Vec::new());
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
         list.borrow_mut().push((scene.grasp(), scene.wrench()));

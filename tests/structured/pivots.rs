@@ -68,7 +68,7 @@ struct Tallies {
 }
 
 impl Tallies {
-    fn compare<const D: usize, const C: usize>(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D>) {
+    fn compare<const D: usize, const C: usize>(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D, C>) {
         let cone = PolygonCone::default();
         let Ok(Some(form)) = grasp.kinematic_form(load, &cone) else { return };
         let ones = DVector::from_element(form.rows.len(), 1.0);

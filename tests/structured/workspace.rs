@@ -82,7 +82,7 @@ fn many_contacts() {
 }
 
 /// All normals alike: the pressure is known, hence the equilibrium is the only one.
-fn newton_and_lemke<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D>) {
+fn newton_and_lemke<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D, C>) {
     let mut workspace = Workspace::default();
     let Ok(Search::Found(view)) = workspace.solve(grasp, load) else { panic!("holds") };
     assert!(view.newton_steps().is_some() && view.residual() < 1e-12);

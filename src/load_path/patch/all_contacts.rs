@@ -74,7 +74,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         &self,
         segment: &Segment<'g, D, C>,
         rates: &Problem<'g, D, C>,
-        loss: &Loss<D>,
+        loss: &Loss<D, C>,
     ) -> Option<PathEnd<D, C>> {
         let here = segment.problem_at(loss.fraction);
         let motion = leaving_motion(rates, &here.wrench, &everything_slides(rates))?;

@@ -24,7 +24,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ///
     /// # Errors
     /// As for [`Self::follow`].
-    pub fn follow_patch(&self, start: &Wrench<D>, legs: &[Leg<D, C>]) -> Result<PatchPath<'_, D, C>, Error> {
+    pub fn follow_patch(
+        &self,
+        start: &Wrench<D, C>,
+        legs: &[Leg<D, C>],
+    ) -> Result<PatchPath<'_, D, C>, Error> {
         self.follow_patch_on(start, legs, PolygonCone::default())
     }
 
@@ -34,7 +38,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// As for [`Self::follow`].
     pub fn follow_patch_on(
         &self,
-        start: &Wrench<D>,
+        start: &Wrench<D, C>,
         legs: &[Leg<D, C>],
         cone: PolygonCone,
     ) -> Result<PatchPath<'_, D, C>, Error> {

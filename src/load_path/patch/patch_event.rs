@@ -13,7 +13,7 @@ pub struct PatchEvent<const D: usize, const C: usize> {
     /// stiff contact slides and soft ones hold what it has held.
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D>,
+    pub load: Wrench<D, C>,
     /// The contact, from 0. What changes together follows one after the other at the same fraction,
     /// by the numbers of the contacts.
     pub contact: usize,

@@ -109,7 +109,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     }
 
     /// Equilibrium is lost here, the object leaving with this motion.
-    pub(super) fn loss(&self, motion: Option<Twist<D>>) -> Loss<D> {
+    pub(super) fn loss(&self, motion: Option<Twist<D, C>>) -> Loss<D, C> {
         let mut contacts: Vec<usize> = self.stands.iter().map(|stand| stand.contact as usize).collect();
         let all = &self.balance.contacts;
         contacts.extend((0..all.len()).filter(|&i| all[i].state.slides()));
@@ -127,7 +127,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     }
 
     /// The unit motion in which the object goes on, if it moves.
-    pub(super) fn unit_motion(&self) -> Option<Twist<D>> {
+    pub(super) fn unit_motion(&self) -> Option<Twist<D, C>> {
         let rate = self.balance.twist_rate(&self.trial);
         (rate.norm() > 0.0).then(|| self.grasp.outside(&rate.normalize()))
     }

@@ -150,7 +150,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// The load, for the library.
-    pub fn wrench(&self) -> Wrench<D> {
+    pub fn wrench(&self) -> Wrench<D, C> {
         Wrench::from_vector(self.load)
     }
 

@@ -143,7 +143,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// The load of goal 0.
-    pub fn start(&self) -> Wrench<D> {
+    pub fn start(&self) -> Wrench<D, C> {
         Wrench::from_vector(self.goals[0].load)
     }
 
