@@ -83,6 +83,66 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A grasp has fewer coordinates than the hand needs that it is made of.
+    #[error("a grasp in {given} coordinates, must be at least {needed}: the object's, and those of the hand")]
+    Coordinates {
+        /// The coordinates of the grasp, D.
+        given: usize,
+        /// What the hand needs.
+        needed: usize,
+    },
+    /// One number of one joint, tendon or finger is out of range.
+    #[error("{what}: {field} is {value}, must be {allowed}")]
+    Hand {
+        /// Which joint, tendon or finger, by number and name.
+        what: String,
+        /// Which of its data.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A matrix of a hand is not symmetric, or has a negative eigenvalue.
+    #[error(
+        "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
+    )]
+    Matrix {
+        /// Which finger.
+        what: String,
+        /// Which matrix.
+        field: &'static str,
+        /// What is wrong with it.
+        fault: &'static str,
+        /// By how much: the largest difference across the diagonal, or the least eigenvalue.
+        value: f64,
+    },
+    /// A matrix of a hand has the wrong shape.
+    #[error("{what}: {} x {} given, must be {} x {}", given.0, given.1, expected.0, expected.1)]
+    Shape {
+        /// Which matrix.
+        what: String,
+        /// Its rows and columns.
+        given: (usize, usize),
+        /// What is wanted.
+        expected: (usize, usize),
+    },
+    /// A question that is answered for contacts with springs of their own, and not for hands.
+    #[error("{question} does not know joints: ask it of a grasp without a hand")]
+    NotForHands {
+        /// The method.
+        question: &'static str,
+    },
+    /// A list of joint commands has another length than there are joints and tendons.
+    #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
+    JointCommands {
+        /// Which list.
+        what: &'static str,
+        /// Its length.
+        given: usize,
+        /// Number of joints and tendons.
+        expected: usize,
+    },
     /// Listing every equilibrium would mean trying too many combinations of contact states.
     #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
     TooManyStates {
@@ -136,6 +196,8 @@ pub enum Field {
     /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself where a leg says
     /// where it goes to.
     CommandChange,
+    /// Force with which the finger is commanded to press, N.
+    Press,
     /// Initial clearance along the normal, m.
     Clearance,
 }
@@ -152,6 +214,7 @@ impl fmt::Display for Field {
             Field::Friction => "friction coefficient",
             Field::Command => "command",
             Field::CommandChange => "change of command",
+            Field::Press => "pressing force",
             Field::Clearance => "clearance",
         })
     }

@@ -58,7 +58,7 @@
 //! | module | room |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
-//! | [`guide`] | which answer to trust, several equilibria, rays, facets, joint stiffness |
+//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
 //! | [`forms`] | kinematic and force form, what their rows mean |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
@@ -114,6 +114,7 @@ pub mod sweep;
 pub use contact::{Fit, PolygonCone};
 pub use equilibrium::Settings;
 pub use error::{ContactLabel, Error, Field};
+pub use grasp::Limit;
 /// The library of the vectors and matrices in questions and answers, of the version that fits.
 pub use nalgebra;
 

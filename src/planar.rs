@@ -63,3 +63,28 @@ pub type Pull = crate::screening::Pull<3, 2>;
 pub type PatchPath<'g, const D: usize = 3> = crate::load_path::PatchPath<'g, D, 2>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
 pub type PatchEvent<const D: usize = 3> = crate::load_path::PatchEvent<D, 2>;
+
+/// Names for grasps by a hand with joints in the plane: 3 coordinates of the object, and one or more for each joint. The answers are those of
+/// [`crate::planar`] with that number of coordinates.
+pub mod hand {
+    pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
+    pub use crate::grasp::{HandPart, Limit, Tendon};
+    pub use crate::load_path::DriveChange;
+
+    /// A joint; see [`crate::grasp::Joint`].
+    pub type Joint = crate::grasp::Joint<2>;
+    /// A finger; see [`crate::grasp::Finger`].
+    pub type Finger = crate::grasp::Finger<2>;
+    /// A hand; see [`crate::grasp::Hand`].
+    pub type Hand = crate::grasp::Hand<2>;
+    /// A grasp by a hand, in D coordinates; see [`crate::grasp::Grasp`].
+    pub type Grasp<const D: usize> = crate::grasp::Grasp<D, 2>;
+    /// A load on the object, and on joints behind it; see [`crate::grasp::Wrench`].
+    pub type Wrench<const D: usize> = crate::grasp::Wrench<D, 2>;
+    /// A motion of the object, and of joints behind it; see [`crate::grasp::Twist`].
+    pub type Twist<const D: usize> = crate::grasp::Twist<D, 2>;
+    /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+    pub type Ramp<const D: usize> = crate::load_path::Ramp<D, 2>;
+    /// One leg of a load program; see [`crate::load_path::Leg`].
+    pub type Leg<const D: usize> = crate::load_path::Leg<D, 2>;
+}

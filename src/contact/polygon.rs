@@ -71,6 +71,11 @@ impl PolygonCone {
         }
     }
 
+    /// The square with corners on both tangents.
+    pub(crate) const fn square() -> Self {
+        Self { facets: 4, fit: Fit::Inscribed }
+    }
+
     /// Number of facets m.
     #[must_use]
     pub fn facets(&self) -> usize {

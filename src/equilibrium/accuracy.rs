@@ -6,7 +6,7 @@ use super::answer::{Cone, Equilibrium};
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Grasp, Wrench, wrench_of};
 use crate::numerics::Draw;
-use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
+use crate::object::{Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
 
 /// Patterns of signs with which the data are varied.
@@ -55,8 +55,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         if equilibrium.rule == Rung::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
-        let forces: Vec<_> = equilibrium.contacts.iter().map(|contact| contact.force).collect();
-        let at = PieceState { forces, twist: equilibrium.local.twist };
+        let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist };
         let twist = PreciseTwist::new(at.twist);
         // Slides on the round cone belong to forces and slips as they are now.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
@@ -92,10 +91,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = equilibrium.cone { cone } else { PolygonCone::default() };
-        let load = Load {
-            wrench: self.inside_unchecked(&equilibrium.load),
-            rest: self.inside_rest(&equilibrium.load),
-        };
+        let load = self.load_unchecked(&equilibrium.load);
         let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
         let problem = Problem::at_rest(self.sites(), Polygon::shared(&cone), round, drives, &load);
         Some(Problem { slips: equilibrium.local.slips.clone(), ..problem })
@@ -127,7 +123,7 @@ impl<const D: usize, const C: usize> Variation<D, C> {
             load: grasp.inside_unchecked(&Wrench::from_vector(load)),
             dragged: vec![SVector::zeros(); n],
         };
-        for (i, (site, contact)) in problem.sites.iter().zip(grasp.contacts()).enumerate() {
+        for (i, site) in problem.sites.iter().enumerate() {
             let (force, drive) = (&at.forces[i], &problem.drives[i]);
             if states[i].slides() {
                 let sign = signs.sign();
@@ -137,7 +133,9 @@ impl<const D: usize, const C: usize> Variation<D, C> {
             }
             variation.load += site.map * variation.dragged[i];
             // The digits of a point count from the origin it is given in, not from its neighbours.
-            let point = contact.point.map(|x| x * signs.sign()) / grasp.length();
+            let point = grasp.contacts().get(i).map_or_else(SVector::zeros, |contact| {
+                contact.point.map(|x| x * signs.sign()) / grasp.length()
+            });
             let give = site.springs.give(force);
             for a in 0..site.springs.axes() {
                 let axis = site.frame.column(a).into_owned();

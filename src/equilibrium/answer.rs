@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::hand_answer::{JointAnswer, TendonAnswer};
 use super::residuals::Residuals;
 use crate::contact::{PolygonCone, State};
 use crate::forms::LeftOut;
@@ -43,10 +44,14 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub twist: Twist<D, C>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,
+    /// Joint by joint, if a [hand](crate::grasp::Hand) holds the object, finger by finger.
+    pub joints: Vec<JointAnswer>,
+    /// Tendon by tendon.
+    pub tendons: Vec<TendonAnswer>,
     /// By which rule this equilibrium was found; there may be others, see
     /// [`Grasp::equilibria`](crate::grasp::Grasp::equilibria).
     pub rule: Rung,
-    /// Energy stored in the springs, `Σ ½ F²/k`, J.
+    /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
     /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
@@ -68,10 +73,23 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub(crate) local: LocalAnswer<D, C>,
 }
 
+impl<const D: usize, const C: usize> Equilibrium<D, C> {
+    /// Forces of all sites: contacts, then the drives of a hand.
+    pub(crate) fn site_forces(&self) -> Vec<SVector<f64, C>> {
+        self.contacts
+            .iter()
+            .map(|contact| contact.force)
+            .chain(self.local.drive_forces.iter().copied())
+            .collect()
+    }
+}
+
 /// The solution of the local problem behind an answer.
 #[derive(Debug, Clone)]
 pub(crate) struct LocalAnswer<const D: usize, const C: usize> {
     pub(crate) states: Vec<State<C>>,
+    /// Forces of the drives of a hand.
+    pub(crate) drive_forces: Vec<SVector<f64, C>>,
     /// In inside coordinates.
     pub(crate) twist: SVector<f64, D>,
     /// Commanded displacements less clearance and less the slips.

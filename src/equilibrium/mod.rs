@@ -28,6 +28,7 @@ mod decomposition;
 mod distinct;
 #[cfg(test)]
 mod exact_refutation;
+mod hand_answer;
 mod questions;
 mod recomputed;
 mod refutation;
@@ -41,7 +42,9 @@ pub use answer::{
 };
 pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
+pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
+pub(crate) use write_out::site_states;
 
 pub(crate) use questions::ACCURATE;

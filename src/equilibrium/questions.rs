@@ -6,7 +6,7 @@ use super::answer::{Cone, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided,
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::{Load, Problem};
+use crate::object::Problem;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, combinations, search, settle};
 
 /// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
@@ -144,7 +144,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
-        let load = Load { wrench: self.inside(load, "load")?, rest: self.inside_rest(load) };
+        let load = self.load(load, "load")?;
         Ok(Problem::at_rest(self.sites(), polygon, settings.is_round::<C>(), self.drives(), &load))
     }
 

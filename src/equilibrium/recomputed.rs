@@ -7,11 +7,22 @@ use super::residuals::Residuals;
 use crate::contact::Polygon;
 use crate::grasp::{Grasp, Hold, Site, Twist, Wrench, displacement_of, wrench_of};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
+use crate::search::Found;
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
 /// Displacements below this part of the largest of the scene are none.
 const STILL: f64 = 1e-20;
+
+/// What an answer tells of one site: a contact, or a drive of a hand.
+struct Told<'a, const C: usize> {
+    force: &'a SVector<f64, C>,
+    gap: f64,
+    separated: bool,
+    stretch: SVector<f64, C>,
+    /// Slip since the state was decided.
+    slip: SVector<f64, C>,
+}
 
 /// What a contact has to satisfy, and what its residuals are measured against, N and m.
 struct ContactLaw<'c, const D: usize, const C: usize> {
@@ -23,16 +34,11 @@ struct ContactLaw<'c, const D: usize, const C: usize> {
 }
 
 impl Residuals {
-    /// Takes in those of one contact, with its stretch and its slip since the state was decided.
-    fn note<const D: usize, const C: usize>(
-        &mut self,
-        law: &ContactLaw<'_, D, C>,
-        answer: &ContactAnswer<C>,
-        stretch: &SVector<f64, C>,
-        s: &SVector<f64, C>,
-    ) {
+    /// Takes in those of one site.
+    fn note<const D: usize, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
         let ContactLaw { site, polygon, cone, force_size, travel } = *law;
-        let (f, g, friction) = (&answer.force, answer.gap, site.friction);
+        let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
+        let friction = site.friction;
         let give = site.springs.give(f);
         for a in 0..site.springs.axes() {
             let jump = if a == 0 { g } else { -s[a] };
@@ -49,7 +55,7 @@ impl Residuals {
             self.complementarity = self.complementarity.max((f[0] * g).abs() / (force_size * travel));
         }
         if friction.is_infinite() {
-            if answer.state == ContactState::Separated {
+            if separated {
                 self.cone = self.cone.max(f.norm() / force_size);
             } else {
                 self.complementarity = self.complementarity.max(s.norm() / travel);
@@ -57,33 +63,32 @@ impl Residuals {
         } else if site.springs.resists_tangentially() {
             let scale = force_size * friction.round_weight();
             let (used, support) = if cone == Cone::Round {
-                (answer.friction_force(), s.norm())
+                (f.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f)), s.norm())
             } else {
                 let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
                     list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
                 };
-                (most(&polygon.normals, f), most(&polygon.corners, s))
+                (most(&polygon.normals, f), most(&polygon.corners, &s))
             };
             let limit = friction.limit(f[0]);
             self.cone = self.cone.max((used - limit) / scale);
-            let missing = limit * support - f.dot(s);
+            let missing = limit * support - f.dot(&s);
             self.complementarity = self.complementarity.max(missing.abs() / (scale * travel));
         }
     }
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load. `sizes` are those of the
-    /// forces and displacements that the answer is a sum of, if it is one.
+    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; of joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
         load: &Wrench<D, C>,
         twist: &Twist<D, C>,
-        answers: &[ContactAnswer<C>],
+        (answers, found): (&[ContactAnswer<C>], &Found<D, C>),
         cone: Cone,
-        [force_terms, travel_terms]: [f64; 2],
     ) -> Residuals {
+        let [force_terms, travel_terms] = found.sizes;
         // Comparisons below pass over what is not a number.
         let finite = |c: &ContactAnswer<C>| {
             c.gap.is_finite() && c.force.iter().chain(&c.force_world).chain(&c.slip).all(|x| x.is_finite())
@@ -92,18 +97,28 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Residuals::NONE_HOLDS;
         }
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
-        let turned: f64 = twist.as_vector().iter().skip(C).map(|x| x.abs()).sum();
+        let object = C * (C + 1) / 2;
+        let turned: f64 = twist.as_vector().iter().take(object).skip(C).map(|x| x.abs()).sum();
+        let translated =
+            SVector::<f64, D>::from_fn(|k, _| if k < object { twist.as_vector()[k] } else { 0.0 });
         // The law is about the slip since the state that the drives count from.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
+        let of_drives = self.drives_told(problem, twist, found);
         let mut travels: Vec<f64> = (0..self.len())
             .map(|i| {
                 let contact = &self.contacts()[i];
                 let give = self.sites()[i].springs.give(&answers[i].force).norm();
                 let own = problem.drives[i].norm() + contact.clearance.abs() + give;
-                let moved = twist.as_vector().norm() + turned * contact.point.norm();
+                let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
                 (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })
             .collect();
+        for (k, told) in of_drives.iter().enumerate() {
+            let i = self.len() + k;
+            let give = self.sites()[i].springs.give(told.force).norm();
+            let moved = self.sites()[i].map.norm() * found.twist.norm();
+            travels.push((problem.drives[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
+        }
         // Where nothing is driven and the object stays, what is left is the rounding of the rounding elsewhere.
         let still = STILL * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
@@ -113,17 +128,91 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         let spring_force = least_spring_force(self.sites(), travels.iter().copied());
         let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
-        let equilibrium = self.out_of_balance(load, answers, spring_force.max(force_terms));
+        let object_balance = self.out_of_balance(load, answers, spring_force.max(force_terms));
+        let equilibrium = object_balance.max(self.joints_out_of_balance(load, answers, found, force_size));
         let mut r = Residuals { equilibrium, ..Residuals::default() };
+        let law = |i: usize| ContactLaw {
+            site: &self.sites()[i],
+            polygon: problem.polygon(i),
+            cone,
+            force_size,
+            travel: travels[i],
+        };
         for (i, answer) in answers.iter().enumerate() {
-            let site = &self.sites()[i];
             let point = &self.contacts()[i].point;
-            let moved = site.frame.tr_mul(&displacement_of(point, twist.as_vector()));
-            let stretch = problem.drives[i] - moved;
-            let law = ContactLaw { site, polygon: problem.polygon(i), cone, force_size, travel: travels[i] };
-            r.note(&law, answer, &stretch, &slip(i));
+            let moved = displacement_of(point, twist.as_vector()) - self.carried(i, twist).0;
+            let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
+            let separated = answer.state == ContactState::Separated;
+            let told = Told { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
+            r.note(&law(i), &told);
+        }
+        for (k, told) in of_drives.iter().enumerate() {
+            r.note(&law(self.len() + k), told);
         }
         r
+    }
+
+    /// How far the joints of its finger move a contact, along the coordinate axes, and the size of the terms of that sum.
+    fn carried(&self, contact: usize, twist: &Twist<D, C>) -> (SVector<f64, C>, f64) {
+        let (mut sum, mut size) = (SVector::zeros(), 0.0);
+        for (k, motion) in self.linkage().into_iter().flat_map(|linkage| &linkage.motions[contact]) {
+            let step = motion * twist.as_vector()[C * (C + 1) / 2 + k];
+            sum += step;
+            size += step.norm();
+        }
+        (sum, size)
+    }
+
+    /// What drives of a hand do.
+    fn drives_told<'a>(
+        &self,
+        problem: &Problem<D, C>,
+        twist: &Twist<D, C>,
+        found: &'a Found<D, C>,
+    ) -> Vec<Told<'a, C>> {
+        if self.linkage().is_none() {
+            return Vec::new();
+        }
+        let inside = self.inside_twist(twist);
+        let told = |(i, force): (usize, &'a SVector<f64, C>)| {
+            let (site, separated) = (&self.sites()[i], found.states[i].is_open());
+            let stretch = site.stretch(&problem.drives[i], &inside);
+            let gap = if separated { (-stretch[0]).max(0.0) } else { 0.0 };
+            let slips = found.states[i].slides();
+            let slip = if slips { site.springs.slip(&stretch, force) } else { SVector::zeros() };
+            Told { force, gap, separated, stretch, slip }
+        };
+        found.forces.iter().enumerate().skip(self.len()).map(told).collect()
+    }
+
+    /// Torques out of balance at the joints, over the largest of their terms.
+    fn joints_out_of_balance(
+        &self,
+        load: &Wrench<D, C>,
+        answers: &[ContactAnswer<C>],
+        found: &Found<D, C>,
+        force_size: f64,
+    ) -> f64 {
+        let Some(linkage) = self.linkage() else { return 0.0 };
+        let object = C * (C + 1) / 2;
+        let from_outside = self.inside_unchecked(load);
+        let mut sums = linkage.held + from_outside;
+        let mut sizes = linkage.held.abs() + from_outside.abs();
+        let mut add = |k: usize, term: f64| {
+            sums[k] += term;
+            sizes[k] += term.abs();
+        };
+        for (answer, motions) in answers.iter().zip(&linkage.motions) {
+            for (k, motion) in motions {
+                add(object + k, -motion.dot(&answer.force_world) / linkage.lengths[object + k]);
+            }
+        }
+        for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
+            for k in object..D {
+                add(k, site.map.row(k).transpose().dot(force));
+            }
+        }
+        (object..D).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
     /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
@@ -131,7 +220,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn out_of_balance(&self, load: &Wrench<D, C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
-        for k in 0..D {
+        for k in 0..C * (C + 1) / 2 {
             *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
         }
         for (contact, answer) in self.contacts().iter().zip(answers) {
@@ -144,7 +233,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         // A moment counts against the moments, and against the forces at the distance of the contacts.
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
-        let moment = sum.iter().skip(C).map(|m| m * m).sum::<f64>().sqrt();
+        let moment = sum.iter().take(C * (C + 1) / 2).skip(C).map(|m| m * m).sum::<f64>().sqrt();
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }
@@ -158,6 +247,7 @@ mod tests {
     use crate::equilibrium::Residuals;
     use crate::grasp::{Contact, Grasp, Twist, Wrench};
     use crate::object::{Load, Problem};
+    use crate::search::Found;
 
     /// A comparison with a bound must fail wherever anything is not finite.
     #[test]
@@ -174,8 +264,10 @@ mod tests {
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
         let problem = Problem::at_rest(grasp.sites(), polygon, false, grasp.drives(), &Load::from(&wrench));
+        let states = answer.local.states.clone();
+        let found = Found::new(states, answer.site_forces(), answer.local.twist);
         let worst = |twist: &Twist<3, 2>, contacts: &[_]| {
-            grasp.residuals(&problem, &load, twist, contacts, answer.cone, [0.0; 2]).worst()
+            grasp.residuals(&problem, &load, twist, (contacts, &found), answer.cone).worst()
         };
         assert!(worst(&answer.twist, &answer.contacts) < 1e-14);
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

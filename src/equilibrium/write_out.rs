@@ -20,17 +20,24 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<D, C> {
-        let contacts: Vec<_> = self.solved_contacts(problem, found).map(|solved| solved.answer()).collect();
+        let solved = self.contacts().iter().zip(solved_sites(problem, found));
+        let contacts: Vec<_> = solved.map(|(contact, solved)| solved.answer(contact)).collect();
         let twist = self.outside(&found.twist);
         let motions =
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D, C>>>();
+        let drive_forces = found.forces[self.len()..].to_vec();
+        let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
+        let drives = self.linkage().into_iter().flat_map(|linkage| &linkage.drives);
         let stored_energy =
-            contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force)).sum();
+            stored.chain(drives.zip(&drive_forces).map(|(drive, force)| drive.stored(force))).sum();
+        let (joints, tendons) = self.hand_answers(problem, found);
         Equilibrium {
             load: *load,
-            residuals: self.residuals(problem, load, &twist, &contacts, cone, found.sizes),
+            residuals: self.residuals(problem, load, &twist, (&contacts, found), cone),
             twist,
             contacts,
+            joints,
+            tendons,
             rule,
             stored_energy,
             free_motions: motions(&found.free_motions),
@@ -49,43 +56,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             change_from_polygon: found.from_polygon,
             local: LocalAnswer {
                 states: found.states.clone(),
+                drive_forces,
                 twist: found.twist,
                 drives: problem.drives.clone(),
                 slips: problem.slips.clone(),
             },
         }
-    }
-
-    /// What every contact does in a solution of the local problem, in order.
-    pub(crate) fn contact_states(
-        &self,
-        problem: &Problem<D, C>,
-        found: &Found<D, C>,
-    ) -> Vec<ContactState<C>> {
-        self.solved_contacts(problem, found).map(|solved| solved.state().0).collect()
-    }
-
-    fn solved_contacts<'s>(
-        &'s self,
-        problem: &'s Problem<'s, D, C>,
-        found: &'s Found<D, C>,
-    ) -> impl Iterator<Item = SolvedContact<'s, C>> {
-        let solved =
-            problem.locals().zip(self.contacts()).zip(problem.sites).zip(&found.states).zip(&found.forces);
-        let history = problem.drives.iter().zip(&problem.slips);
-        solved.zip(history).map(|(((((local, contact), site), state), force), (drive, memory))| {
-            SolvedContact {
-                local,
-                contact,
-                frame: &site.frame,
-                bonded: site.hold == Hold::Bonded,
-                state,
-                force: *force,
-                drive: *drive,
-                memory: *memory,
-                moved: site.map.tr_mul(&found.twist),
-            }
-        })
     }
 
     pub(super) fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
@@ -114,10 +90,38 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 }
 
+/// What every site does in a solution of the local problem, in order: contacts, then the drives of a hand.
+pub(crate) fn site_states<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    found: &Found<D, C>,
+) -> Vec<ContactState<C>> {
+    solved_sites(problem, found).map(|solved| solved.state().0).collect()
+}
+
+fn solved_sites<'s, const D: usize, const C: usize>(
+    problem: &'s Problem<'s, D, C>,
+    found: &'s Found<D, C>,
+) -> impl Iterator<Item = SolvedContact<'s, C>> {
+    let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
+    let history = problem.drives.iter().zip(&problem.slips);
+    let joints = SVector::<f64, D>::from_fn(|k, _| if k < C * (C + 1) / 2 { 0.0 } else { found.twist[k] });
+    let any = D > C * (C + 1) / 2;
+    solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
+        local,
+        frame: &site.frame,
+        bonded: site.hold == Hold::Bonded,
+        state,
+        force: *force,
+        drive: *drive,
+        memory: *memory,
+        moved: site.map.tr_mul(&found.twist),
+        moved_with_joints: any.then(|| site.map.tr_mul(&joints)),
+    })
+}
+
 /// One contact in a solution of the local problem.
 struct SolvedContact<'s, const C: usize> {
     local: LocalLaw<'s, C>,
-    contact: &'s Contact<C>,
     frame: &'s SMatrix<f64, C, C>,
     bonded: bool,
     state: &'s State<C>,
@@ -125,8 +129,10 @@ struct SolvedContact<'s, const C: usize> {
     /// From the slip so far, which is the memory.
     drive: SVector<f64, C>,
     memory: SVector<f64, C>,
-    /// The body's motion at the contact.
+    /// Motion of the body's core past that of the finger, as far as joints move it.
     moved: SVector<f64, C>,
+    /// The finger's part in it, which counts against it.
+    moved_with_joints: Option<SVector<f64, C>>,
 }
 
 impl<const C: usize> SolvedContact<'_, C> {
@@ -148,7 +154,7 @@ impl<const C: usize> SolvedContact<'_, C> {
         }
     }
 
-    fn answer(&self) -> ContactAnswer<C> {
+    fn answer(&self, contact: &Contact<C>) -> ContactAnswer<C> {
         let (force, frame) = (self.force, self.frame);
         let (state, slip) = self.state();
         let margin = match state {
@@ -157,11 +163,16 @@ impl<const C: usize> SolvedContact<'_, C> {
             _ => 0.0,
         };
         let mut commanded = self.drive + self.memory;
-        commanded[0] += self.contact.clearance;
-        let (body_surface, finger_surface) = match self.contact.stiffness {
+        commanded[0] += contact.clearance;
+        let mut body_core = self.moved;
+        if let Some(joints) = self.moved_with_joints {
+            commanded -= joints;
+            body_core -= joints;
+        }
+        let (body_surface, finger_surface) = match contact.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
                 let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
-                (Some(frame * (self.moved + give(&body))), Some(frame * (commanded - give(&finger))))
+                (Some(frame * (body_core + give(&body))), Some(frame * (commanded - give(&finger))))
             }
             Stiffness::Series(_) => (None, None),
         };
@@ -170,7 +181,7 @@ impl<const C: usize> SolvedContact<'_, C> {
             state,
             force,
             force_world: frame * force,
-            body_core: frame * self.moved,
+            body_core: frame * body_core,
             body_surface,
             finger_surface,
             gap: if state == ContactState::Separated { gap.max(0.0) } else { 0.0 },

@@ -70,6 +70,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command: SVector<f64, C>,
     /// The axes of `command`; those of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: Axes,
+    /// Force that the command stands for, in place of its normal part; resolved once the contact is part of a grasp.
+    pub(crate) press: Option<f64>,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
 }
@@ -88,6 +90,7 @@ impl<const C: usize> Contact<C> {
             friction: 0.0,
             command: SVector::zeros(),
             command_axes: Axes::Frame,
+            press: None,
             clearance: 0.0,
             hold: Hold::Unilateral,
         }
@@ -206,6 +209,29 @@ impl<const C: usize> Contact<C> {
         self
     }
 
+    /// A squeeze as people think of it: the finger is commanded so far that it presses with this force on an object that stays where it is, N, from 0.
+    /// In place of the normal part of the command, `clearance + force / k_n`; the tangential part stays. The finger holds that **position** afterwards: when the
+    /// object moves the force changes, and fingers that press with unequal forces push the object to where they agree.
+    ///
+    /// On a finger [with joints](crate::grasp::Finger) these are commanded with it, `K⁻¹Jᵀ` times the force, so that nothing pulls along the tangents either.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 8 N; μ = 0.5. One is 2 mm away before.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(8.0);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0).clearance(0.002)])?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13);
+    /// assert!((grasp.contacts()[1].commanded()[0] - 0.010).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn pressed_with(mut self, force: f64) -> Self {
+        self.press = Some(force);
+        self
+    }
+
     /// Clearance between finger and object before anything moves, m (default 0).
     ///
     /// The finger must come this far along the normal before it touches, `F_n = k_n (command -
@@ -287,12 +313,22 @@ impl<const C: usize> Contact<C> {
     /// refuses.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
-        match self.command_axes {
+        let mut command = match self.command_axes {
             Axes::Frame => self.command,
             Axes::World => {
                 self.frame(0).map_or_else(|_| SVector::repeat(f64::NAN), |frame| frame.tr_mul(&self.command))
             }
+        };
+        if let Some(force) = self.press {
+            command[0] = self.clearance + force / self.stiffness.series()[0];
         }
+        command
+    }
+
+    /// The contact with its command along the axes of its frame, and nothing left to be resolved.
+    pub(super) fn resolved(mut self) -> Self {
+        (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);
+        self
     }
 
     /// Number of axes along which the contact has a spring: 1 without friction, else `C`.

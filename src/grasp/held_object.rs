@@ -2,8 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::contact::{Axes, Contact};
-use super::rotation::assert_plane_or_space;
+use super::contact::Contact;
+use super::hand::{Drive, HandPart, Linkage};
+use super::rotation::{assert_plane_or_space, assert_room_for_joints};
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 
@@ -22,6 +23,8 @@ pub struct Grasp<const D: usize, const C: usize> {
     /// length of arms, so that rotations and translations have comparable size whatever the user's
     /// unit.
     pub(super) length: f64,
+    /// The joints behind the contacts, if any.
+    pub(super) linkage: Option<Box<Linkage<D, C>>>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -45,14 +48,41 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// is out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
-        let mut contacts: Vec<_> = contacts.into_iter().collect();
+        Self::of(contacts.into_iter().collect())
+    }
+
+    /// A grasp by contacts that joints move.
+    pub(super) fn by_hand(contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
+        const { assert_room_for_joints::<D, C>() };
+        let mut grasp = Self::of(contacts)?;
+        for (site, motions) in grasp.sites.iter_mut().zip(&linkage.motions) {
+            site.move_with(motions, &linkage.lengths);
+        }
+        grasp.sites.extend(linkage.drives.iter().map(Drive::site));
+        grasp.linkage = Some(Box::new(linkage));
+        Ok(grasp)
+    }
+
+    /// This grasp with other data of its contacts, at the same places, and with own springs of joints and tendons so many times as stiff.
+    pub(crate) fn with_data(
+        &self,
+        contacts: Vec<Contact<C>>,
+        stiffer: impl Fn(usize) -> f64,
+    ) -> Result<Self, Error> {
+        match &self.linkage {
+            None => Self::of(contacts),
+            Some(linkage) => Self::by_hand(contacts, linkage.stiffened(stiffer)),
+        }
+    }
+
+    fn of(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
-        for (index, contact) in contacts.iter_mut().enumerate() {
+        for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
-            (contact.command, contact.command_axes) = (contact.commanded(), Axes::Frame);
         }
+        let contacts: Vec<_> = contacts.into_iter().map(Contact::resolved).collect();
         let count = contacts.len() as f64;
         let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
@@ -60,7 +90,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(contact, index, &origin, length);
         let sites = contacts.iter().enumerate().map(site).collect::<Result<_, Error>>()?;
-        Ok(Self { contacts, sites, origin, length })
+        Ok(Self { contacts, sites, origin, length, linkage: None })
     }
 
     /// Number of contacts, at least 1.
@@ -94,7 +124,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
-        self.sites.iter().map(|site| &site.frame)
+        self.sites[..self.len()].iter().map(|site| &site.frame)
     }
 
     /// This grasp with other finger commands u_f, one a contact, each in its contact frame (m):
@@ -128,6 +158,79 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(self)
     }
 
+    /// This grasp with other commands of the joints and then of the tendons of its hand, rad and m.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?.with_joint_commands(&[0.01, 0.01])?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-4);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::JointCommands`] if there are more or fewer than joints and tendons, [`Error::Hand`] if one is not finite.
+    pub fn with_joint_commands(mut self, commands: &[f64]) -> Result<Self, Error> {
+        self.check_joint_commands(commands, "joint commands")?;
+        if let Some(linkage) = &mut self.linkage {
+            linkage.commands.copy_from_slice(commands);
+        }
+        Ok(self)
+    }
+
+    pub(crate) fn check_joint_commands(&self, commands: &[f64], what: &'static str) -> Result<(), Error> {
+        let expected = self.joint_commands().len();
+        if commands.len() != expected {
+            return Err(Error::JointCommands { what, given: commands.len(), expected });
+        }
+        match commands.iter().position(|x| !is_moderate(*x)) {
+            Some(k) => Err(Error::Hand {
+                what: format!("{what}, number {k}"),
+                field: "command",
+                value: commands[k],
+                allowed: MODERATE,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Commands of the joints of the hand, then of its tendons, rad and m; empty without a hand.
+    #[must_use]
+    pub fn joint_commands(&self) -> &[f64] {
+        self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
+    }
+
+    /// How pictures and messages call a part of the hand: its name, or what it is and its number.
+    #[must_use]
+    pub fn label_of(&self, part: HandPart) -> String {
+        self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part))
+    }
+
+    /// For questions that know no joints.
+    pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
+        if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
+    }
+
+    /// The drives of a joint or, behind the joints, of a tendon, with the numbers of their sites.
+    pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
+        let first = self.len();
+        self.linkage()
+            .into_iter()
+            .flat_map(move |linkage| linkage.of_actuator(actuator))
+            .map(move |(k, drive)| (first + k, drive))
+    }
+
+    /// The joints behind the contacts, if any.
+    pub(crate) fn linkage(&self) -> Option<&Linkage<D, C>> {
+        self.linkage.as_deref()
+    }
+
     pub(crate) fn check_commands(
         &self,
         commands: &[SVector<f64, C>],
@@ -154,16 +257,42 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self.sites
     }
 
-    /// a_i: commanded displacements in the contact frames, the normal part less the clearance.
+    /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
+    /// the drives of a hand.
     pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
         self.each_drive().collect()
     }
 
     pub(crate) fn each_drive(&self) -> impl Iterator<Item = SVector<f64, C>> {
-        self.contacts.iter().map(|contact| {
-            let mut a = contact.command;
+        let commands = self.contacts.iter().map(|contact| contact.command);
+        self.driven_by(commands, self.joint_commands())
+    }
+
+    /// The drives with other commands.
+    pub(crate) fn driven_by(
+        &self,
+        commands: impl Iterator<Item = SVector<f64, C>>,
+        of_joints: &[f64],
+    ) -> impl Iterator<Item = SVector<f64, C>> {
+        let contacts = commands.zip(&self.contacts).map(|(command, contact)| {
+            let mut a = command;
             a[0] -= contact.clearance;
             a
-        })
+        });
+        contacts.chain(self.linkage().into_iter().flat_map(move |linkage| linkage.stretches(of_joints)))
+    }
+
+    /// What the drives change by with these changes of commands; without any they stay.
+    pub(crate) fn drive_changes(
+        &self,
+        commands: Option<&[SVector<f64, C>]>,
+        of_joints: Option<&[f64]>,
+    ) -> Vec<SVector<f64, C>> {
+        let mut changes = commands.map_or_else(|| vec![SVector::zeros(); self.len()], <[_]>::to_vec);
+        match (self.linkage(), of_joints) {
+            (Some(linkage), Some(commands)) => changes.extend(linkage.changes(commands)),
+            _ => changes.resize(self.sites.len(), SVector::zeros()),
+        }
+        changes
     }
 }

@@ -59,15 +59,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Twist::from_vector(moved_twist::<D, C>(&self.origin, &self.per_length(*q)))
     }
 
-    /// Angular components divided by the inside unit of length.
+    /// Angular components divided by the inside unit of length, those of joints by the lengths that measure them.
     fn per_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
-        v.iter_mut().skip(C).for_each(|x| *x /= self.length);
+        v.iter_mut().take(C * (C + 1) / 2).skip(C).for_each(|x| *x /= self.length);
+        if let Some(linkage) = self.linkage() {
+            v.component_div_assign(&linkage.lengths);
+        }
         v
     }
 
-    /// Angular components times the inside unit of length.
+    /// Angular components times the inside unit of length, those of joints times the lengths that measure them.
     fn times_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
-        v.iter_mut().skip(C).for_each(|x| *x *= self.length);
+        v.iter_mut().take(C * (C + 1) / 2).skip(C).for_each(|x| *x *= self.length);
+        if let Some(linkage) = self.linkage() {
+            v.component_mul_assign(&linkage.lengths);
+        }
         v
     }
 }

@@ -27,6 +27,7 @@
 mod contact;
 mod fingertip;
 mod frames;
+mod hand;
 mod held_object;
 mod inside;
 mod pressure;
@@ -41,6 +42,8 @@ mod wrench;
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;
+pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
+pub use hand::{Finger, Hand, HandPart, Joint, Limit, Tendon};
 pub use held_object::Grasp;
 pub use pressure::Pressure;
 pub(crate) use rotation::{assert_plane_or_space, displacement_of, grasp_map, wrench_of};

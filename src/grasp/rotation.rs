@@ -23,6 +23,14 @@ pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
     );
 }
 
+/// Refuses fewer coordinates than those of the object where the program is compiled.
+pub(crate) const fn assert_room_for_joints<const D: usize, const C: usize>() {
+    assert!(
+        (D >= 3 && C == 2) || (D >= 6 && C == 3),
+        "D coordinates are those of the object, 3 in the plane and 6 in space, and those of the joints"
+    );
+}
+
 /// The planes of rotation of a space with `C` axes.
 pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
     match C {

@@ -1,11 +1,14 @@
 //! One contact as the arithmetic sees it.
 
+use std::sync::Arc;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::{Contact, Hold};
 use super::rotation::grasp_map_in_twice;
-use crate::contact::{Compliance, Coulomb, Law};
+use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
+use crate::numerics::DoubleDouble;
 
 /// What the arithmetic needs of one contact, in inside coordinates.
 #[derive(Debug, Clone)]
@@ -19,6 +22,8 @@ pub(crate) struct Site<const D: usize, const C: usize> {
     pub(crate) springs: Compliance<C>,
     pub(crate) friction: Coulomb,
     pub(crate) hold: Hold,
+    /// The polygon that stands for the cone whatever the question says.
+    pub(crate) polygon: Option<Arc<Polygon<C>>>,
 }
 
 impl<const D: usize, const C: usize> Site<D, C> {
@@ -43,7 +48,25 @@ impl<const D: usize, const C: usize> Site<D, C> {
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
             hold: contact.hold,
+            polygon: None,
         })
+    }
+
+    /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements.
+    pub(super) fn move_with(&mut self, motions: &[(usize, SVector<f64, C>)], lengths: &SVector<f64, D>) {
+        let object = C * (C + 1) / 2;
+        for (coordinate, motion) in motions {
+            let k = object + coordinate;
+            for a in 0..C {
+                // The object gives way where the finger comes: the sign is the other one.
+                let entry = -self.frame.column(a).dot(motion) / lengths[k];
+                let mut rest = DoubleDouble::new(-entry * lengths[k]);
+                for b in 0..C {
+                    rest.add_product(-self.frame[(b, a)], motion[b]);
+                }
+                (self.map[(k, a)], self.map_rest[(k, a)]) = (entry, rest.value() / lengths[k]);
+            }
+        }
     }
 
     /// The law of the contact at rest.

@@ -34,6 +34,17 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
+    /// These springs in series with more compliance of the finger, axis by axis, m/N.
+    pub(super) fn softened(&self, compliance: &SVector<f64, C>) -> Self {
+        let soften = |k: &SVector<f64, C>| k.zip_map(compliance, |k, more| in_series(k, 1.0 / more));
+        match self {
+            Self::BodyAndFinger { body, finger } => {
+                Self::BodyAndFinger { body: *body, finger: soften(finger) }
+            }
+            Self::Series(k) => Self::Series(soften(k)),
+        }
+    }
+
     /// Springs so many times as stiff; a rigid side stays rigid.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         match self {

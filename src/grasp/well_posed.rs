@@ -100,6 +100,11 @@ impl<const C: usize> Contact<C> {
         if let Some(value) = bad(&self.command) {
             return fault(Field::Command, value, MODERATE);
         }
+        if let Some(press) = self.press
+            && !(is_moderate(press) && press >= 0.0)
+        {
+            return fault(Field::Press, press, "from 0 to 1e50");
+        }
         if !is_moderate(self.clearance) {
             return fault(Field::Clearance, self.clearance, MODERATE);
         }

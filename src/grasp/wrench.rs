@@ -125,6 +125,38 @@ impl<const D: usize, const C: usize> Wrench<D, C> {
     }
 }
 
+impl<const D: usize, const C: usize> Wrench<D, C> {
+    /// This load with torques from outside on the first joints of a hand, N m or N, in the place of those it had.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::Wrench;
+    ///
+    /// let load = Wrench::<5>::force([0.0, -1.0]).on_joints([0.2, -0.1]);
+    /// assert_eq!(load.joints(), [0.2, -0.1]);
+    /// ```
+    #[must_use]
+    pub fn on_joints(mut self, torques: impl IntoIterator<Item = f64>) -> Self {
+        for (component, torque) in self.0.iter_mut().skip(C * (C + 1) / 2).zip(torques) {
+            *component = torque;
+        }
+        self
+    }
+
+    /// Torques on joints from outside, N m or N, along their displacements; zeros behind the last joint.
+    #[must_use]
+    pub fn joints(&self) -> &[f64] {
+        &self.0.as_slice()[C * (C + 1) / 2..]
+    }
+}
+
+impl<const D: usize, const C: usize> Twist<D, C> {
+    /// Displacements of joints that go with this motion, rad or m, and what else moves in a hand behind the last of them.
+    #[must_use]
+    pub fn joints(&self) -> &[f64] {
+        &self.0.as_slice()[C * (C + 1) / 2..]
+    }
+}
+
 impl<const D: usize> Wrench<D, 2> {
     /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
     #[must_use]

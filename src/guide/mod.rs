@@ -6,12 +6,12 @@
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
-//! | What is the stiffness of a contact of a hand with known joint stiffness? | [`joint_stiffness`] |
+//! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
 //!
 //! The pages have no items of their own; their examples are compiled and run with the tests.
 
 pub mod choosing_facets;
-pub mod joint_stiffness;
+pub mod hands;
 pub mod reading_a_ray;
 pub mod several_equilibria;
 pub mod which_answer;

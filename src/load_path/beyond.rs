@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 use super::segment::Segment;
 use crate::contact::ZERO_SLACK;
-use crate::equilibrium::{ContactState, NoEquilibrium, Outcome};
+use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
 use crate::grasp::{Grasp, Twist};
 use crate::lcp;
@@ -74,9 +74,15 @@ pub(super) fn continuation<const D: usize, const C: usize>(
     found: Found<D, C>,
     rule: Rung,
 ) -> Beyond<D, C> {
-    let states = grasp.contact_states(rates, &found);
-    let twist_rate = grasp.outside(&found.twist);
-    Beyond::Continues(Box::new(Continuation { states, force_rates: found.forces, twist_rate, rule }))
+    let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
+    states.truncate(grasp.len());
+    force_rates.truncate(grasp.len());
+    Beyond::Continues(Box::new(Continuation {
+        states,
+        force_rates,
+        twist_rate: grasp.outside(&found.twist),
+        rule,
+    }))
 }
 
 /// Where an equilibrium ends.

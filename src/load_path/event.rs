@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
+use super::drive_change::DriveChange;
 use crate::equilibrium::{Equilibrium, Outcome};
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::{HandPart, Twist, Wrench};
 use crate::search::Doubt;
 
 /// Something changes: one or more contacts, at one load.
@@ -19,6 +20,8 @@ pub struct Event<const D: usize, const C: usize> {
     pub load: Wrench<D, C>,
     /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
     pub changes: Vec<(usize, Change<C>)>,
+    /// What changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
+    pub drives: Vec<(HandPart, DriveChange)>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<D, C>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
@@ -128,6 +131,8 @@ pub struct Loss<const D: usize, const C: usize> {
     pub kind: LossKind,
     /// The contacts that stand on the edge of their cone there, from 0.
     pub contacts: Vec<usize>,
+    /// The drives of a hand that have reached their limit there.
+    pub drives: Vec<HandPart>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.
     pub motion: Option<Twist<D, C>>,

@@ -1,8 +1,10 @@
 //! Load programs: legs along which load and finger commands change linearly.
 
+use std::ops::Add;
+
 use nalgebra::SVector;
 
-use super::ramp::vectors;
+use super::ramp::{Ramp, vectors};
 use crate::error::{Error, Field};
 use crate::grasp::{Grasp, Wrench};
 
@@ -38,6 +40,7 @@ use crate::grasp::{Grasp, Wrench};
 pub struct Leg<const D: usize, const C: usize> {
     load: Goal<Wrench<D, C>>,
     commands: Goal<Vec<SVector<f64, C>>>,
+    joints: Goal<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +51,7 @@ enum Goal<T> {
 }
 
 impl<const D: usize, const C: usize> Leg<D, C> {
-    const STAY: Self = Self { load: Goal::Stay, commands: Goal::Stay };
+    const STAY: Self = Self { load: Goal::Stay, commands: Goal::Stay, joints: Goal::Stay };
 
     /// The load changes by this much.
     #[must_use]
@@ -98,12 +101,67 @@ impl<const D: usize, const C: usize> Leg<D, C> {
         Self { commands: Goal::To(vectors(commands)), ..self }
     }
 
+    /// The joint commands of a hand change by this much: one displacement for each joint and then each tendon, rad or m.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Leg, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?.with_joint_commands(&[0.01, 0.01])?;
+    /// // Close by 10 mm more, then pull: two springs of 1000 N/m in series carry 10 N.
+    /// let legs = [Leg::joints_by([0.01, 0.01]), Leg::load_to(Wrench::force([0.0, -20.0]))];
+    /// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    /// path.run();
+    /// let lost = path.end().and_then(|end| end.loss()).expect("both slide at last");
+    /// assert!((lost.fraction - 0.5).abs() < 1e-14); // at 2 · 0.5 · 10 N
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn joints_by(change: impl IntoIterator<Item = f64>) -> Self {
+        Self::STAY.and_joints_by(change)
+    }
+
+    /// The joint commands of a hand change to these, in the order of [`Self::joints_by`].
+    #[must_use]
+    pub fn joints_to(commands: impl IntoIterator<Item = f64>) -> Self {
+        Self::STAY.and_joints_to(commands)
+    }
+
+    /// Meanwhile the joint commands change by this much.
+    #[must_use]
+    pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
+        Self { joints: Goal::By(change.into_iter().collect()), ..self }
+    }
+
+    /// Meanwhile the joint commands change to these.
+    #[must_use]
+    pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
+        Self { joints: Goal::To(commands.into_iter().collect()), ..self }
+    }
+
+    /// What a ramp changes for one unit of its factor.
+    pub(super) fn along(ramp: &Ramp<D, C>) -> Self {
+        let by = |change: &Vec<_>| Goal::By(change.clone());
+        Self {
+            load: Goal::By(ramp.direction),
+            commands: ramp.command_change.as_ref().map_or(Goal::Stay, by),
+            joints: ramp.joint_change.as_ref().map_or(Goal::Stay, |change| Goal::By(change.clone())),
+        }
+    }
+
     fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
         if let Goal::By(load) | Goal::To(load) = &self.load {
             grasp.inside(load, "load of a leg")?;
         }
         if let Goal::By(commands) | Goal::To(commands) = &self.commands {
             grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
+        }
+        if let Goal::By(commands) | Goal::To(commands) = &self.joints {
+            grasp.check_joint_commands(commands, "joint commands of a leg")?;
         }
         Ok(())
     }
@@ -116,13 +174,15 @@ impl<const D: usize, const C: usize> Leg<D, C> {
             Goal::To(goal) => *goal,
         }
     }
+}
 
+impl<T: Copy + Add<Output = T>> Goal<Vec<T>> {
     /// Commands at the end of the leg.
-    fn commands_after(&self, commands: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
-        match &self.commands {
-            Goal::Stay => commands.to_vec(),
-            Goal::By(change) => commands.iter().zip(change).map(|(u, du)| u + du).collect(),
-            Goal::To(goal) => goal.clone(),
+    fn after(&self, commands: &[T]) -> Vec<T> {
+        match self {
+            Self::Stay => commands.to_vec(),
+            Self::By(change) => commands.iter().zip(change).map(|(u, du)| *u + *du).collect(),
+            Self::To(goal) => goal.clone(),
         }
     }
 }
@@ -137,13 +197,22 @@ pub(super) struct Program<const D: usize, const C: usize> {
     pub(super) load: [Wrench<D, C>; 2],
     /// Finger commands at the beginning and at the end of the present leg.
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
+    /// Those of the joints.
+    joints: [Vec<f64>; 2],
 }
 
 impl<const D: usize, const C: usize> Program<D, C> {
     /// Without legs, at rest under a load and the commands of a grasp.
     pub(super) fn new(grasp: &Grasp<D, C>, start: Wrench<D, C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
-        Self { legs: Vec::new(), leg: 0, load: [start; 2], commands: [commands.clone(), commands] }
+        let joints = grasp.joint_commands().to_vec();
+        Self {
+            legs: Vec::new(),
+            leg: 0,
+            load: [start; 2],
+            commands: [commands.clone(), commands],
+            joints: [joints.clone(), joints],
+        }
     }
 
     /// Appends legs, all or none of them.
@@ -157,20 +226,19 @@ impl<const D: usize, const C: usize> Program<D, C> {
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg) else { return false };
         self.load = [self.load[1], leg.load_after(&self.load[1])];
-        let after = leg.commands_after(&self.commands[1]);
+        let (after, joints) = (leg.commands.after(&self.commands[1]), leg.joints.after(&self.joints[1]));
         self.commands = [std::mem::replace(&mut self.commands[1], after.clone()), after];
+        self.joints = [std::mem::replace(&mut self.joints[1], joints.clone()), joints];
         true
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
     pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
-        let [from, to] = &self.commands;
-        let base = from.iter().zip(grasp.contacts()).map(|(command, contact)| {
-            let mut a = *command;
-            a[0] -= contact.clearance;
-            a
-        });
-        [base.collect(), to.iter().zip(from).map(|(to, from)| to - from).collect()]
+        let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
+        let base = grasp.driven_by(from.iter().copied(), joints_from).collect();
+        let change: Vec<_> = to.iter().zip(from).map(|(to, from)| to - from).collect();
+        let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
+        [base, grasp.drive_changes(Some(&change), Some(&of_joints))]
     }
 
     /// The load at a fraction of the present leg.

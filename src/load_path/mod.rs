@@ -28,6 +28,7 @@
 mod arc;
 mod beyond;
 mod crossing;
+mod drive_change;
 mod energy;
 mod event;
 mod first_to_leave;
@@ -53,6 +54,7 @@ mod walk;
 mod watch;
 
 pub use beyond::{Beyond, Continuation};
+pub use drive_change::DriveChange;
 pub use energy::Energy;
 pub use event::{Change, Event, Loss, LossKind, PathEnd};
 pub use leg::Leg;
@@ -61,4 +63,4 @@ pub use patch::{PatchEvent, PatchPath};
 pub use path::LoadPath;
 pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
-pub use sensitivity::{Derivative, OnsetGradient, Parameter, Response};
+pub use sensitivity::{Derivative, Leaver, OnsetGradient, Parameter, Response};

@@ -7,7 +7,7 @@ use super::loss::end_of_path;
 use super::segment::{Here, Segment};
 use super::transition::{change, everything_slides, nothing_changes, others};
 use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
-use crate::equilibrium::ContactState;
+use crate::equilibrium::{ContactState, site_states};
 use crate::grasp::Wrench;
 use crate::object::{PieceState, Problem};
 use crate::search::{
@@ -55,12 +55,14 @@ impl<const D: usize, const C: usize> Node<D, C> {
             _ => settle(&rates, settings),
         };
         let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
+        let (contacts, drives) = segment.grasp.sites_apart((0..self.states.len()).filter(stands).collect());
         let loss = |motion| Loss {
             leg,
             fraction: factor,
             load,
             kind: LossKind::Corner,
-            contacts: (0..self.states.len()).filter(stands).collect(),
+            contacts: contacts.clone(),
+            drives: drives.clone(),
             motion,
         };
         let Settled::Found(found, _) = settled else {
@@ -158,7 +160,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
     ) -> Vec<(usize, Change<C>)> {
         let mut changes = Vec::new();
         self.sets_out = false;
-        let directions = directions(segment, rates, found);
+        let directions = directions(rates, found);
         for (i, direction) in directions.into_iter().enumerate() {
             let (was, before) = (self.states[i], self.directions[i]);
             let is = segment.problem.local(i).of_the_rates(&rates.laws[i], found.states[i]);
@@ -192,11 +194,10 @@ fn slide_where_they_graze<const D: usize, const C: usize>(rates: &Problem<D, C>,
 
 /// In which directions contacts slide.
 pub(super) fn directions<const D: usize, const C: usize>(
-    segment: &Segment<'_, D, C>,
     problem: &Problem<D, C>,
     found: &Found<D, C>,
 ) -> Vec<Option<SVector<f64, C>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };
-    segment.grasp.contact_states(problem, found).into_iter().map(direction).collect()
+    site_states(problem, found).into_iter().map(direction).collect()
 }

@@ -2,11 +2,12 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::drive_change::DriveChange;
 use super::ramp::Ramp;
 use super::segment::Segment;
 use crate::contact::Stand;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
-use crate::grasp::Wrench;
+use crate::grasp::{HandPart, Wrench};
 use crate::search::{Found, Rung};
 
 /// The answer to "at which load factor τ >= 0 does the first contact leave rolling?"
@@ -67,6 +68,8 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
     pub load: Wrench<D, C>,
     /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
+    /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
+    pub drives: Vec<(HandPart, DriveChange)>,
     /// The friction cone that the event is for.
     pub cone: Cone,
     /// What the questions to the event start from.
@@ -80,6 +83,8 @@ pub(super) struct RollingState<const D: usize, const C: usize> {
     pub(super) found: Found<D, C>,
     pub(super) rule: Rung,
     pub(super) stands: Vec<Stand<C>>,
+    /// The sites that leave.
+    pub(super) leaving: Vec<usize>,
     pub(super) wrench: SVector<f64, D>,
     pub(super) wrench_rate: SVector<f64, D>,
     pub(super) drives: Vec<SVector<f64, C>>,
@@ -102,13 +107,15 @@ impl<const D: usize, const C: usize> OnsetEvent<D, C> {
             found,
             rule,
             stands,
+            leaving: leaving.iter().map(|leaving| leaving.contact).collect(),
             wrench: segment.problem.wrench + segment.direction * factor,
             wrench_rate: segment.direction,
             drives: segment.drives(factor),
             drive_rates: segment.change.clone(),
             slips: segment.problem.slips.clone(),
         };
-        Self { factor, load: ramp.load_at(factor), leaving, cone: segment.cone, local }
+        let (leaving, drives) = segment.grasp.leaving_apart(leaving);
+        Self { factor, load: ramp.load_at(factor), leaving, drives, cone: segment.cone, local }
     }
 }
 

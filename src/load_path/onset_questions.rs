@@ -5,8 +5,6 @@
 //! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
 //! close on the way; it starts with F_t = 0 and rolls on if the rates lie in its cone.
 
-use nalgebra::SVector;
-
 use super::beyond::{Beyond, End, beyond_end, continuation};
 use super::first_to_leave::first_to_leave;
 use super::loss::leaving_motion;
@@ -17,7 +15,7 @@ use super::transition::everything_slides;
 use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
-use crate::error::{Error, Field};
+use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 use crate::object::{Load, Problem};
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle};
@@ -102,15 +100,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn onset_with(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
-        let (base, direction) =
-            (self.inside(&ramp.base, "base load")?, self.inside(&ramp.direction, "load direction")?);
-        let change = match &ramp.command_change {
-            Some(change) => {
-                self.check_commands(change, "command changes", Field::CommandChange)?;
-                change.clone()
-            }
-            None => vec![SVector::zeros(); self.len()],
-        };
+        let base = self.load(&ramp.base, "base load")?.wrench;
+        let direction = self.inside(&ramp.direction, "load direction")?;
+        let change = ramp.drive_changes(self)?;
         let cone = Cone::of::<C>(settings);
         let polygon = Polygon::shared(&settings.cone);
         let round = cone == Cone::Round;
@@ -188,7 +180,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The local problem at an onset.
     fn problem_at_onset(&self, event: &OnsetEvent<D, C>) -> Option<Problem<'_, D, C>> {
         let local = &event.local;
-        if local.found.states.len() != self.len() {
+        if local.found.states.len() != self.sites().len() {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = event.cone { cone } else { PolygonCone::default() };

@@ -93,7 +93,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
-        let (round, wrench) = (settings.is_round::<C>(), self.inside(start, "start load")?);
+        let (round, wrench) = (settings.is_round::<C>(), self.load(start, "start load")?.wrench);
         let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
@@ -106,7 +106,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 (None, Some(PathEnd::NoStart(Box::new(outcome))))
             }
         };
-        let (change, direction) = (vec![SVector::zeros(); self.len()], SVector::zeros());
+        let (change, direction) = (self.drive_changes(None, None), SVector::zeros());
         let mut segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         let mut path = LoadPath {
             grasp: self,
@@ -218,7 +218,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.end = Some(PathEnd::Completed);
             return;
         }
-        let [from, to] = self.program.load.map(|w| self.grasp.inside_unchecked(&w));
+        let [from, to] = self.program.load.map(|w| self.grasp.load_unchecked(&w).wrench);
         let [base, change] = self.program.drives(self.grasp);
         self.segment.direction = to - from;
         self.segment.change = change;
@@ -248,7 +248,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                 let free_motions = onward.here.free_motions.iter().map(|v| self.grasp.outside(v)).collect();
                 self.here = Some(onward.here);
                 self.pace = self.pace.at_node();
-                if onward.changes.is_empty() && !(set_free && before.is_some()) {
+                let (changes, drives) = self.grasp.told_apart(onward.changes);
+                if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) {
                     return None;
                 }
                 let state = before.or_else(|| self.present_state())?;
@@ -264,7 +265,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
                     leg,
                     fraction: self.factor,
                     load,
-                    changes: onward.changes,
+                    changes,
+                    drives,
                     state,
                     free_motions,
                     other_continuations: onward.other_continuations,

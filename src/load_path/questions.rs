@@ -85,10 +85,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<Reserve<D, C>, Error> {
         let onset = self.onset_with(ramp, settings)?;
-        let mut leg = Leg::load_by(ramp.direction * most);
-        if let Some(change) = &ramp.command_change {
-            leg = leg.and_commands_by(change.iter().map(|a| a * most).collect::<Vec<_>>());
-        }
+        let leg = Leg::along(&ramp.times(most));
         let mut path = self.follow_with(&ramp.base, &[leg], settings)?;
         let events = path.run().len();
         let end = path.end();
@@ -132,11 +129,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         ramp: &Ramp<D, C>,
         settings: &Settings,
     ) -> Result<Option<RollingRange>, Error> {
-        let back = Ramp {
-            base: ramp.base,
-            direction: -ramp.direction,
-            command_change: ramp.command_change.as_ref().map(|change| change.iter().map(|a| -a).collect()),
-        };
+        let back = ramp.times(-1.0);
         let (to, from) =
             (self.onset_with(ramp, settings)?.factor(), self.onset_with(&back, settings)?.factor());
         Ok(to.zip(from).map(|(to, from)| RollingRange { from: -from, to }))

@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::Wrench;
+use crate::error::{Error, Field};
+use crate::grasp::{Grasp, Wrench};
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
 /// change. τ has no unit; with a direction of 1 N it counts newtons.
@@ -19,20 +20,21 @@ pub struct Ramp<const D: usize, const C: usize> {
     pub(crate) base: Wrench<D, C>,
     pub(crate) direction: Wrench<D, C>,
     pub(crate) command_change: Option<Vec<SVector<f64, C>>>,
+    pub(crate) joint_change: Option<Vec<f64>>,
 }
 
 impl<const D: usize, const C: usize> Ramp<D, C> {
     /// The load changes, the fingers stay as commanded. Base in N and N m, direction in the same for each unit of the factor.
     #[must_use]
     pub fn load(base: Wrench<D, C>, direction: Wrench<D, C>) -> Self {
-        Self { base, direction, command_change: None }
+        Self { base, direction, command_change: None, joint_change: None }
     }
 
     /// The load stays, the finger commands change: one displacement a contact for each unit of the factor, each in its contact frame (m),
     /// the normal part positive into the object.
     #[must_use]
     pub fn commands(load: Wrench<D, C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { base: load, direction: Wrench::ZERO, command_change: Some(vectors(change)) }
+        Self::load(load, Wrench::ZERO).with_commands(change)
     }
 
     /// Finger commands change along with the load, as for [`Self::commands`].
@@ -40,6 +42,38 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
     pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.command_change = Some(vectors(change));
         self
+    }
+
+    /// Joint commands of a hand change along with the load: one displacement for each joint and then each tendon, for each unit of the factor, rad or m.
+    #[must_use]
+    pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
+        self.joint_change = Some(change.into_iter().collect());
+        self
+    }
+
+    /// This ramp gone so many times as fast; backwards for a negative factor.
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        let times = |change: &Vec<SVector<f64, C>>| change.iter().map(|a| a * factor).collect();
+        Self {
+            base: self.base,
+            direction: self.direction * factor,
+            command_change: self.command_change.as_ref().map(times),
+            joint_change: self
+                .joint_change
+                .as_ref()
+                .map(|change| change.iter().map(|a| a * factor).collect()),
+        }
+    }
+
+    /// What the drives of a grasp change by for each unit of the factor.
+    pub(crate) fn drive_changes(&self, grasp: &Grasp<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
+        if let Some(change) = &self.command_change {
+            grasp.check_commands(change, "command changes", Field::CommandChange)?;
+        }
+        if let Some(change) = &self.joint_change {
+            grasp.check_joint_commands(change, "changes of joint commands")?;
+        }
+        Ok(grasp.drive_changes(self.command_change.as_deref(), self.joint_change.as_deref()))
     }
 
     /// The load at a factor, `base + τ direction`.

@@ -267,7 +267,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let mut rates = Problem {
             laws,
             drives: self.change.clone(),
-            slips: vec![SVector::zeros(); self.grasp.len()],
+            slips: vec![SVector::zeros(); self.problem.len()],
             wrench: self.direction,
             ..self.problem.clone()
         };

@@ -19,7 +19,7 @@ use super::onset::OnsetEvent;
 use super::ramp::Ramp;
 use crate::contact::{Mode, Polygon, State, tangential};
 use crate::equilibrium::{Cone, Equilibrium};
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Grasp, HandPart, Twist, Wrench};
 use crate::object::{Load, Piece, Problem, least_combination};
 use crate::search::Settings;
 
@@ -46,7 +46,22 @@ pub enum Parameter {
         /// The axis of its frame: 0 normal, then the tangents.
         axis: usize,
     },
-    /// Component of the load: forces first (N), then moments about the origin (N m).
+    /// Command of a joint of the hand or, behind the joints, of a tendon, rad or m.
+    JointCommand {
+        /// The joint, from 0, finger by finger; tendons follow.
+        joint: usize,
+    },
+    /// Stiffness of the own spring of a joint or of a tendon, N m/rad or N/m.
+    JointStiffness {
+        /// The joint, from 0, finger by finger; tendons follow.
+        joint: usize,
+    },
+    /// Limit of a joint or of a tendon, N m or N.
+    JointLimit {
+        /// The joint, from 0, finger by finger; tendons follow.
+        joint: usize,
+    },
+    /// Component of the load: forces first (N), then moments about the origin (N m), then torques on joints.
     Load {
         /// The component, from 0.
         component: usize,
@@ -65,13 +80,14 @@ pub struct Derivative<const D: usize, const C: usize> {
 }
 
 /// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
-/// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i.
+/// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i. Of a
+/// [response to joint commands](Grasp::joint_response): joint by joint, then tendon by tendon (rad, m).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Response {
     /// dq/da, `d x (n c)`: twist about the origin, translation first; 1 and rad/m.
     pub twist: DMatrix<f64>,
-    /// dF/da, `(n c) x (n c)`, N/m: contact forces in the contact frames, rows in the order of the columns.
+    /// dF/da, `(n c)` rows, N/m: contact forces in the contact frames, contact by contact, axis by axis.
     pub forces: DMatrix<f64>,
 }
 
@@ -79,18 +95,34 @@ pub struct Response {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const D: usize, const C: usize> {
-    /// The leaving contact, from 0. Where several leave together the onset is the least of their factors: its one-sided derivative along
+    /// What leaves: a contact, or a drive of a hand. Where several leave together the onset is the least of their factors: its one-sided derivative along
     /// a change of the data is the least of theirs.
-    pub contact: usize,
+    pub leaving: Leaver,
     /// By every contact's coefficient of friction.
     pub friction: Vec<f64>,
     /// By every contact's series stiffness, axis by axis, m/N.
     pub stiffness: Vec<SVector<f64, C>>,
     /// By every contact's command in its contact frame, axis by axis, 1/m.
     pub command: Vec<SVector<f64, C>>,
+    /// By the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
+    pub joint_command: Vec<f64>,
+    /// By the stiffnesses of their own springs, rad/(N m) or m/N.
+    pub joint_stiffness: Vec<f64>,
+    /// By their limits, 1/(N m) or 1/N.
+    pub joint_limit: Vec<f64>,
     /// By the components of the base load, 1/N and 1/(N m); those by the load direction are the factor times these. Not a number
     /// where a component works on a motion that nothing resists: with such a load there is no equilibrium.
     pub base_load: SVector<f64, D>,
+}
+
+/// What leaves at an onset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Leaver {
+    /// A contact, from 0.
+    Contact(usize),
+    /// A drive of a hand.
+    Drive(HandPart),
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -115,7 +147,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     #[must_use]
     pub fn sensitivity(&self, equilibrium: &Equilibrium<D, C>, by: Parameter) -> Option<Derivative<D, C>> {
         let local = Local::new(self, equilibrium)?;
-        let (twist, forces) = local.derivative(by)?;
+        let (twist, mut forces) = local.derivative(by)?;
+        forces.truncate(self.len());
         Some(Derivative { twist: self.outside(&twist), forces })
     }
 
@@ -142,18 +175,55 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn response(&self, equilibrium: &Equilibrium<D, C>) -> Option<Response> {
+        let commands = (0..self.len() * C).map(|k| Parameter::Command { contact: k / C, axis: k % C });
+        self.response_to(equilibrium, commands)
+    }
+
+    /// How an equilibrium answers to the joint commands of its hand while every contact and every drive keeps its state: as [`Self::response`], with a column
+    /// for each joint and then each tendon.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Twist, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3).command(0.01)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let response = grasp.joint_response(outcome.equilibrium().expect("holds")).expect("regular");
+    /// // 1 mm to the right: the left jaw closes by as much as the right one opens.
+    /// let commands = response.smallest_command(&Twist::<5>::new([1e-3, 0.0], 0.0)).expect("can be reached");
+    /// assert!((commands[0] - 1e-3).abs() < 1e-15 && (commands[1] + 1e-3).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn joint_response(&self, equilibrium: &Equilibrium<D, C>) -> Option<Response> {
+        let commands = (0..self.joint_commands().len()).map(|joint| Parameter::JointCommand { joint });
+        self.response_to(equilibrium, commands)
+    }
+
+    fn response_to(
+        &self,
+        equilibrium: &Equilibrium<D, C>,
+        parameters: impl ExactSizeIterator<Item = Parameter>,
+    ) -> Option<Response> {
         let local = Local::new(self, equilibrium)?;
-        let size = self.len() * C;
-        let mut response = Response { twist: DMatrix::zeros(D, size), forces: DMatrix::zeros(size, size) };
-        for contact in 0..self.len() {
-            for axis in 0..C {
-                let column = contact * C + axis;
-                let (twist, forces) = local.derivative(Parameter::Command { contact, axis })?;
-                response.twist.column_mut(column).copy_from(self.outside(&twist).as_vector());
-                for (i, force) in forces.iter().enumerate() {
-                    for a in 0..C {
-                        response.forces[(i * C + a, column)] = force[a];
-                    }
+        let (object, columns) = (C * (C + 1) / 2, parameters.len());
+        let mut response = Response {
+            twist: DMatrix::zeros(object, columns),
+            forces: DMatrix::zeros(self.len() * C, columns),
+        };
+        for (column, parameter) in parameters.enumerate() {
+            let (twist, forces) = local.derivative(parameter)?;
+            let twist = self.outside(&twist);
+            for k in 0..object {
+                response.twist[(k, column)] = twist.as_vector()[k];
+            }
+            for (i, force) in forces.iter().take(self.len()).enumerate() {
+                for a in 0..C {
+                    response.forces[(i * C + a, column)] = force[a];
                 }
             }
         }
@@ -176,7 +246,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let onset = grasp.onset(&ramp)?;
     /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
     /// let gradient = &grasp.onset_gradients(&ramp, onset.event().expect("slides"))[0];
-    /// assert!((gradient.friction[gradient.contact] - 20.0).abs() < 1e-12);
+    /// assert!((gradient.friction[0] - 20.0).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
@@ -190,16 +260,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         if (0..self.len()).any(has_slipped) {
             return Vec::new();
         }
-        let change = ramp.command_change.clone().unwrap_or_else(|| vec![SVector::zeros(); self.len()]);
-        if change.len() != self.len() {
-            return Vec::new();
-        }
+        let Ok(change) = ramp.drive_changes(self) else { return Vec::new() };
         let Ok(rates) = local.piece.solve(self.sites(), &change, &self.inside_unchecked(&ramp.direction))
         else {
             return Vec::new();
         };
-        let one = |contact| self.onset_gradient(&local, event.cone, contact, &rates.forces[contact]);
-        event.leaving.iter().filter_map(|leaving| one(leaving.contact)).collect()
+        let one = |site: &usize| self.onset_gradient(&local, event.cone, *site, &rates.forces[*site]);
+        event.local.leaving.iter().filter_map(one).collect()
     }
 
     fn onset_gradient(
@@ -225,12 +292,25 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let own = matches!(parameter, Parameter::Friction { contact: i } if i == contact && h.is_some());
             Some(-(margin(&forces[contact]) + if own { force[0] } else { 0.0 }) / slope)
         };
-        let n = self.len();
+        let (n, actuators) = (self.len(), 0..self.joint_commands().len());
+        let leaving = match self.linkage() {
+            Some(linkage) if contact >= n => Leaver::Drive(linkage.part(contact - n)?),
+            _ => Leaver::Contact(contact),
+        };
         let mut gradient = OnsetGradient {
-            contact,
+            leaving,
             friction: Vec::with_capacity(n),
             stiffness: vec![SVector::zeros(); n],
             command: vec![SVector::zeros(); n],
+            joint_command: actuators
+                .clone()
+                .map(|joint| by(Parameter::JointCommand { joint }))
+                .collect::<Option<_>>()?,
+            joint_stiffness: actuators
+                .clone()
+                .map(|joint| by(Parameter::JointStiffness { joint }))
+                .collect::<Option<_>>()?,
+            joint_limit: actuators.map(|joint| by(Parameter::JointLimit { joint })).collect::<Option<_>>()?,
             base_load: SVector::zeros(),
         };
         for i in 0..n {
@@ -256,13 +336,19 @@ impl Response {
         &self,
         wanted: &Twist<D, C>,
     ) -> Option<DVector<f64>> {
-        if self.twist.nrows() != D {
+        let object = C * (C + 1) / 2;
+        if self.twist.nrows() != object {
             return None;
         }
-        let columns = self.twist.column_iter().map(|column| SVector::from_fn(|i, _| column[i])).collect();
-        let command = DVector::from_vec(least_combination(columns, wanted.as_vector()));
-        let missed = (&self.twist * &command - wanted.as_vector()).norm();
-        (missed <= 1e-9 * wanted.as_vector().norm()).then_some(command)
+        // What joints do meanwhile is not wanted.
+        let wanted = SVector::<f64, D>::from_fn(|k, _| if k < object { wanted.as_vector()[k] } else { 0.0 });
+        let all = |column: nalgebra::DVectorView<f64>| {
+            SVector::<f64, D>::from_fn(|k, _| if k < object { column[k] } else { 0.0 })
+        };
+        let columns = self.twist.column_iter().map(all).collect();
+        let command = DVector::from_vec(least_combination(columns, &wanted));
+        let missed = (&self.twist * &command - wanted.rows(0, object)).norm();
+        (missed <= 1e-9 * wanted.norm()).then_some(command)
     }
 }
 
@@ -288,7 +374,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), false, grasp.drives(), &nothing);
         let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
-        let forces = equilibrium.contacts.iter().map(|c| c.force).collect();
+        let forces = equilibrium.site_forces();
         Some(Self { grasp, problem, states, forces, piece })
     }
 
@@ -296,15 +382,37 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         let n = self.problem.len();
         let mut drives = vec![SVector::zeros(); n];
         let mut wrench = SVector::zeros();
-        let mut direct: Option<(usize, SVector<f64, C>)> = None;
+        let mut direct: Vec<(usize, SVector<f64, C>)> = Vec::new();
+        let (contacts, actuators) = (self.grasp.len(), self.grasp.joint_commands().len());
         match by {
-            Parameter::Friction { contact } if contact < n => {
-                direct = Some((contact, self.by_friction(contact)));
+            Parameter::Friction { contact } if contact < contacts => {
+                direct.push((contact, self.by_friction(contact)));
             }
-            Parameter::Stiffness { contact, axis } if contact < n && axis < C => {
-                direct = Some((contact, self.by_stiffness(contact, axis)));
+            Parameter::Stiffness { contact, axis } if contact < contacts && axis < C => {
+                direct.push((contact, self.by_stiffness(contact, axis)));
             }
-            Parameter::Command { contact, axis } if contact < n && axis < C => drives[contact][axis] = 1.0,
+            Parameter::Command { contact, axis } if contact < contacts && axis < C => {
+                drives[contact][axis] = 1.0;
+            }
+            Parameter::JointCommand { joint } if joint < actuators => {
+                let unit: Vec<f64> = (0..actuators).map(|k| f64::from(u8::from(k == joint))).collect();
+                drives = self.grasp.drive_changes(None, Some(&unit));
+            }
+            Parameter::JointStiffness { joint } if joint < actuators => {
+                for (site, drive) in self.grasp.drives_of(joint) {
+                    let state = &self.states[site];
+                    if !state.is_open() && !state.slides() {
+                        direct.push((site, drive.by_stiffness(&self.forces[site])));
+                    }
+                }
+            }
+            Parameter::JointLimit { joint } if joint < actuators => {
+                for (site, drive) in self.grasp.drives_of(joint) {
+                    let held;
+                    (drives[site], held) = drive.by_limit();
+                    wrench += held;
+                }
+            }
             Parameter::Load { component } if component < D => {
                 let mut unit = SVector::<f64, D>::zeros();
                 unit[component] = 1.0;
@@ -312,12 +420,12 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             }
             _ => return None,
         }
-        if let Some((contact, f)) = direct {
-            wrench += self.problem.sites[contact].map * f;
+        for (site, f) in &direct {
+            wrench += self.problem.sites[*site].map * f;
         }
         let mut solved = self.piece.solve(self.grasp.sites(), &drives, &wrench).ok()?;
-        if let Some((contact, f)) = direct {
-            solved.forces[contact] += f;
+        for (site, f) in direct {
+            solved.forces[site] += f;
         }
         Some((solved.twist, solved.forces))
     }

@@ -29,7 +29,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
     /// say. What slipped from rest to here becomes memory. Without a start there is nowhere to stand.
     pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Option<Found<D, C>>) -> Self {
-        let n = segment.grasp.len();
+        let n = segment.problem.len();
         let mut node = Self {
             states: vec![Mode::Open; n],
             directions: vec![None; n],
@@ -39,7 +39,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             at: PieceState { forces: vec![SVector::zeros(); n], twist: SVector::zeros() },
         };
         let Some(found) = found else { return node };
-        node.directions = directions(segment, &segment.problem, &found);
+        node.directions = directions(&segment.problem, &found);
         node.states = found.states;
         node.at = PieceState { forces: found.forces, twist: found.twist };
         if carries_nothing(segment, &node.at) {

@@ -234,12 +234,15 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
 
     /// The end of an arc; the motion is that along it.
     fn lost(&self, kind: LossKind, here: &Here<D, C>) -> PathEnd<D, C> {
+        let slides = |i: &usize| self.node.states[*i].slides();
+        let (contacts, drives) = self.grasp.sites_apart((0..self.node.states.len()).filter(slides).collect());
         PathEnd::Lost(Loss {
             leg: self.program.leg,
             fraction: self.factor,
             load: self.program.load_at(self.factor),
             kind,
-            contacts: (0..self.node.states.len()).filter(|&i| self.node.states[i].slides()).collect(),
+            contacts,
+            drives,
             motion: Some(self.grasp.outside(&here.twist_rate.normalize())),
         })
     }

@@ -6,7 +6,7 @@ use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::{Here, Segment, Standing};
 use crate::contact::{Stand, State, ZERO_SLACK};
-use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone};
+use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::object::Problem;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
@@ -97,7 +97,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
     ) -> Onset<D, C> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let next = match settled {
-            Settled::Found(found, _) => Some(segment.grasp.contact_states(rates, found)),
+            Settled::Found(found, _) => Some(site_states(rates, found)),
             _ => None,
         };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());

@@ -9,16 +9,25 @@
 
 use nalgebra::{SMatrix, SVector};
 
-/// d + 1 in space.
-const MOST: usize = 7;
 /// A pivot below this part of the largest entry counts as zero: less is rounding of the sums that T is made of.
 const SINGULAR: f64 = 0.0;
+
+/// One row of a bordered matrix.
+#[derive(Debug, Clone, Copy)]
+struct Row<const D: usize> {
+    body: [f64; D],
+    last: f64,
+}
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
 pub(crate) struct Bordered<const D: usize> {
-    lu: [[f64; MOST]; MOST],
-    order: [usize; MOST],
+    rows: [Row<D>; D],
+    /// The row below them.
+    border: Row<D>,
+    /// Where the rows come from, the border being D.
+    order: [usize; D],
+    order_of_border: usize,
 }
 
 impl<const D: usize> Bordered<D> {
@@ -29,50 +38,64 @@ impl<const D: usize> Bordered<D> {
         gradient: &SVector<f64, D>,
         corner: f64,
     ) -> Option<Self> {
-        let mut lu = [[0.0; MOST]; MOST];
-        let mut largest = corner.abs();
-        for i in 0..D {
-            for j in 0..D {
-                lu[i][j] = stiffness[(i, j)];
-                largest = largest.max(lu[i][j].abs());
-            }
-            lu[i][D] = cover[i];
-            lu[D][i] = gradient[i];
-            largest = largest.max(cover[i].abs()).max(gradient[i].abs());
+        let largest =
+            [stiffness.amax(), cover.amax(), gradient.amax()].into_iter().fold(corner.abs(), f64::max);
+        let row = |i: usize| Row { body: std::array::from_fn(|j| stiffness[(i, j)]), last: cover[i] };
+        let mut factor = Self {
+            rows: std::array::from_fn(row),
+            border: Row { body: std::array::from_fn(|j| gradient[j]), last: corner },
+            order: std::array::from_fn(|i| i),
+            order_of_border: D,
+        };
+        for k in 0..D {
+            factor.eliminate(k, SINGULAR * largest)?;
         }
-        lu[D][D] = corner;
-        let mut order = std::array::from_fn(|i| i);
-        for k in 0..=D {
-            let mut pivot = k;
-            for i in k + 1..=D {
-                if lu[i][k].abs() > lu[pivot][k].abs() {
-                    pivot = i;
-                }
+        let pivot = factor.border.last;
+        if is_zero(pivot, SINGULAR * largest) {
+            return None;
+        }
+        factor.border.last = 1.0 / pivot;
+        Some(factor)
+    }
+
+    /// Makes column k zero below its pivot, which is the largest entry there.
+    fn eliminate(&mut self, k: usize, zero: f64) -> Option<()> {
+        let Self { rows, border, order, order_of_border } = self;
+        let (mut pivot, mut most) = (k, rows[k].body[k].abs());
+        for i in k + 1..D {
+            if rows[i].body[k].abs() > most {
+                (pivot, most) = (i, rows[i].body[k].abs());
             }
-            // Also for a matrix with entries that are not finite.
-            if lu[pivot][k].abs().partial_cmp(&(SINGULAR * largest)) != Some(std::cmp::Ordering::Greater) {
-                return None;
-            }
-            lu.swap(k, pivot);
+        }
+        if border.body[k].abs() > most {
+            std::mem::swap(&mut rows[k], border);
+            std::mem::swap(&mut order[k], order_of_border);
+        } else {
+            rows.swap(k, pivot);
             order.swap(k, pivot);
-            let inverse = 1.0 / lu[k][k];
-            // Only needed to divide by.
-            lu[k][k] = inverse;
-            let row = lu[k];
-            for below in &mut lu[k + 1..=D] {
-                let factor = below[k] * inverse;
-                below[k] = factor;
-                for j in k + 1..=D {
-                    below[j] -= factor * row[j];
-                }
-            }
         }
-        Some(Self { lu, order })
+        if is_zero(rows[k].body[k], zero) {
+            return None;
+        }
+        let inverse = 1.0 / rows[k].body[k];
+        // Only needed to divide by.
+        rows[k].body[k] = inverse;
+        let row = rows[k];
+        for below in rows[k + 1..].iter_mut().chain(std::iter::once(border)) {
+            let factor = below.body[k] * inverse;
+            below.body[k] = factor;
+            for j in k + 1..D {
+                below.body[j] -= factor * row.body[j];
+            }
+            below.last -= factor * row.last;
+        }
+        Some(())
     }
 
     /// The least pivot over the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
-        let pivots = (0..=D).map(|k| 1.0 / self.lu[k][k].abs());
+        let inverses = (0..D).map(|k| self.rows[k].body[k]).chain(std::iter::once(self.border.last));
+        let pivots = inverses.map(|inverse| 1.0 / inverse.abs());
         let [least, largest] = [f64::min, f64::max].map(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
         least / largest
     }
@@ -86,32 +109,44 @@ impl<const D: usize> Bordered<D> {
         &self,
         sides: [(&SVector<f64, D>, f64); R],
     ) -> [(SVector<f64, D>, f64); R] {
-        let mut x = [[0.0; R]; MOST];
-        for i in 0..=D {
-            let from = self.order[i];
-            for (r, (balance, last)) in sides.iter().enumerate() {
-                x[i][r] = if from == D { *last } else { balance[from] };
-            }
-        }
-        for j in 0..=D {
+        let given = |from: usize| sides.map(|(balance, last)| if from == D { last } else { balance[from] });
+        let mut x: [[f64; R]; D] = std::array::from_fn(|i| given(self.order[i]));
+        let mut z = given(self.order_of_border);
+        for j in 0..D {
             let known = x[j];
-            for i in j + 1..=D {
+            for i in j + 1..D {
                 for r in 0..R {
-                    x[i][r] -= self.lu[i][j] * known[r];
+                    x[i][r] -= self.rows[i].body[j] * known[r];
                 }
             }
-        }
-        for j in (0..=D).rev() {
             for r in 0..R {
-                x[j][r] *= self.lu[j][j];
+                z[r] -= self.border.body[j] * known[r];
+            }
+        }
+        for r in 0..R {
+            z[r] *= self.border.last;
+        }
+        for i in 0..D {
+            for r in 0..R {
+                x[i][r] -= self.rows[i].last * z[r];
+            }
+        }
+        for j in (0..D).rev() {
+            for r in 0..R {
+                x[j][r] *= self.rows[j].body[j];
             }
             let known = x[j];
             for i in 0..j {
                 for r in 0..R {
-                    x[i][r] -= self.lu[i][j] * known[r];
+                    x[i][r] -= self.rows[i].body[j] * known[r];
                 }
             }
         }
-        std::array::from_fn(|r| (SVector::from_fn(|i, _| x[i][r]), x[D][r]))
+        std::array::from_fn(|r| (SVector::from_fn(|i, _| x[i][r]), z[r]))
     }
+}
+
+/// Whether a pivot is too small; so is one that is no number.
+fn is_zero(pivot: f64, zero: f64) -> bool {
+    pivot.abs().partial_cmp(&zero) != Some(std::cmp::Ordering::Greater)
 }

@@ -2,11 +2,34 @@
 
 use nalgebra::SVector;
 
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+
 /// A load in inside coordinates, and what rounding took from it when it was moved to the centroid.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load<const D: usize> {
     pub(crate) wrench: SVector<f64, D>,
     pub(crate) rest: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// A load of the caller's with what acts on joints whatever they do, in inside coordinates.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
+    pub(crate) fn load(&self, load: &Wrench<D, C>, what: &'static str) -> Result<Load<D>, Error> {
+        load.check(what)?;
+        Ok(self.load_unchecked(load))
+    }
+
+    /// [`Self::load`] of a wrench that was checked before.
+    pub(crate) fn load_unchecked(&self, load: &Wrench<D, C>) -> Load<D> {
+        let mut wrench = self.inside_unchecked(load);
+        if let Some(linkage) = self.linkage() {
+            wrench += linkage.held;
+        }
+        Load { wrench, rest: self.inside_rest(load) }
+    }
 }
 
 impl<const D: usize> From<&SVector<f64, D>> for Load<D> {

@@ -50,7 +50,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: &PolygonCone,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(cone);
-        let wrench = self.inside(load, "load")?;
+        let wrench = self.load(load, "load")?.wrench;
         Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }
@@ -90,7 +90,8 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
     /// The polygon that stands for the cone of a contact.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon<C> {
-        self.turned.get(contact).unwrap_or(&self.polygon)
+        let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
+        self.turned.get(contact).unwrap_or_else(|| own())
     }
 
     /// One contact with its law.

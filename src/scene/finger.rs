@@ -94,6 +94,8 @@ struct Written<const C: usize> {
     #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
     command_world: Option<SVector<f64, C>>,
     #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    pressed_with: Option<f64>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
     #[serde(default, skip_serializing_if = "is_unilateral")]
     hold: Hold,
@@ -159,6 +161,7 @@ impl<const C: usize> Serialize for Finger<C> {
             friction: said(contact.friction).then(|| Number::new(contact.friction)),
             command: command_along(Axes::Frame),
             command_world: command_along(Axes::World),
+            pressed_with: contact.press,
             clearance: said(contact.clearance).then_some(contact.clearance),
             hold: contact.hold,
             soft: self.soft.clone(),
@@ -189,6 +192,7 @@ impl<const C: usize> Finger<C> {
                 return Err("command and command_world: a contact has one of them".to_owned());
             }
         };
+        contact.press = written.pressed_with;
         contact.clearance = written.clearance.unwrap_or(0.0);
         contact.hold = written.hold;
         // Where it stands in the list is known to the list only.

@@ -200,7 +200,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         grasp: &Grasp<D, C>,
         load: &Wrench<D, C>,
     ) -> Result<Search<'_, D, C>, Error> {
-        let wrench = grasp.inside(load, "load")?;
+        let wrench = grasp.load(load, "load")?.wrench;
         self.path.pivots = 0;
         self.laws.clear();
         self.laws.extend(grasp.sites().iter().map(Site::whole_law));

@@ -79,25 +79,27 @@ impl Uncertainty {
 const LEAST_FACTOR: f64 = 1e-200;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the grasp may be: sample `number` of those with the seed, whatever else is sampled. See
+    /// What the grasp may be, joint springs of a hand included: sample `number` of those with the seed, whatever else is sampled. See
     /// [`Uncertainty`].
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
     /// range (1e50 at most).
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
-        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
+        let factors = |i: usize| {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
-            let [friction, stiffness, squeeze] =
-                [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                    .map(|sigma| (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip()));
+            [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
+                .map(|sigma| (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip()))
+        };
+        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
+            let [friction, stiffness, squeeze] = factors(i);
             let mut sampled: Contact<C> = contact.clone();
             sampled.friction *= friction;
             sampled.command[0] *= squeeze;
             sampled.stiffness = contact.stiffness.scaled(stiffness);
             sampled
         });
-        Self::new(contacts)
+        self.with_data(contacts.collect(), |drive| factors(self.len() + drive)[1])
     }
 
     /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,

@@ -42,7 +42,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         legs: &[Leg<D, C>],
         cone: PolygonCone,
     ) -> Result<PatchPath<'_, D, C>, Error> {
-        let wrench = self.inside(start, "start load")?;
+        self.refuse_hands("follow_patch")?;
+        let wrench = self.load(start, "start load")?.wrench;
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (polygon, settings) = (Arc::new(Polygon::new(&cone)), Settings::default().with_cone(cone));

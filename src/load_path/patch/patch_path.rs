@@ -117,7 +117,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         contacts.dedup();
         let (leg, fraction) = (self.program.leg, self.balance.tau);
         let load = self.program.load_at(fraction);
-        Loss { leg, fraction, load, kind: LossKind::Corner, contacts, motion }
+        Loss { leg, fraction, load, kind: LossKind::Corner, contacts, drives: Vec::new(), motion }
     }
 
     /// Where rounding keeps the path from being followed further.

@@ -1,0 +1,149 @@
+//! What the joints and tendons of a hand do in an equilibrium.
+
+use nalgebra::SVector;
+
+use crate::contact::State;
+use crate::grasp::{Drive, Grasp, Linkage, Named, Owner, Role};
+use crate::object::Problem;
+use crate::search::Found;
+
+/// One joint of an equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct JointAnswer {
+    /// Displacement φ from the posture in which the contacts were given, rad or m.
+    pub displacement: f64,
+    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and what is given – N m or N. It balances the contact forces,
+    /// `τ = Σ Jᵀ F - τ_ext`.
+    pub torque: f64,
+    /// What its own drive exerts, without what is given, N m or N; zero where it has none.
+    pub drive: f64,
+    /// What its own drive does.
+    pub state: DriveState,
+    /// What is left of its limit, the bound less |drive|, N m or N; infinite without a limit.
+    pub margin: f64,
+    /// How far its own drive has given way beyond its spring, `θ - φ - τ/k`, rad or m: zero while it holds, except for what a clutch has slipped before.
+    pub yielded: f64,
+}
+
+/// One tendon of an equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct TendonAnswer {
+    /// Its tension, N, that of its spring and what is given.
+    pub tension: f64,
+    /// What its drive does.
+    pub state: DriveState,
+    /// What is left of its limit, N; infinite without one.
+    pub margin: f64,
+    /// How far its drive has given way beyond its spring, `x - r·φ - T/k`, m.
+    pub yielded: f64,
+}
+
+/// What the drive of a joint or of a tendon does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum DriveState {
+    /// It holds like a spring.
+    Holds,
+    /// It has reached its limit and yields.
+    Yields,
+    /// A tendon without tension, which follows.
+    Slack,
+    /// There is no spring: a torque is given, or other joints' drives hold it.
+    Absent,
+}
+
+/// What one owner's drives amount to.
+struct Own {
+    carried: f64,
+    state: DriveState,
+    yielded: f64,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Joints and tendons of a solution of the local problem.
+    pub(super) fn hand_answers(
+        &self,
+        problem: &Problem<D, C>,
+        found: &Found<D, C>,
+    ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
+        let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
+        let own = |owner: Owner| self.own(linkage, problem, found, owner);
+        let mut exerted = linkage.held;
+        for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
+            exerted += site.map * force;
+        }
+        let object = C * (C + 1) / 2;
+        let joint = |j: usize| {
+            let length = linkage.lengths[object + j];
+            let Own { carried, state, yielded } = own(Owner::Joint(j));
+            let displacement = found.twist[object + j] / length;
+            let margin = margin(&linkage.joints[j], carried, state);
+            let torque = exerted[object + j] * length;
+            JointAnswer { displacement, torque, drive: carried, state, margin, yielded }
+        };
+        let tendon = |(number, named): (usize, &Named)| {
+            let Own { carried, state, yielded } = own(Owner::Tendon(number));
+            let margin = margin(named, carried, state);
+            TendonAnswer { tension: carried + named.held, state, margin, yielded }
+        };
+        let joints = (0..linkage.joints.len()).map(joint).collect();
+        (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
+    }
+
+    fn own(
+        &self,
+        linkage: &Linkage<D, C>,
+        problem: &Problem<D, C>,
+        found: &Found<D, C>,
+        owner: Owner,
+    ) -> Own {
+        let mut own = Own { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
+        for (k, drive) in linkage.drives.iter().enumerate().filter(|(_, drive)| drive.owner == owner) {
+            let i = self.len() + k;
+            let (state, force) = (&found.states[i], &found.forces[i]);
+            let stretch = problem.stretch(i, &found.twist);
+            own.carried = drive.carried(force).unwrap_or(own.carried);
+            let (does, along) = doing(drive, state, &stretch, force, &problem.slips[i]);
+            if does != DriveState::Holds || own.state == DriveState::Absent {
+                own.state = does;
+            }
+            own.yielded += drive.displacement(along);
+        }
+        own
+    }
+}
+
+/// What is left of the limit of a drive.
+fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
+    match named.limit {
+        None => f64::INFINITY,
+        Some(_) if state == DriveState::Yields => 0.0,
+        Some(limit) => limit.bound() - carried.abs(),
+    }
+}
+
+/// What a drive does, and how far it has given way, along its own axis.
+fn doing<const D: usize, const C: usize>(
+    drive: &Drive<D>,
+    state: &State<C>,
+    stretch: &SVector<f64, C>,
+    force: &SVector<f64, C>,
+    slipped: &SVector<f64, C>,
+) -> (DriveState, f64) {
+    let open = state.is_open();
+    match drive.role {
+        Role::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
+        Role::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
+        // The lower bound of a tendon is zero: where it ends the tendon is slack.
+        Role::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
+        Role::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
+        Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => (DriveState::Holds, 0.0),
+        Role::Slips if state.slides() => {
+            let elastic = drive.give(force[1]);
+            (DriveState::Yields, stretch[1] - elastic + slipped[1])
+        }
+        Role::Slips => (DriveState::Holds, slipped[1]),
+    }
+}

@@ -1,0 +1,144 @@
+//! A finger: joints in a row, and the contacts that they move.
+
+use nalgebra::DMatrix;
+
+use super::joint::Joint;
+use crate::grasp::contact::Contact;
+
+/// What moves a contact of a finger.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum MovedBy {
+    /// The first so many joints.
+    Link(usize),
+    /// This Jacobian, along the coordinate axes.
+    World(DMatrix<f64>),
+    /// This Jacobian, along the axes of the contact frame.
+    Frame(DMatrix<f64>),
+}
+
+/// A contact and what moves it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Carried<const C: usize> {
+    pub(super) contact: Contact<C>,
+    pub(super) by: MovedBy,
+}
+
+/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body; their own commands add to what
+/// the joints do.
+///
+/// ```
+/// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Wrench};
+/// use grasp_lcp::planar::Contact;
+///
+/// // Two jaws on prismatic joints of 1000 N/m, closed by 10 mm each; pads of 1e5 N/m, μ = 0.5.
+/// let jaw = |x: f64| {
+///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1000.0).command(0.01)])
+///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
+/// };
+/// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?; // three coordinates of the object, two joints
+/// let outcome = grasp.solve(&Wrench::ZERO)?;
+/// let squeezed = outcome.equilibrium().expect("holds");
+/// assert!((squeezed.joints[0].torque - 10.0 / 1.01).abs() < 1e-12); // the pads take a hundredth
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finger<const C: usize> {
+    pub(super) joints: Vec<Joint<C>>,
+    /// Stiffness besides the joints' own springs.
+    pub(super) coupling: Option<DMatrix<f64>>,
+    /// Compliance over the axes of all contacts, besides joints and pads.
+    pub(super) compliance: Option<DMatrix<f64>>,
+    pub(super) contacts: Vec<Carried<C>>,
+}
+
+impl<const C: usize> Finger<C> {
+    /// A finger with these joints, from the palm outwards.
+    pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
+        Self { joints: joints.into_iter().collect(), coupling: None, compliance: None, contacts: Vec::new() }
+    }
+
+    /// A finger whose tip is pressed on with this force along the normal, N, wherever it is: a normal force that is given instead of a
+    /// position. Along the tangents its pad holds as usual.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    /// // Pressed with 8 N against a jaw that stands still.
+    /// let grasp = Hand::new([Finger::pressing(8.0, pad(-1.0)), Finger::fixed(pad(1.0))]).grasp::<4>()?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13); // 2 · 0.5 · 8 N
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn pressing(force: f64, contact: Contact<C>) -> Self {
+        let along_the_normal = DMatrix::from_fn(C, 1, |a, _| if a == 0 { 1.0 } else { 0.0 });
+        let mut finger = Self::new([Joint::given().torque(force)]);
+        finger.contacts.push(Carried { contact, by: MovedBy::Frame(along_the_normal) });
+        finger
+    }
+
+    /// A finger without joints: its contact and its springs are all there is.
+    #[must_use]
+    pub fn fixed(contact: Contact<C>) -> Self {
+        Self::new([]).contact(contact)
+    }
+
+    /// Contacts that give way together by a compliance matrix, m/N, symmetric and positive definite: a finger, a hand or a structure that is known by what a load at
+    /// each contact moves. Rows and columns go contact by contact, axis by axis of the contact frames, the normal first. Springs that the contacts
+    /// have of their own come in series.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::DMatrix;
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// // A pinch by two fingers that each move along the tangent, too, when they are pressed: C = [[2, 1], [1, 2]] mm/N.
+    /// let finger = |x: f64| {
+    ///     let contact = Contact::new([x, 0.0], [-x, 0.0]).tangent([0.0, -1.0]).friction(0.4).command([0.02, 0.0]);
+    ///     Finger::compliant([contact], DMatrix::from_row_slice(2, 2, &[2e-3, 1e-3, 1e-3, 2e-3]))
+    /// };
+    /// let hand = Hand::new([finger(-1.0), finger(1.0)]);
+    /// let coordinates = hand.coordinates();
+    /// assert_eq!(coordinates, 7);
+    /// let grasp = hand.grasp::<7>()?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// // Nothing pulls along the tangents: 20 mm over 2 mm/N.
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    pub fn compliant(contacts: impl IntoIterator<Item = Contact<C>>, compliance: DMatrix<f64>) -> Self {
+        let finger = contacts.into_iter().fold(Self::new([]), Self::contact);
+        Self { compliance: Some(compliance), ..finger }
+    }
+
+    /// A stiffness matrix among the joints besides their own springs: gears and tendons that couple them, or all there is. Symmetric, positive
+    /// semidefinite, N m/rad; its torques are `K (θ - φ)`.
+    #[must_use]
+    pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
+        self.coupling = Some(stiffness);
+        self
+    }
+
+    /// A contact on the last link: all joints move it.
+    #[must_use]
+    pub fn contact(self, contact: Contact<C>) -> Self {
+        let all = self.joints.len();
+        self.contact_on(all, contact)
+    }
+
+    /// A contact on another link: the first `joints` of the joints move it; 0 is the palm.
+    #[must_use]
+    pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
+        self.contacts.push(Carried { contact, by: MovedBy::Link(joints) });
+        self
+    }
+
+    /// A contact whose motion with the joints is given, `C x joints`: the velocity of the contact point along the coordinate axes for one unit of each joint's.
+    #[must_use]
+    pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
+        self.contacts.push(Carried { contact, by: MovedBy::World(jacobian) });
+        self
+    }
+}

@@ -1,0 +1,71 @@
+//! A hand: fingers, and tendons over their joints.
+
+use super::finger::Finger;
+use super::tendon::Tendon;
+
+/// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
+///
+/// Contacts are numbered finger by finger, and so are joints; tendons come after all joints. A hand without joints is a list of contacts.
+///
+/// ```
+/// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon, Wrench};
+/// use grasp_lcp::planar::Contact;
+///
+/// // A gripper with a differential: one motor pulls 20 N on two jaws that slide freely.
+/// let jaw = |x: f64| {
+///     Finger::new([Joint::prismatic([-x, 0.0])])
+///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.5))
+/// };
+/// let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0));
+/// // The object may be anywhere between the jaws: nothing says where, and the forces are known all the same.
+/// let outcome = hand.grasp::<5>()?.solve(&Wrench::ZERO)?;
+/// let held = outcome.equilibrium().expect("holds");
+/// assert!((held.contacts[0].normal_force() - 10.0).abs() < 1e-13);
+/// assert_eq!(held.free_motions.len(), 1);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Hand<const C: usize> {
+    pub(super) fingers: Vec<Finger<C>>,
+    pub(super) tendons: Vec<Tendon>,
+}
+
+impl<const C: usize> Hand<C> {
+    /// A hand of these fingers.
+    pub fn new(fingers: impl IntoIterator<Item = Finger<C>>) -> Self {
+        Self { fingers: fingers.into_iter().collect(), tendons: Vec::new() }
+    }
+
+    /// One more finger.
+    #[must_use]
+    pub fn finger(mut self, finger: Finger<C>) -> Self {
+        self.fingers.push(finger);
+        self
+    }
+
+    /// A tendon over the joints of all fingers.
+    #[must_use]
+    pub fn tendon(mut self, tendon: Tendon) -> Self {
+        self.tendons.push(tendon);
+        self
+    }
+
+    /// Coordinates that a grasp by this hand needs: those of the object, one for each joint, one for each drive that saturates, and one for each axis of a contact
+    /// of a finger with a compliance matrix.
+    #[must_use]
+    pub fn coordinates(&self) -> usize {
+        let joints = self.fingers.iter().flat_map(|finger| &finger.joints);
+        let limits = joints.map(|joint| joint.limit).chain(self.tendons.iter().map(|tendon| tendon.limit));
+        let saturating =
+            limits.flatten().filter(|limit| matches!(limit, super::joint::Limit::Saturates(_))).count();
+        let compliant = self.fingers.iter().filter(|finger| finger.compliance.is_some());
+        let axes: usize = compliant.map(|finger| C * finger.contacts.len()).sum();
+        C * (C + 1) / 2 + self.joints() + saturating + axes
+    }
+
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.fingers.iter().map(|finger| finger.joints.len()).sum()
+    }
+}

@@ -1,0 +1,153 @@
+//! One joint of a finger.
+
+use nalgebra::SVector;
+
+/// How a joint moves what lies behind it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Motion<const C: usize> {
+    /// A turn about a point of the plane, or about a line of space.
+    Revolute { point: SVector<f64, C>, axis: SVector<f64, C> },
+    /// A slide along a direction.
+    Prismatic { direction: SVector<f64, C> },
+    /// Nothing but the Jacobians of the contacts says.
+    Given,
+}
+
+/// The most that the motor or the clutch of a joint carries, N m or N, and what happens there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Limit {
+    /// A clutch, or friction in a gear: beyond this torque it slips, and keeps what it has slipped when the torque falls again.
+    Slips(f64),
+    /// A controller, or a motor that stalls: its torque stays at this bound, and follows its spring back when the load falls again.
+    Saturates(f64),
+}
+
+impl Limit {
+    /// The bound, N m or N.
+    #[must_use]
+    pub fn bound(self) -> f64 {
+        let (Self::Slips(bound) | Self::Saturates(bound)) = self;
+        bound
+    }
+}
+
+/// A joint with its spring, its command and its limit. Built step by step; what is not said is zero or absent.
+///
+/// The torque of its drive is `k (θ - φ)`: k the stiffness (of structure and controller in series), θ the commanded and φ the actual
+/// displacement from the posture in which the contacts were given. A positive turn is one from x to y in the plane and follows the right-hand rule in
+/// space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
+///
+/// ```
+/// use grasp_lcp::planar::hand::Joint;
+///
+/// let knuckle = Joint::revolute([0.0, 0.1]).name("knuckle").stiffness(0.8).command(0.05).limit(grasp_lcp::Limit::Saturates(0.6));
+/// # let _ = knuckle;
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint<const C: usize> {
+    pub(super) name: Option<String>,
+    pub(super) motion: Motion<C>,
+    pub(super) stiffness: f64,
+    pub(super) command: f64,
+    pub(super) torque: f64,
+    pub(super) limit: Option<Limit>,
+}
+
+impl Joint<2> {
+    /// A joint that turns about a point of the plane, m.
+    pub fn revolute(point: impl Into<[f64; 2]>) -> Self {
+        Self::moving(Motion::Revolute { point: SVector::from(point.into()), axis: SVector::zeros() })
+    }
+}
+
+impl Joint<3> {
+    /// A joint that turns about the line through a point, m, along an axis of any length.
+    pub fn revolute(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>) -> Self {
+        let (point, axis) = (SVector::from(point.into()), SVector::from(axis.into()));
+        Self::moving(Motion::Revolute { point, axis })
+    }
+}
+
+impl<const C: usize> Joint<C> {
+    fn moving(motion: Motion<C>) -> Self {
+        Self { name: None, motion, stiffness: 0.0, command: 0.0, torque: 0.0, limit: None }
+    }
+
+    /// A joint that slides along a direction of any length; its displacement is in m along it.
+    pub fn prismatic(direction: impl Into<[f64; C]>) -> Self {
+        Self::moving(Motion::Prismatic { direction: SVector::from(direction.into()) })
+    }
+
+    /// A coordinate of any other kind: what it moves is said by [`Finger::contact_moved_by`](super::Finger::contact_moved_by) alone.
+    #[must_use]
+    pub fn given() -> Self {
+        Self::moving(Motion::Given)
+    }
+
+    /// A name for messages and tables.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Stiffness of the joint's own spring, N m/rad or N/m; none by default, where couplings, tendons or a torque hold the joint.
+    #[must_use]
+    pub fn stiffness(mut self, stiffness: f64) -> Self {
+        self.stiffness = stiffness;
+        self
+    }
+
+    /// Commanded displacement θ, rad or m.
+    #[must_use]
+    pub fn command(mut self, theta: f64) -> Self {
+        self.command = theta;
+        self
+    }
+
+    /// A torque (force of a prismatic joint) that acts on the joint whatever its position, N m or N, along φ: of a finger that is held by force, or the
+    /// weight of a link.
+    #[must_use]
+    pub fn torque(mut self, torque: f64) -> Self {
+        self.torque = torque;
+        self
+    }
+
+    /// A bound on the torque of the joint's own spring, either way.
+    #[must_use]
+    pub fn limit(mut self, limit: Limit) -> Self {
+        self.limit = Some(limit);
+        self
+    }
+}
+
+impl<const C: usize> Motion<C> {
+    /// Velocity of a point for one unit of the joint's: `axis × (point - centre)`, or the unit direction.
+    /// `None` where the axis has no direction.
+    pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+        match self {
+            Self::Given => Some(SVector::zeros()),
+            Self::Prismatic { direction } => unit(direction),
+            Self::Revolute { point, axis } => {
+                let arm = at - point;
+                let mut velocity = SVector::zeros();
+                if C == 2 {
+                    (velocity[0], velocity[1]) = (-arm[1], arm[0]);
+                } else {
+                    let axis = unit(axis)?;
+                    for a in 0..C {
+                        let (b, c) = ((a + 1) % C, (a + 2) % C);
+                        velocity[a] = axis[b] * arm[c] - axis[c] * arm[b];
+                    }
+                }
+                Some(velocity)
+            }
+        }
+    }
+}
+
+fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+    let norm = v.norm();
+    (norm > 0.0 && norm.is_finite()).then(|| v / norm)
+}

@@ -1,0 +1,93 @@
+//! What a grasp knows of the hand that holds it.
+
+use nalgebra::SVector;
+
+use super::drive::{Drive, Owner};
+use super::joint::Limit;
+
+/// The joints behind a grasp, in inside coordinates.
+#[derive(Debug, Clone)]
+pub(crate) struct Linkage<const D: usize, const C: usize> {
+    pub(crate) joints: Vec<Named>,
+    pub(crate) tendons: Vec<Named>,
+    /// Joint displacements become lengths by these factors, one a coordinate; those of the object are left alone.
+    pub(crate) lengths: SVector<f64, D>,
+    /// Motion of each contact along the coordinate axes, for one unit of each coordinate beside those of the object.
+    pub(crate) motions: Vec<Vec<(usize, SVector<f64, C>)>>,
+    /// One for each site beyond the contacts.
+    pub(crate) drives: Vec<Drive<D>>,
+    /// Torques and tensions that act whatever the joints do.
+    pub(crate) held: SVector<f64, D>,
+    /// Commands of joints, then of tendons.
+    pub(crate) commands: Vec<f64>,
+}
+
+/// A joint or a tendon as answers name it.
+#[derive(Debug, Clone)]
+pub(crate) struct Named {
+    pub(crate) name: Option<String>,
+    pub(crate) limit: Option<Limit>,
+    /// The torque or tension that acts whatever it does.
+    pub(crate) held: f64,
+}
+
+/// A part of a hand that can give way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum HandPart {
+    /// A joint, from 0, finger by finger.
+    Joint(usize),
+    /// A tendon, from 0.
+    Tendon(usize),
+}
+
+impl<const D: usize, const C: usize> Linkage<D, C> {
+    /// What commands stretch the sites of all drives by.
+    pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
+        self.drives.iter().map(move |drive| drive.stretch(commands))
+    }
+
+    /// What a change of commands stretches the sites of all drives by.
+    pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
+        self.drives.iter().map(move |drive| drive.change(commands))
+    }
+
+    /// With own springs of joints and then tendons so many times as stiff.
+    pub(crate) fn stiffened(&self, times: impl Fn(usize) -> f64) -> Self {
+        let mut linkage = self.clone();
+        let joints = self.joints.len();
+        for drive in &mut linkage.drives {
+            match drive.owner {
+                Owner::Joint(joint) => drive.stiffen(times(joint)),
+                Owner::Tendon(tendon) => drive.stiffen(times(joints + tendon)),
+                Owner::Nobody => {}
+            }
+        }
+        linkage
+    }
+
+    /// How a drive's owner reads in messages and pictures: its name, or what it is and its number.
+    pub(crate) fn label(&self, part: HandPart) -> String {
+        let (list, kind, number) = match part {
+            HandPart::Joint(joint) => (&self.joints, "joint", joint),
+            HandPart::Tendon(tendon) => (&self.tendons, "tendon", tendon),
+        };
+        list[number].name.clone().unwrap_or_else(|| format!("{kind} {number}"))
+    }
+
+    /// The drives of a joint or, behind the joints, of a tendon.
+    pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
+        let joints = self.joints.len();
+        let owner = if actuator < joints { Owner::Joint(actuator) } else { Owner::Tendon(actuator - joints) };
+        self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
+    }
+
+    /// Whose drive it is.
+    pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
+        match self.drives[drive].owner {
+            Owner::Joint(joint) => Some(HandPart::Joint(joint)),
+            Owner::Tendon(tendon) => Some(HandPart::Tendon(tendon)),
+            Owner::Nobody => None,
+        }
+    }
+}

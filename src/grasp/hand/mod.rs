@@ -1,0 +1,37 @@
+//! Fingers with joints: what couples contacts besides the object.
+//!
+//! A finger's joints move its contacts. Joint coordinates φ stand beside the twist of the object, and whatever gives them stiffness – springs,
+//! gears, tendons, motors – stands beside the contacts:
+//!
+//! ```text
+//! v_i = a_i - G_iᵀq + J_i φ,        Σ G_i F_i + W = 0
+//! τ = Σ_k r_k T_k(r_k·(θ - φ)) + τ_held,      τ = Σ J_iᵀF_i - τ_ext
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | φ, θ | displacement of the joints, and the commanded one | rad, m |
+//! | J_i | motion of contact i with the joints of its finger | m/rad, 1 |
+//! | r_k, T_k | a drive: arms over the joints, and the law of its spring | |
+//! | τ | what drives exert on a joint, positive along φ | N m, N |
+//! | τ_ext | load on the joints from outside, behind the wrench of a load | N m, N |
+//!
+//! The contact law is untouched: a drive is one more spring, of one axis, whose map has entries among the joints alone.
+
+mod assembly;
+mod compliant;
+mod drive;
+mod finger;
+mod hand_builder;
+mod joint;
+mod linkage;
+mod positive;
+mod tendon;
+
+pub(crate) use drive::{Drive, Owner, Role};
+pub use finger::Finger;
+pub use hand_builder::Hand;
+pub use joint::{Joint, Limit};
+pub use linkage::HandPart;
+pub(crate) use linkage::{Linkage, Named};
+pub use tendon::Tendon;

@@ -1,0 +1,129 @@
+//! Symmetric positive semidefinite matrices as sums of squares.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Entries across the diagonal may differ by this part of the root of their diagonal ones: such a matrix was meant to be symmetric.
+const SYMMETRIC: f64 = 1e-9;
+/// What is left of a diagonal entry after elimination counts as zero below this part of the entry: rounding of n steps leaves some 1e-15.
+const ELIMINATED: f64 = 1e-13;
+/// A diagonal entry that elimination has driven this far below zero, over the entry, is not the rounding of zero.
+const NEGATIVE: f64 = 1e-10;
+
+/// Why a matrix is not symmetric positive semidefinite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Fault {
+    /// It has another shape.
+    Shape { rows: usize, columns: usize, size: usize },
+    /// An entry that is not finite, or too large.
+    Entry(f64),
+    /// The largest difference across the diagonal.
+    Asymmetry(f64),
+    /// The least eigenvalue, which is negative.
+    Eigenvalue(f64),
+}
+
+/// Columns l with `M = Σ l lᵀ`, as many as M has rank: Cholesky's factor with diagonal pivoting, whose pivots are chosen by what is left over what was there. Entries
+/// of very different size keep their relative accuracy.
+pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Fault> {
+    checked(matrix, size)?;
+    let whole = matrix.diagonal();
+    let mut rest = (matrix + matrix.transpose()) * 0.5;
+    let mut columns = Vec::new();
+    let mut left: Vec<usize> = (0..size).filter(|&j| whole[j] > 0.0).collect();
+    if (0..size).any(|j| whole[j] < 0.0 || (whole[j] == 0.0 && matrix.column(j).amax() > 0.0)) {
+        return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+    }
+    while !left.is_empty() {
+        let share = |j: usize| rest[(j, j)] / whole[j];
+        let (place, pivot) = left
+            .iter()
+            .enumerate()
+            .map(|(place, &j)| (place, j))
+            .max_by(|a, b| share(a.1).total_cmp(&share(b.1)))
+            .unwrap_or((0, left[0]));
+        if left.iter().any(|&j| share(j) < -NEGATIVE) {
+            return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+        }
+        if share(pivot) <= ELIMINATED {
+            break;
+        }
+        left.swap_remove(place);
+        let root = rest[(pivot, pivot)].sqrt();
+        let mut column = DVector::zeros(size);
+        column[pivot] = root;
+        for &j in &left {
+            column[j] = rest[(j, pivot)] / root;
+        }
+        for &i in &left {
+            for &j in &left {
+                rest[(i, j)] -= column[i] * column[j];
+            }
+        }
+        columns.push(column);
+    }
+    // What is left has no diagonal, so nothing beside it may be left either.
+    let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
+    if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE)) {
+        return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+    }
+    Ok(columns)
+}
+
+/// Refuses what is no symmetric matrix of numbers.
+pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), Fault> {
+    if matrix.shape() != (size, size) {
+        return Err(Fault::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
+    }
+    if let Some(&entry) = matrix.iter().find(|x| !crate::error::is_moderate(**x)) {
+        return Err(Fault::Entry(entry));
+    }
+    let mut worst = 0.0_f64;
+    for i in 0..size {
+        for j in 0..i {
+            let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
+            let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
+            if difference > SYMMETRIC * size {
+                worst = worst.max(difference);
+            }
+        }
+    }
+    if worst > 0.0 { Err(Fault::Asymmetry(worst)) } else { Ok(()) }
+}
+
+/// The least eigenvalue of a symmetric matrix.
+pub(super) fn least_eigenvalue(matrix: &DMatrix<f64>) -> f64 {
+    let symmetric = (matrix + matrix.transpose()) * 0.5;
+    symmetric.symmetric_eigenvalues().min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_squares_add_up() {
+        // Three directions of very different size in five dimensions.
+        let columns: Vec<DVector<f64>> = [1e6, 1.0, 1e-5]
+            .iter()
+            .enumerate()
+            .map(|(k, size)| DVector::from_fn(5, |i, _| size * (1.0 + (i * (k + 2)) as f64).sin()))
+            .collect();
+        let matrix = columns.iter().fold(DMatrix::zeros(5, 5), |sum, l| sum + l * l.transpose());
+        let found = squares(&matrix, 5).unwrap();
+        let back = found.iter().fold(DMatrix::zeros(5, 5), |sum: DMatrix<f64>, l| sum + l * l.transpose());
+        assert!((back - &matrix).amax() < 1e-15 * matrix.amax());
+        assert!(found.len() <= 5);
+    }
+
+    #[test]
+    fn what_is_indefinite_is_told_by_its_eigenvalue() {
+        let saddle = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]);
+        let Err(Fault::Eigenvalue(value)) = squares(&saddle, 2) else { panic!() };
+        assert!((value + 1.0).abs() < 1e-14);
+        let zero_diagonal = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
+        assert!(matches!(squares(&zero_diagonal, 2), Err(Fault::Eigenvalue(_))));
+        assert!(matches!(squares(&zero_diagonal, 3), Err(Fault::Shape { .. })));
+        let skew = DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.0, 1.0]);
+        assert_eq!(squares(&skew, 2), Err(Fault::Asymmetry(0.5)));
+    }
+}

@@ -1,0 +1,65 @@
+//! Hands: what joints change, how to say them, and what theory promises.
+//!
+//! A finger with joint displacements φ, Jacobian `J` of its contact (m/rad) and joint stiffness `K_θ` (N m/rad: gears, tendons, the position
+//! controller's gain) gives way at the contact by its **compliance** `C = J K_θ⁻¹ Jᵀ` (m/N). Its off-diagonal part c_nt couples what springs along the axes of
+//! the contact keep apart: pushing a tilted finger also shifts its tip sideways, so a load along the object squeezes one side harder and lets the other go.
+//! That decides when a contact slides.
+//!
+//! ```
+//! use grasp_lcp::planar::Contact;
+//! use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Wrench};
+//!
+//! // Two fingers of three joints (0.8, 0.8 and 0.5 N m/rad) squeeze an object with 4.5 N each; μ = 0.4.
+//! let finger = |x: f64| {
+//!     let joints = [([1.5 * x, -1.0], 0.8), ([2.0 * x, 0.75], 0.8), ([x, 1.5], 0.5)];
+//!     let pad = Contact::new([0.25 * x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.4).pressed_with(4.5);
+//!     Finger::new(joints.map(|(point, stiffness)| Joint::revolute(point).stiffness(stiffness))).contact(pad)
+//! };
+//! let grasp: Grasp<9> = Hand::new([finger(-1.0), finger(1.0)]).grasp()?; // 3 coordinates of the object, 6 joints
+//! let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side])).map(|onset| onset.factor());
+//! let (down, up) = (onset(-1.0)?.expect("rolls"), onset(1.0)?.expect("rolls"));
+//! // Springs along the axes of the contacts would say 2 μ N = 3.6 N both ways.
+//! assert!((down - 3.146).abs() < 1e-3 && (up - 4.207).abs() < 1e-3);
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+//!
+//! # How to say it
+//!
+//! | what the hand has | how it is said |
+//! |---|---|
+//! | joints that turn or slide | [`Joint::revolute`](crate::grasp::Joint), [`Joint::prismatic`](crate::grasp::Joint::prismatic) from the palm outwards, contacts on [links](crate::grasp::Finger::contact_on) |
+//! | a Jacobian from elsewhere | [`Joint::given`](crate::grasp::Joint::given) and [`Finger::contact_moved_by`](crate::grasp::Finger::contact_moved_by) |
+//! | gears that couple joints | [`Finger::coupled`](crate::grasp::Finger::coupled), any symmetric positive semidefinite matrix |
+//! | a tendon, a whiffletree, a differential | [`Tendon`](crate::grasp::Tendon) over joints of any fingers, with a spring or with a given tension |
+//! | two jaws on one actuator | one joint without a spring for each jaw and a tendon over both; or one joint that moves both contacts |
+//! | a motor that stalls | [`Limit::Saturates`](crate::Limit::Saturates): the torque stays at its bound and follows its spring back |
+//! | a clutch, friction in a gear | [`Limit::Slips`](crate::Limit::Slips): what has slipped stays slipped |
+//! | a finger held by force | [`Finger::pressing`](crate::grasp::Finger::pressing), [`Joint::torque`](crate::grasp::Joint::torque) |
+//! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
+//! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
+//!
+//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::grasp::Grasp) of D coordinates, the object's and [the hand's](crate::grasp::Hand::coordinates).
+//! All questions are asked of it as of any other grasp. Loads are [`Wrench`](crate::grasp::Wrench)es of D components; those behind the object's are
+//! [torques on joints](crate::grasp::Wrench::on_joints), zero unless said. Answers tell
+//! [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts, events and onsets their
+//! [drives](crate::load_path::Event::drives).
+//!
+//! # What theory promises, and what not
+//!
+//! With C the compliance of all contacts together, pads included (symmetric, positive definite):
+//!
+//! * **While everything sticks the forces are unique**: they minimise `½ FᵀC F - aᵀF` under balance, a strictly convex program (the paper's, its section 4, with
+//!   joints).
+//! * **One contact on a body that stands still** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring, *Examples of
+//!   non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
+//! * **On a body that is free to move that is not enough**: two fingers that each meet it can still have several equilibria together.
+//! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`, so what Lemke's method is guaranteed without joints it
+//!   is with them: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
+//! * **A symmetric pinch** with N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`; from μ |c_nt| >= c_nn on the side that tightens itself never slides.
+//! * **Loads that are held need not include zero**: a squeeze alone can slide, and a weight can stop it.
+//!
+//! # What is left out
+//!
+//! Displacements are small: J is that of the posture in which contacts were given. Under load joint stiffness gets a geometric part, `∂Jᵀ/∂φ F`, which matters where
+//! torque times angle comes near the elastic energy; give it with [`Finger::coupled`](crate::grasp::Finger::coupled) if you know it and the sum is positive semidefinite.
+//! [Screening](crate::screening) and [`Grasp::follow_patch`](crate::grasp::Grasp::follow_patch) know no joints.

@@ -1,0 +1,295 @@
+//! Hands whose answers are known in closed form.
+
+use grasp_lcp::Limit;
+use grasp_lcp::nalgebra::DMatrix;
+use grasp_lcp::planar::Contact;
+use grasp_lcp::planar::hand::{
+    DriveChange, DriveState, Finger, Grasp, Hand, HandPart, Joint, Leg, Ramp, Tendon, Wrench,
+};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+/// A pinch by two fingers that each give way by one compliance matrix, C = [[c_nn, ±c_nt], [±c_nt, c_tt]], mirrored left and right.
+fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp<7>, grasp_lcp::Error> {
+    // Tangents: t = (n_y, -n_x) is down on the left and up on the right; both are told to point down here.
+    let finger = |x: f64| {
+        let contact = Contact::new([x, 0.0], [-x, 0.0])
+            .tangent([0.0, -1.0])
+            .friction(mu)
+            .command([c_nn * force, c_nt * force]);
+        Finger::compliant([contact], DMatrix::from_row_slice(2, 2, &[c_nn, c_nt, c_nt, c_tt]))
+    };
+    Hand::new([finger(-1.0), finger(1.0)]).grasp()
+}
+
+/// With F the load on both sides, each tangential force is W/2 and the normal one N ± (c_nt/c_nn) W/2, since the normal displacement of a mirror grasp stays: onset at
+/// W = 2 μ N / (1 ∓ μ c_nt/c_nn).
+#[test]
+fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
+    for (c_nn, c_nt, c_tt) in [(2e-3, 1e-3, 2e-3), (1e-3, -4e-4, 5e-3), (3e-6, 1e-6, 1.0)] {
+        let (mu, force) = (0.4, 12.0);
+        let grasp = pinch(c_nn, c_nt, c_tt, mu, force)?;
+        for side in [-1.0, 1.0] {
+            let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]))?;
+            // A load upwards is carried by friction downwards, along t: F_t = +W/2, which pulls the finger back by c_nt F_t.
+            let expected = 2.0 * mu * force / (1.0 + side * mu * c_nt / c_nn);
+            let factor = onset.factor().ok_or("slides")?;
+            assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
+        }
+    }
+    Ok(())
+}
+
+/// A side that tightens itself never slides from μ |c_nt| >= c_nn on.
+#[test]
+fn a_side_that_tightens_itself_never_slides() -> Tested {
+    let grasp = pinch(1e-3, 0.8e-3, 1e-3, 1.25 + 1e-9, 10.0)?;
+    let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]));
+    assert_eq!(onset(-1.0)?.factor(), Some(f64::INFINITY));
+    assert!((onset(1.0)?.factor().ok_or("slides")? - 25.0 / 2.0).abs() < 1e-7);
+    Ok(())
+}
+
+/// Three-joint fingers squeeze with 4.5 N at μ = 0.4: springs along the contact's axes would say 2 μ N = 3.6 N both ways.
+#[test]
+fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
+    let mu = 0.4;
+    let finger = |x: f64| {
+        let joints = [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].map(|[px, py]| [x * px, py]);
+        let stiffness = [0.8, 0.8, 0.5];
+        let joints = joints.iter().zip(stiffness).map(|(p, k)| Joint::revolute(*p).stiffness(k));
+        let pad = Contact::new([x * 0.25, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(mu);
+        Finger::new(joints).contact(pad)
+    };
+    // C = Σ J J^T / k with the arms from joint to contact, normal towards the middle, tangent down.
+    let (mut c_nn, mut c_nt) = (1e-9, 0.0);
+    for ([px, py], k) in [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].into_iter().zip([0.8, 0.8, 0.5]) {
+        let (arm_x, arm_y): (f64, f64) = (0.25 - px, -py);
+        let (n, t) = (arm_y, -arm_x); // motion of the right contact (-arm_y, arm_x) along (-1, 0) and (0, -1)
+        c_nn += n * n / k;
+        c_nt += n * t / k;
+    }
+    let grasp: Grasp<9> = Hand::new([finger(-1.0), finger(1.0)]).grasp()?;
+    // A squeeze of 4.5 N: torques J^T F over stiffness, pushed on by the pads.
+    let mut commands = Vec::new();
+    for x in [-1.0, 1.0] {
+        for ([px, py], k) in [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].into_iter().zip([0.8, 0.8, 0.5]) {
+            let motion = [py, x * (0.25 - px)]; // -(arm)_y, arm_x
+            let force = [-x * 4.5, 0.0];
+            commands.push((motion[0] * force[0] + motion[1] * force[1]) / k);
+        }
+    }
+    let grasp = grasp.with_joint_commands(&commands)?;
+    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let squeezed = outcome.equilibrium().ok_or("holds")?;
+    let force = squeezed.contacts[0].normal_force();
+    assert!((force - 4.5).abs() < 1e-7);
+    assert!(squeezed.contacts[0].friction_force() < 1e-7);
+    for side in [-1.0, 1.0] {
+        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]))?;
+        let expected = 2.0 * mu * force / (1.0 + side * mu * c_nt / c_nn);
+        let factor = onset.factor().ok_or("slides")?;
+        assert!((factor / expected - 1.0).abs() < 1e-8, "{factor} {expected}");
+    }
+    Ok(())
+}
+
+fn pad(x: f64, y: f64) -> Contact {
+    Contact::new([x, y], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5)
+}
+
+/// A motor that stalls squeezes with its limit, however far it is told to go; what it lacks is told.
+#[test]
+fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
+    for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
+        let jaw = Joint::prismatic([1.0, 0.0]).stiffness(1e3).command(0.02).limit(limit);
+        let hand = Hand::new([Finger::new([jaw]).contact(pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]);
+        let grasp: Grasp<5> = hand.grasp()?;
+        let outcome = grasp.solve(&Wrench::ZERO)?;
+        let held = outcome.equilibrium().ok_or("holds")?;
+        assert!((held.contacts[1].normal_force() - 6.0).abs() < 1e-12);
+        let joint = held.joints[0];
+        assert_eq!(joint.state, DriveState::Yields);
+        assert!((joint.torque - 6.0).abs() < 1e-12 && (joint.drive - 6.0).abs() < 1e-12);
+        assert!((joint.displacement - 2.0 * 6.0 / 1e4).abs() < 1e-15); // two pads of 1e4 N/m
+        assert!((joint.yielded - (0.02 - joint.displacement - 6.0 / 1e3)).abs() < 1e-15);
+        // The other way it holds: 5 mm need less than 6 N.
+        let outcome = grasp.with_joint_commands(&[0.005])?.solve(&Wrench::ZERO)?;
+        let joint = outcome.equilibrium().ok_or("holds")?.joints[0];
+        assert_eq!((joint.state, joint.yielded), (DriveState::Holds, 0.0));
+        assert!((joint.torque - 0.005 / (1e-3 + 2e-4)).abs() < 1e-12);
+    }
+    Ok(())
+}
+
+/// The joint's limit is the first event of a closing squeeze, at its exact command, and an opening one finds the two laws apart: what saturates comes
+/// back along its spring, what slips has kept what it slipped.
+#[test]
+fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
+    for (limit, remembers) in [(Limit::Saturates(6.0), false), (Limit::Slips(6.0), true)] {
+        let jaw = Joint::prismatic([1.0, 0.0]).stiffness(1e3).limit(limit);
+        let hand = Hand::new([Finger::new([jaw]).contact(pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]);
+        let grasp: Grasp<5> = hand.grasp()?;
+        let compliance = 1e-3 + 2e-4;
+        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::joints_to([0.012]), Leg::joints_to([-0.002])])?;
+        let events = path.run();
+        let yields = events
+            .iter()
+            .find(|e| e.drives.contains(&(HandPart::Joint(0), DriveChange::Yields)))
+            .ok_or("yields")?;
+        assert_eq!(yields.leg, 0);
+        assert!((yields.fraction * 0.012 - 6.0 * compliance).abs() < 1e-15, "{limit:?} {}", yields.fraction);
+        let holds = events
+            .iter()
+            .find(|e| e.drives.contains(&(HandPart::Joint(0), DriveChange::Holds)))
+            .ok_or("holds")?;
+        // Told to go back the clutch sticks at once; the motor has to come back to where it stalled.
+        let back = 0.012 - holds.fraction * 0.014;
+        assert_eq!(holds.leg, 1);
+        assert!((back - if remembers { 0.012 } else { 6.0 * compliance }).abs() < 1e-14, "{limit:?} {back}");
+        let opens = events
+            .iter()
+            .filter(|e| !e.changes.is_empty())
+            .map(|e| (e.leg, 0.012 - e.fraction * 0.014))
+            .next_back();
+        let (leg, at) = opens.ok_or("opens")?;
+        // All force is gone when the spring has given back 6 N.
+        let open = if remembers { 0.012 - 6.0 * compliance } else { 0.0 };
+        assert!(leg == 1 && (at - open).abs() < 1e-14, "{limit:?} {at} {open}");
+    }
+    Ok(())
+}
+
+/// A joint that yields lets the object go at the load that its limit carries: an exact onset, and a limit load.
+#[test]
+fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
+    for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
+        let jaw = |x: f64| {
+            Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3).command(0.004).limit(limit)])
+                .contact(pad(x, 0.0))
+        };
+        let hand = Hand::new([jaw(-1.0), jaw(1.0)]);
+        let grasp: Grasp<7> = hand.grasp()?;
+        // 4 mm against 1.1 mm/N a side: F = 4 / 1.1 N. Pulled by W to the right the right jaw carries F + W/2.
+        let force = 0.004 / (1e-3 + 1e-4);
+        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([1.0, 0.0]))?;
+        let event = onset.event().ok_or("yields")?;
+        assert!((event.factor - 2.0 * (6.0 - force)).abs() < 1e-12, "{}", event.factor);
+        assert_eq!(event.drives, [(HandPart::Joint(1), DriveChange::Yields)]);
+        assert!(event.leaving.is_empty());
+        // From there on the left jaw follows alone, until it lets go: the limit is that of the right jaw, 6 N.
+        let reserve = grasp.reserve(&Ramp::load(Wrench::ZERO, Wrench::force([1.0, 0.0])), 50.0)?;
+        assert!((reserve.limit.ok_or("has a limit")? - 6.0).abs() < 1e-12, "{reserve:?}");
+        let outcome = grasp.solve(&Wrench::force([6.1, 0.0]))?;
+        assert!(outcome.equilibrium().is_none(), "{outcome:?}");
+    }
+    Ok(())
+}
+
+/// A whiffletree: one actuator over two jaws of one side, which share its force whatever the shape of the object.
+#[test]
+fn a_whiffletree_shares_its_force() -> Tested {
+    let jaw =
+        |y: f64, gap: f64| Finger::new([Joint::prismatic([1.0, 0.0])]).contact(pad(-1.0, y).clearance(gap));
+    let fixed = |y: f64| Finger::fixed(pad(1.0, y));
+    // The upper jaw has 3 mm farther to go.
+    let hand = Hand::new([jaw(0.5, 0.003), jaw(-0.5, 0.0), fixed(0.5), fixed(-0.5)]);
+    let grasp: Grasp<5> = hand.tendon(Tendon::new([0.5, 0.5]).stiffness(2e3).pull(0.01)).grasp()?;
+    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let held = outcome.equilibrium().ok_or("holds")?;
+    // x - (φ₁ + φ₂)/2 = T/k, φ = clearance + 2 F/k_pad, F = T/2.
+    let tension = (0.01 - 0.0015) / (1.0 / 2e3 + 0.5 * 2.0 / 1e4);
+    assert!((held.tendons[0].tension - tension).abs() < 1e-11);
+    for (contact, joint) in held.contacts.iter().zip(&held.joints) {
+        assert!((contact.normal_force() - tension / 2.0).abs() < 1e-11);
+        assert!((joint.torque - tension / 2.0).abs() < 1e-11);
+    }
+    assert!((held.joints[0].displacement - held.joints[1].displacement - 0.003).abs() < 1e-15);
+    Ok(())
+}
+
+/// A gripper with a differential holds between its jaws and not along them: sideways there is nothing that resists.
+#[test]
+fn a_differential_gripper_resists_across_and_not_along_its_jaws() -> Tested {
+    let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0])]).contact(pad(x, 0.0));
+    let grasp: Grasp<5> =
+        Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0)).grasp()?;
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    assert!((onset.factor().ok_or("slides")? - 10.0).abs() < 1e-12);
+    let outcome = grasp.solve(&Wrench::force([0.1, 0.0]))?;
+    let grasp_lcp::planar::Outcome::NoEquilibrium(none) = &outcome else { panic!("{outcome:?}") };
+    let grasp_lcp::planar::Proof::FreeMotion { motion, work } = none.proof else { panic!("{none:?}") };
+    assert!(work > 0.0 && motion.translation()[0] > 0.0);
+    // The jaws go along with it.
+    let joints = motion.joints();
+    assert!(
+        (joints[0] - motion.translation()[0]).abs() < 1e-12
+            && (joints[1] + motion.translation()[0]).abs() < 1e-12
+    );
+    Ok(())
+}
+
+/// A plate with two pads on one spring: the pads share a moment, the spring only feels the sum.
+#[test]
+fn a_plate_jaw_on_one_spring() -> Tested {
+    let plate = Finger::new([Joint::prismatic([1.0, 0.0]).stiffness(1e3).command(0.012)])
+        .contact(pad(-1.0, 0.5))
+        .contact(pad(-1.0, -0.5));
+    let grasp: Grasp<4> =
+        Hand::new([plate, Finger::fixed(pad(1.0, 0.5)), Finger::fixed(pad(1.0, -0.5))]).grasp()?;
+    let outcome = grasp.solve(&Wrench::new([0.0, 0.0], 1.0))?;
+    let held = outcome.equilibrium().ok_or("holds")?;
+    // The spring of 1e3 is in series with two pads on two pads of 1e4 each.
+    let total = 0.012 / (1.0 / 1e3 + 1.0 / 2e4 + 1.0 / 2e4);
+    assert!((held.joints[0].torque - total).abs() < 1e-11);
+    assert!((held.contacts[0].normal_force() + held.contacts[1].normal_force() - total).abs() < 1e-11);
+    // A turn θ stretches normal springs by θ/2 on all four pads and tangential ones by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
+    let turn = 1.0 / (1e4 + 3.2e4);
+    assert!((held.twist.rotation() - turn).abs() < 1e-16);
+    let difference = held.contacts[1].normal_force() - held.contacts[0].normal_force();
+    assert!((difference.abs() - 1e4 * turn).abs() < 1e-11, "{difference}");
+    Ok(())
+}
+
+/// One tendon through both fingers pulls with one tension on unequal arms, and slackens when it is let out.
+#[test]
+fn a_tendon_over_two_fingers() -> Tested {
+    // Each finger turns about a pivot 1 m below its contact: a turn presses the contact inwards by the arm.
+    let finger = |x: f64, arm: f64| {
+        let knuckle = Joint::revolute([x, -arm]).torque(-x.signum() * 0.0);
+        Finger::new([knuckle])
+            .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.6))
+    };
+    // Motion of the contact for a unit turn: (-arm, 0): inwards on the right, so on the left the arm of the tendon is negative.
+    let hand = Hand::new([finger(-1.0, 1.0), finger(1.0, 1.0)])
+        .tendon(Tendon::new([-0.02, 0.02]).stiffness(5e4).pull(0.002));
+    let grasp: Grasp<5> = hand.grasp()?;
+    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let held = outcome.equilibrium().ok_or("holds")?;
+    // T r = F · 1 m on both; x = T/k + r (φ₁ + φ₂), and the sum of turns is the give of two pads: 2 F / 1e4.
+    let tension = 0.002 / (1.0 / 5e4 + 0.02 * 0.02 * 2.0 / 1e4);
+    assert!((held.tendons[0].tension / tension - 1.0).abs() < 1e-12);
+    assert!((held.contacts[0].normal_force() / (0.02 * tension) - 1.0).abs() < 1e-12);
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::joints_by([0.0, 0.0, -0.004])])?;
+    let slackens =
+        path.run().into_iter().find(|e| e.drives.contains(&(HandPart::Tendon(0), DriveChange::Slackens)));
+    assert!((slackens.ok_or("slackens")?.fraction - 0.5).abs() < 1e-12);
+    Ok(())
+}
+
+/// A finger that is pressed on by a force carries that force whatever the load along it does, and the whole load comes to the other side.
+#[test]
+fn a_force_that_is_held_stays() -> Tested {
+    let grasp: Grasp<4> =
+        Hand::new([Finger::pressing(8.0, pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]).grasp()?;
+    for load in [0.0, 3.0, -3.0] {
+        let outcome = grasp.solve(&Wrench::force([load, 0.0]))?;
+        let held = outcome.equilibrium().ok_or("holds")?;
+        assert!((held.contacts[0].normal_force() - 8.0).abs() < 1e-13);
+        assert!((held.contacts[1].normal_force() - 8.0 - load).abs() < 1e-13);
+        assert_eq!(held.joints[0].state, DriveState::Absent);
+        assert_eq!(held.joints[0].torque, 8.0);
+    }
+    assert!(grasp.solve(&Wrench::force([-8.1, 0.0]))?.equilibrium().is_none());
+    Ok(())
+}

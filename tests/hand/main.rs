@@ -1,0 +1,8 @@
+//! Grasps by hands with joints.
+
+mod bad_input;
+mod closed_forms;
+mod exact;
+mod in_space;
+mod pressed;
+mod theory;
