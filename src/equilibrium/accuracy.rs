@@ -6,7 +6,7 @@ use super::answer::{Cone, Equilibrium};
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Grasp, Wrench, wrench_of};
 use crate::numerics::Draw;
-use crate::object::{Piece, PieceState, PreciseTwist, Problem};
+use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
 
 /// Patterns of signs with which the data are varied.
@@ -91,7 +91,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = equilibrium.cone { cone } else { PolygonCone::default() };
-        let load = self.load_unchecked(&equilibrium.load);
+        let wrench = self.load_unchecked(&equilibrium.load);
+        let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
         let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
         let problem = Problem::at_rest(self.sites(), Polygon::shared(&cone), round, drives, &load);
         Some(Problem { slips: equilibrium.local.slips.clone(), ..problem })

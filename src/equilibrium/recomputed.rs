@@ -155,7 +155,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// How far the joints of its finger move a contact, along the coordinate axes, and the size of the terms of that sum.
     fn carried(&self, contact: usize, twist: &Twist<D, C>) -> (SVector<f64, C>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
-        for (k, motion) in self.linkage().into_iter().flat_map(|linkage| &linkage.motions[contact]) {
+        let Some(linkage) = self.linkage() else { return (sum, size) };
+        for (k, motion) in &linkage.motions[contact] {
             let step = motion * twist.as_vector()[C * (C + 1) / 2 + k];
             sum += step;
             size += step.norm();

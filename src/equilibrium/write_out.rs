@@ -27,9 +27,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D, C>>>();
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
-        let drives = self.linkage().into_iter().flat_map(|linkage| &linkage.drives);
-        let stored_energy =
-            stored.chain(drives.zip(&drive_forces).map(|(drive, force)| drive.stored(force))).sum();
+        let mut stored_energy: f64 = stored.sum();
+        if let Some(linkage) = self.linkage() {
+            let stored = linkage.drives.iter().zip(&drive_forces).map(|(drive, force)| drive.stored(force));
+            stored_energy += stored.sum::<f64>();
+        }
         let (joints, tendons) = self.hand_answers(problem, found);
         Equilibrium {
             load: *load,

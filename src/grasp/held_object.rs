@@ -260,12 +260,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
     /// the drives of a hand.
     pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
-        self.each_drive().collect()
+        let mut drives = Vec::with_capacity(self.sites.len());
+        self.drives_into(&mut drives);
+        drives
     }
 
-    pub(crate) fn each_drive(&self) -> impl Iterator<Item = SVector<f64, C>> {
-        let commands = self.contacts.iter().map(|contact| contact.command);
-        self.driven_by(commands, self.joint_commands())
+    /// [`Self::drives`] in memory that is there.
+    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, C>>) {
+        self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
     }
 
     /// The drives with other commands.
@@ -273,13 +275,16 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self,
         commands: impl Iterator<Item = SVector<f64, C>>,
         of_joints: &[f64],
-    ) -> impl Iterator<Item = SVector<f64, C>> {
-        let contacts = commands.zip(&self.contacts).map(|(command, contact)| {
-            let mut a = command;
+        drives: &mut Vec<SVector<f64, C>>,
+    ) {
+        drives.clear();
+        drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
             a[0] -= contact.clearance;
             a
-        });
-        contacts.chain(self.linkage().into_iter().flat_map(move |linkage| linkage.stretches(of_joints)))
+        }));
+        if let Some(linkage) = self.linkage() {
+            drives.extend(linkage.stretches(of_joints));
+        }
     }
 
     /// What the drives change by with these changes of commands; without any they stay.

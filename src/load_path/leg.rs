@@ -235,7 +235,8 @@ impl<const D: usize, const C: usize> Program<D, C> {
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
     pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
-        let base = grasp.driven_by(from.iter().copied(), joints_from).collect();
+        let mut base = Vec::new();
+        grasp.driven_by(from.iter().copied(), joints_from, &mut base);
         let change: Vec<_> = to.iter().zip(from).map(|(to, from)| to - from).collect();
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
         [base, grasp.drive_changes(Some(&change), Some(&of_joints))]

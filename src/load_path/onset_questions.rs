@@ -100,7 +100,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn onset_with(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
-        let base = self.load(&ramp.base, "base load")?.wrench;
+        let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         let change = ramp.drive_changes(self)?;
         let cone = Cone::of::<C>(settings);

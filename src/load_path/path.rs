@@ -93,7 +93,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<LoadPath<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
-        let (round, wrench) = (settings.is_round::<C>(), self.load(start, "start load")?.wrench);
+        let (round, wrench) = (settings.is_round::<C>(), self.load_alone(start, "start load")?);
         let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
@@ -218,7 +218,7 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.end = Some(PathEnd::Completed);
             return;
         }
-        let [from, to] = self.program.load.map(|w| self.grasp.load_unchecked(&w).wrench);
+        let [from, to] = self.program.load.map(|w| self.grasp.load_unchecked(&w));
         let [base, change] = self.program.drives(self.grasp);
         self.segment.direction = to - from;
         self.segment.change = change;

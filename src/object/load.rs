@@ -18,17 +18,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
     pub(crate) fn load(&self, load: &Wrench<D, C>, what: &'static str) -> Result<Load<D>, Error> {
+        Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
+    }
+
+    /// [`Self::load`] without what rounding takes from it.
+    pub(crate) fn load_alone(
+        &self,
+        load: &Wrench<D, C>,
+        what: &'static str,
+    ) -> Result<SVector<f64, D>, Error> {
         load.check(what)?;
         Ok(self.load_unchecked(load))
     }
 
-    /// [`Self::load`] of a wrench that was checked before.
-    pub(crate) fn load_unchecked(&self, load: &Wrench<D, C>) -> Load<D> {
-        let mut wrench = self.inside_unchecked(load);
-        if let Some(linkage) = self.linkage() {
-            wrench += linkage.held;
-        }
-        Load { wrench, rest: self.inside_rest(load) }
+    /// [`Self::load_alone`] of a wrench that was checked before.
+    pub(crate) fn load_unchecked(&self, load: &Wrench<D, C>) -> SVector<f64, D> {
+        let inside = self.inside_unchecked(load);
+        self.linkage().map_or(inside, |linkage| inside + linkage.held)
     }
 }
 

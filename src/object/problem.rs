@@ -50,7 +50,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: &PolygonCone,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(cone);
-        let wrench = self.load(load, "load")?.wrench;
+        let wrench = self.load_alone(load, "load")?;
         Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }

@@ -200,12 +200,11 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         grasp: &Grasp<D, C>,
         load: &Wrench<D, C>,
     ) -> Result<Search<'_, D, C>, Error> {
-        let wrench = grasp.load(load, "load")?.wrench;
+        let wrench = grasp.load_alone(load, "load")?;
         self.path.pivots = 0;
         self.laws.clear();
         self.laws.extend(grasp.sites().iter().map(Site::whole_law));
-        self.drives.clear();
-        self.drives.extend(grasp.each_drive());
+        grasp.drives_into(&mut self.drives);
         let problem = Problem {
             sites: grasp.sites(),
             polygon: self.polygon.clone(),

@@ -43,7 +43,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: PolygonCone,
     ) -> Result<PatchPath<'_, D, C>, Error> {
         self.refuse_hands("follow_patch")?;
-        let wrench = self.load(start, "start load")?.wrench;
+        let wrench = self.load_alone(start, "start load")?;
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (polygon, settings) = (Arc::new(Polygon::new(&cone)), Settings::default().with_cone(cone));
