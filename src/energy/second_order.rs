@@ -174,7 +174,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 let rest = second_order_displacement(&contact.point, twist) - tangent.tr_mul(twist);
                 *drive -= site.frame.tr_mul(&rest);
                 let map = SMatrix::<f64, D, D>::from_diagonal(&in_units) * tangent * site.frame;
-                Site { map, map_rest: SMatrix::zeros(), ..site.clone() }
+                site.with_map(map)
             })
             .collect();
         let wrench = load.as_vector().component_mul(&in_units);

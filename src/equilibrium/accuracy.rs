@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let wrench = self.load_unchecked(&equilibrium.load);
         let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
         let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
-        let problem = Problem::at_rest(self.sites(), Polygon::shared(&cone), round, drives, &load);
+        let problem = self.problem(Polygon::shared(&cone), round, drives, &load);
         Some(Problem { slips: equilibrium.local.slips.clone(), ..problem })
     }
 }

@@ -11,7 +11,7 @@ use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, Sector};
 use crate::grasp::{Contact, Grasp, Wrench};
-use crate::object::{Piece, Problem};
+use crate::object::Problem;
 use crate::proofs::{ESCAPE, Step, check};
 use crate::search::{Settings, refute};
 
@@ -193,7 +193,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let contacts: Vec<_> = (0..problem.len()).map(|i| Exact::new(&problem, i)).collect();
         // Data as in `check`: the trial state in √J.
-        let trial = Piece::new(&problem, &problem.unjumped());
+        let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());

@@ -145,7 +145,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
         let load = self.load(load, "load")?;
-        Ok(Problem::at_rest(self.sites(), polygon, settings.is_round::<C>(), self.drives(), &load))
+        Ok(self.problem(polygon, settings.is_round::<C>(), self.drives(), &load))
     }
 
     pub(crate) fn outcome(

@@ -247,7 +247,7 @@ mod tests {
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
     use crate::grasp::{Contact, Grasp, Twist, Wrench};
-    use crate::object::{Load, Problem};
+    use crate::object::Load;
     use crate::search::Found;
 
     /// A comparison with a bound must fail wherever anything is not finite.
@@ -264,7 +264,7 @@ mod tests {
         let answer = grasp.solve(&load)?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
-        let problem = Problem::at_rest(grasp.sites(), polygon, false, grasp.drives(), &Load::from(&wrench));
+        let problem = grasp.problem(polygon, false, grasp.drives(), &Load::from(&wrench));
         let states = answer.local.states.clone();
         let found = Found::new(states, answer.site_forces(), answer.local.twist);
         let worst = |twist: &Twist<3, 2>, contacts: &[_]| {

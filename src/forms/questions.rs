@@ -6,7 +6,6 @@ use super::rows::Form;
 use crate::contact::PolygonCone;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::Piece;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
@@ -34,7 +33,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn kinematic_form(&self, load: &Wrench<D, C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;
-        let trial = Piece::new(&problem, &problem.unjumped());
+        let trial = problem.trial();
         let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
         Ok(kinematic_form(&problem, &trial, &state))
     }

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
+use super::remembered::Remembered;
 use super::rotation::{assert_plane_or_space, assert_room_for_joints};
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
@@ -25,6 +26,8 @@ pub struct Grasp<const D: usize, const C: usize> {
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage<D, C>>>,
+    /// The factors of the elastic trial.
+    trial: Remembered,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -75,6 +78,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
     }
 
+    /// Links of the hand to be drawn, from joint to joint and on to the contacts.
+    #[cfg(feature = "plot")]
+    pub(crate) fn bones(&self) -> impl Iterator<Item = &[SVector<f64, C>; 2]> {
+        self.linkage().into_iter().flat_map(|linkage| &linkage.bones)
+    }
+
+    /// The contacts alone, without the hand behind them.
+    #[cfg(feature = "plot")]
+    pub(crate) fn without_hand<const N: usize>(&self) -> Grasp<N, C> {
+        let (contacts, origin, length) = (self.contacts.clone(), self.origin, self.length);
+        let narrow = |site: &Site<D, C>| site.of_the_object();
+        let sites = self.sites[..self.len()].iter().map(narrow).collect();
+        Grasp { contacts, sites, origin, length, linkage: None, trial: Remembered::default() }
+    }
+
     fn of(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
@@ -90,7 +108,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(contact, index, &origin, length);
         let sites = contacts.iter().enumerate().map(site).collect::<Result<_, Error>>()?;
-        Ok(Self { contacts, sites, origin, length, linkage: None })
+        Ok(Self { contacts, sites, origin, length, linkage: None, trial: Remembered::default() })
     }
 
     /// Number of contacts, at least 1.
@@ -251,6 +269,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         }
         Ok(())
+    }
+
+    /// Where the factors of the elastic trial are kept.
+    pub(crate) fn remembered_trial(&self) -> &Remembered {
+        &self.trial
     }
 
     pub(crate) fn sites(&self) -> &[Site<D, C>] {

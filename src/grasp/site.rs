@@ -17,6 +17,8 @@ pub(crate) struct Site<const D: usize, const C: usize> {
     pub(crate) map: SMatrix<f64, D, C>,
     /// What rounding took from G_i, given the points and the frame.
     pub(crate) map_rest: SMatrix<f64, D, C>,
+    /// Norm of G_i.
+    size: f64,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
     pub(crate) springs: Compliance<C>,
@@ -44,12 +46,50 @@ impl<const D: usize, const C: usize> Site<D, C> {
         Ok(Self {
             map,
             map_rest,
+            size: map.norm(),
             frame,
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
             hold: contact.hold,
             polygon: None,
         })
+    }
+
+    /// This site with another map, exactly.
+    pub(crate) fn with_map(&self, map: SMatrix<f64, D, C>) -> Self {
+        Self { map, map_rest: SMatrix::zeros(), size: map.norm(), ..self.clone() }
+    }
+
+    /// This site where no joint moves it.
+    #[cfg(feature = "plot")]
+    pub(super) fn of_the_object<const N: usize>(&self) -> Site<N, C> {
+        let map = SMatrix::from_fn(|k, a| self.map[(k, a)]);
+        Site {
+            map,
+            map_rest: SMatrix::from_fn(|k, a| self.map_rest[(k, a)]),
+            size: map.norm(),
+            frame: self.frame,
+            springs: self.springs,
+            friction: self.friction,
+            hold: self.hold,
+            polygon: self.polygon.clone(),
+        }
+    }
+
+    /// A site whose only force acts along one axis of its own: a drive of a hand.
+    pub(super) fn of_axis(axis: usize, along: &SVector<f64, D>, springs: Compliance<C>, hold: Hold) -> Self {
+        let mut map = SMatrix::<f64, D, C>::zeros();
+        map.set_column(axis, along);
+        Self {
+            map,
+            map_rest: SMatrix::zeros(),
+            size: map.norm(),
+            frame: SMatrix::identity(),
+            springs,
+            friction: Coulomb::new(0.0),
+            hold,
+            polygon: None,
+        }
     }
 
     /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements.
@@ -67,6 +107,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
                 (self.map[(k, a)], self.map_rest[(k, a)]) = (entry, rest.value() / lengths[k]);
             }
         }
+        self.size = self.map.norm();
     }
 
     /// The law of the contact at rest.
@@ -87,6 +128,6 @@ impl<const D: usize, const C: usize> Site<D, C> {
     /// Size of the displacements at the contact: translation and rotation may cancel there, their rounding does not.
     #[inline(always)]
     pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &SVector<f64, D>) -> f64 {
-        drive.norm() + self.map.norm() * twist.norm()
+        drive.norm() + self.size * twist.norm()
     }
 }

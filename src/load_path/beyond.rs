@@ -132,7 +132,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
 
 /// Whether Farkas' lemma proves that no slips and gaps make the rates possible: then there are no rates at all.
 pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
-    let trial = Piece::new(rates, &rates.unjumped());
+    let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| {

@@ -31,7 +31,7 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
 ) -> Option<OnsetEvent<D, C>> {
     let problem = &segment.problem;
     let states = problem.unjumped();
-    let piece = Piece::new(problem, &states);
+    let piece = problem.trial();
     if !piece.free_motions().is_empty() {
         return None;
     }

@@ -106,7 +106,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let cone = Cone::of::<C>(settings);
         let polygon = Polygon::shared(&settings.cone);
         let round = cone == Cone::Round;
-        let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&base));
+        let problem = self.problem(polygon, round, self.drives(), &Load::from(&base));
         let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
         if let Some(event) = first_to_leave(&segment, ramp) {
             return Ok(Onset::At(Box::new(event)));
@@ -186,7 +186,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let cone = if let Cone::Polygon(cone) = event.cone { cone } else { PolygonCone::default() };
         let (polygon, round) = (Polygon::shared(&cone), event.cone == Cone::Round);
         let load = Load::from(&local.wrench);
-        let problem = Problem::at_rest(self.sites(), polygon, round, local.drives.clone(), &load);
+        let problem = self.problem(polygon, round, local.drives.clone(), &load);
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 

@@ -20,7 +20,7 @@ use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ACCURATE, Cone, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::object::{Load, PieceState, Problem};
+use crate::object::{Load, PieceState};
 use crate::search::{Doubt, Settings, Settled, settle};
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Result<LoadPath<'_, D, C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
         let (round, wrench) = (settings.is_round::<C>(), self.load_alone(start, "start load")?);
-        let problem = Problem::at_rest(self.sites(), polygon, round, self.drives(), &Load::from(&wrench));
+        let problem = self.problem(polygon, round, self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, settings);

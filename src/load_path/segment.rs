@@ -269,6 +269,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             drives: self.change.clone(),
             slips: vec![SVector::zeros(); self.problem.len()],
             wrench: self.direction,
+            trial: None,
             ..self.problem.clone()
         };
         let round = rates.locals().any(|local| local.may_slide());

@@ -371,7 +371,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             _ => Polygon::new(&Settings::default().cone),
         };
         let nothing = Load::from(&SVector::zeros());
-        let problem = Problem::at_rest(grasp.sites(), Arc::new(polygon), false, grasp.drives(), &nothing);
+        let problem = grasp.problem(Arc::new(polygon), false, grasp.drives(), &nothing);
         let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.site_forces();

@@ -6,7 +6,7 @@ use super::event::Change;
 use crate::contact::{Law, LocalLaw, Mode, State};
 use crate::forms::kinematic_form;
 use crate::lcp::MatrixClass;
-use crate::object::{Piece, Problem};
+use crate::object::Problem;
 use crate::search::{Found, combinations, search};
 
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
@@ -97,7 +97,7 @@ fn has_one_solution<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bo
     if rows == 0 || rows > MOST_ROWS {
         return rows == 0;
     }
-    let trial = Piece::new(rates, &rates.unjumped());
+    let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     kinematic_form(rates, &trial, &state)
         .and_then(|form| MatrixClass::of(form.lcp.matrix()).ok())

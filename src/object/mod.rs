@@ -30,6 +30,7 @@ mod problem;
 mod sizes;
 mod sums;
 mod tangent;
+mod trial;
 
 pub(crate) use energy_coordinates::{
     EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched,

@@ -14,7 +14,7 @@ use super::load::Load;
 use super::precise::PreciseTwist;
 use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
-use crate::grasp::{Grasp, Site, Wrench};
+use crate::grasp::{Grasp, Remembered, Site, Wrench};
 use crate::numerics::DoubleDouble;
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
@@ -37,9 +37,23 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: rolling contacts are held by the round cone; the polygon only proposes.
     pub(crate) round: bool,
+    /// Where the factors of the elastic trial are kept, at rest.
+    pub(crate) trial: Option<&'g Remembered>,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The problem at rest of this grasp.
+    pub(crate) fn problem(
+        &self,
+        polygon: Arc<Polygon<C>>,
+        round: bool,
+        drives: Vec<SVector<f64, C>>,
+        load: &Load<D>,
+    ) -> Problem<'_, D, C> {
+        let trial = Some(self.remembered_trial());
+        Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, drives, load) }
+    }
+
     /// The problem at rest under a load of the caller's, with polygons in place of round cones.
     ///
     /// # Errors
@@ -51,7 +65,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(cone);
         let wrench = self.load_alone(load, "load")?;
-        Ok(Problem::at_rest(self.sites(), polygon, false, self.drives(), &Load::from(&wrench)))
+        Ok(self.problem(polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }
 
@@ -75,6 +89,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
             wrench_rest: load.rest,
             infinite_friction_has_edges: false,
             round,
+            trial: None,
         }
     }
 

@@ -41,9 +41,9 @@ const HEIGHT: u32 = 560;
 /// # Errors
 /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
 /// outline is not finite, or if the back end fails.
-pub fn draw_grasp(
-    grasp: &Grasp,
-    state: &Equilibrium,
+pub fn draw_grasp<const D: usize>(
+    grasp: &crate::grasp::Grasp<D, 2>,
+    state: &crate::equilibrium::Equilibrium<D, 2>,
     outline: Option<Outline>,
     title: &str,
 ) -> Result<String, PictureError> {
@@ -55,7 +55,8 @@ pub fn draw_grasp(
         return Err(PictureError("a corner of the outline is not finite".into()));
     }
     let mut svg = String::new();
-    Picture::new(grasp, state, outline).draw(&mut svg, title).map_err(PictureError::from_backend)?;
+    let bones = grasp.bones().copied().collect();
+    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones).draw(&mut svg, title).map_err(PictureError::from_backend)?;
     Ok(svg)
 }
 
@@ -63,6 +64,8 @@ struct Picture<'a> {
     grasp: &'a Grasp,
     state: &'a Equilibrium,
     outline: Vec<Vector2<f64>>,
+    /// Links of a hand, from joint to joint.
+    bones: Vec<[Vector2<f64>; 2]>,
     /// Size of the scene, m.
     span: f64,
     /// m per N.
@@ -70,22 +73,27 @@ struct Picture<'a> {
 }
 
 impl<'a> Picture<'a> {
-    fn new(grasp: &'a Grasp, state: &'a Equilibrium, outline: Option<Outline>) -> Self {
+    fn new(
+        grasp: &'a Grasp,
+        state: &'a Equilibrium,
+        outline: Option<Outline>,
+        bones: Vec<[Vector2<f64>; 2]>,
+    ) -> Self {
         let outline: Vec<_> = outline.unwrap_or_default().iter().map(|p| Vector2::from(*p)).collect();
-        let (low, high) = bounds(points(grasp).chain(outline.iter().copied()));
+        let (low, high) = bounds(points(grasp).chain(outline.iter().copied()).chain(bones.iter().flatten().copied()));
         let span = (high - low).amax().max(f64::MIN_POSITIVE);
         let load = force_of_load(state).norm();
         let most = state.contacts.iter().map(|c| c.force.norm()).fold(load, f64::max);
         let scale = if most > 0.0 { span / 3.0 / most } else { 0.0 };
-        Self { grasp, state, outline, span, scale }
+        Self { grasp, state, outline, bones, span, scale }
     }
 
     fn draw(&self, svg: &mut String, title: &str) -> Plotted {
         let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
         root.fill(&WHITE)?;
         let load_tip = force_of_load(self.state) * self.scale;
-        let everything =
-            points(self.grasp).chain(self.outline.iter().copied()).chain([load_tip, Vector2::zeros()]);
+        let drawn = self.outline.iter().chain(self.bones.iter().flatten()).copied();
+        let everything = points(self.grasp).chain(drawn).chain([load_tip, Vector2::zeros()]);
         let (low, high) = bounds(everything);
         let margin = Vector2::new(0.35, 0.25) * self.span;
         let (low, high) = equal_aspect(low - margin, high + margin);
@@ -102,6 +110,10 @@ impl<'a> Picture<'a> {
             .y_desc("y (m)")
             .label_style((FONT, 13))
             .draw()?;
+        for bone in &self.bones {
+            chart.draw_series([PathElement::new(bone.map(|p| (p.x, p.y)).to_vec(), GREY.stroke_width(3))])?;
+            chart.draw_series([Circle::new((bone[0].x, bone[0].y), 5, GREY.filled())])?;
+        }
         if self.outline.len() > 2 {
             let corners: Vec<_> = self.outline.iter().map(|p| (p.x, p.y)).collect();
             chart.draw_series([Polygon::new(corners.clone(), GREY.mix(0.12))])?;

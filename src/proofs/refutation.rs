@@ -15,7 +15,7 @@ use nalgebra::SVector;
 
 use super::escape::{ESCAPE, LEAST_WORK};
 use crate::contact::Label;
-use crate::object::{Piece, Problem};
+use crate::object::Problem;
 
 /// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
 /// an equilibrium could escape whose motion is larger than the data by the reciprocal.
@@ -36,7 +36,7 @@ pub(crate) fn check<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     steps: &[Step<D, C>],
 ) -> Option<f64> {
-    let trial = Piece::new(problem, &problem.unjumped());
+    let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, C>]| {
         problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()

@@ -10,7 +10,7 @@ use super::rungs::{
 };
 use super::scene::{Attempt, Log, Scene};
 use super::settings::Settings;
-use crate::object::{Piece, Problem};
+use crate::object::Problem;
 
 type TryRung<const D: usize, const C: usize> = fn(&Scene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
 
@@ -36,7 +36,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof };
     let unjumped = problem.unjumped();
-    let trial = Piece::new(problem, &unjumped);
+    let trial = problem.trial();
     let state = match trial.solve(problem.sites, &problem.drives, problem.load()) {
         Ok(state) => state,
         Err(unbalanced) => {

@@ -1,6 +1,7 @@
 //! What a rung of the ladder is given, and what it has to say.
 
 use std::cell::OnceCell;
+use std::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -15,7 +16,7 @@ pub(super) struct Scene<'s, 'g, const D: usize, const C: usize> {
     pub(super) settings: &'s Settings,
     /// The states of the trial: everything that is there sticks.
     pub(super) unjumped: Vec<State<C>>,
-    pub(super) trial: Piece<D, C>,
+    pub(super) trial: Arc<Piece<D, C>>,
     pub(super) state: PieceState<D, C>,
     proposing: OnceCell<Problem<'g, D, C>>,
     with_edges: OnceCell<Option<Problem<'g, D, C>>>,
@@ -26,7 +27,7 @@ impl<'s, 'g, const D: usize, const C: usize> Scene<'s, 'g, D, C> {
         problem: &'s Problem<'g, D, C>,
         settings: &'s Settings,
         unjumped: Vec<State<C>>,
-        trial: Piece<D, C>,
+        trial: Arc<Piece<D, C>>,
         state: PieceState<D, C>,
     ) -> Self {
         let (proposing, with_edges) = (OnceCell::new(), OnceCell::new());

@@ -149,7 +149,7 @@ pub(crate) fn refute<const D: usize, const C: usize>(
     if most == 0 {
         return None;
     }
-    let trial = Piece::new(problem, &problem.unjumped());
+    let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let mut steps = Vec::new();
     match search_tree(problem, &trial, &state, most, Some(&mut steps)) {

@@ -216,6 +216,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             wrench_rest: SVector::zeros(),
             infinite_friction_has_edges: false,
             round: false,
+            trial: None,
         };
         let by_newton = other_paths > 0 && problem.len() >= MANY;
         self.newton_steps = by_newton.then(|| newton(&problem, &mut self.solution)).flatten();

@@ -26,6 +26,7 @@ struct Assembly<const D: usize, const C: usize> {
     lengths: SVector<f64, D>,
     drives: Vec<Drive<D>>,
     held: SVector<f64, D>,
+    bones: Vec<[SVector<f64, C>; 2]>,
     /// Pressing force of each contact.
     presses: Vec<f64>,
 }
@@ -53,6 +54,7 @@ impl<const C: usize> Hand<C> {
             drives: Vec::new(),
             held: SVector::zeros(),
             presses: Vec::new(),
+            bones: Vec::new(),
         };
         let mut first = 0;
         for (number, finger) in fingers.iter().enumerate() {
@@ -144,6 +146,9 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
                             "at most the number of joints of its finger",
                         );
                     }
+                    let centres = finger.joints[..*link].iter().filter_map(|joint| joint.motion.centre());
+                    let corners: Vec<_> = centres.chain([contact.point]).collect();
+                    self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
                     for j in 0..*link {
                         let Some(velocity) = finger.joints[j].motion.of_point(&contact.point) else {
                             return Self::fault(
@@ -432,6 +437,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             motions: self.motions,
             drives: self.drives,
             held: self.held,
+            bones: self.bones,
             commands,
         };
         Grasp::by_hand(self.contacts, linkage)

@@ -1,6 +1,6 @@
 //! One drive of a hand as the arithmetic sees it: a spring of one axis over the joints.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
@@ -58,23 +58,21 @@ impl<const D: usize> Drive<D> {
 
     /// The site that obeys its law.
     pub(crate) fn site<const C: usize>(&self) -> Site<D, C> {
-        let mut map = SMatrix::<f64, D, C>::zeros();
-        map.set_column(self.axis(), &self.along);
         let slips = self.role == Role::Slips;
-        Site {
-            map,
-            map_rest: SMatrix::zeros(),
-            frame: SMatrix::identity(),
-            springs: Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 }),
-            friction: Coulomb::new(if slips { 1.0 } else { 0.0 }),
-            hold: match self.role {
-                Role::Holds => Hold::Bonded,
-                Role::Slips => Hold::KeptClosed,
-                Role::Pulls | Role::EndsAbove | Role::EndsBelow => Hold::Unilateral,
-            },
-            // A square with corners on its one axis holds a line to exactly its bound.
-            polygon: (slips && C == 3).then(|| std::sync::Arc::new(Polygon::new(&PolygonCone::square()))),
+        let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 });
+        let hold = match self.role {
+            Role::Holds => Hold::Bonded,
+            Role::Slips => Hold::KeptClosed,
+            Role::Pulls | Role::EndsAbove | Role::EndsBelow => Hold::Unilateral,
+        };
+        let mut site = Site::of_axis(self.axis(), &self.along, springs, hold);
+        if !slips {
+            return site;
         }
+        // A square with corners on its one axis holds a line to exactly its bound.
+        let square = || std::sync::Arc::new(Polygon::new(&PolygonCone::square()));
+        (site.friction, site.polygon) = (Coulomb::new(1.0), (C == 3).then(square));
+        site
     }
 
     /// What these commands stretch its site by.

@@ -123,6 +123,11 @@ impl<const C: usize> Joint<C> {
 }
 
 impl<const C: usize> Motion<C> {
+    /// The point that a revolute joint turns about.
+    pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
+        if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
+    }
+
     /// Velocity of a point for one unit of the joint's: `axis × (point - centre)`, or the unit direction.
     /// `None` where the axis has no direction.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Option<SVector<f64, C>> {

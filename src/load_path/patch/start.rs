@@ -28,7 +28,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         wrench: &SVector<f64, D>,
     ) -> Self {
         let load = Load::from(wrench);
-        let problem = Problem::at_rest(grasp.sites(), polygon.clone(), false, grasp.drives(), &load);
+        let problem = grasp.problem(polygon.clone(), false, grasp.drives(), &load);
         let trial = TrialLeg::new(grasp.sites());
         let mut path = Self {
             grasp,

@@ -9,7 +9,7 @@ use crate::contact::State;
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::Site;
 use crate::load_path::segment::Segment;
-use crate::object::{Load, Problem};
+use crate::object::Load;
 use crate::search::{Effort, Found, Rung};
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
@@ -72,8 +72,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     pub(super) fn segment(&self) -> Segment<'g, D, C> {
         let [base, change] = self.program.drives(self.grasp);
         let (from, direction) = loads(self.grasp, &self.program);
-        let mut problem =
-            Problem::at_rest(self.grasp.sites(), self.polygon.clone(), false, base, &Load::from(&from));
+        let mut problem = self.grasp.problem(self.polygon.clone(), false, base, &Load::from(&from));
         for (i, (contact, site)) in self.balance.contacts.iter().zip(self.grasp.sites()).enumerate() {
             for axis in 1..site.springs.axes() {
                 let slip = contact.memory[axis] / site.springs.root_along(axis);

@@ -2,7 +2,8 @@
 
 use super::frame::Frame;
 use super::text::proof_in_words;
-use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
+use crate::equilibrium::{NoEquilibrium, Outcome};
+use crate::spatial::Grasp;
 
 /// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
 /// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
@@ -58,14 +59,14 @@ pub struct SpatialPage {
 }
 
 impl SpatialPage {
-    /// A page without answers yet. The grasp alone can be drawn, too.
+    /// A page without answers yet. The grasp alone can be drawn, too; links of a hand are drawn where they were before anything moved.
     #[must_use]
-    pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
+    pub fn new<const D: usize>(grasp: &crate::grasp::Grasp<D, 3>, title: impl Into<String>) -> Self {
         Self {
-            grasp: grasp.clone(),
+            grasp: grasp.without_hand(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: Vec::new(),
+            fixtures: grasp.bones().map(|bone| bone.map(Into::into).to_vec()).collect(),
             frames: Vec::new(),
         }
     }
@@ -90,8 +91,12 @@ impl SpatialPage {
     /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin
     /// with.
     #[must_use]
-    pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
-        let shown = Ok(Box::new(state.clone()));
+    pub fn frame<const D: usize>(
+        mut self,
+        label: impl Into<String>,
+        state: &crate::equilibrium::Equilibrium<D, 3>,
+    ) -> Self {
+        let shown = Ok(Box::new(state.without_hand()));
         self.frames.push(Frame { label: label.into(), shown });
         self
     }
@@ -99,9 +104,13 @@ impl SpatialPage {
     /// An answer of [`Grasp::solve`](crate::grasp::Grasp::solve), with what its button says. Where
     /// no equilibrium exists, or none was found, the page says so and draws no forces.
     #[must_use]
-    pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
+    pub fn outcome<const D: usize>(
+        mut self,
+        label: impl Into<String>,
+        outcome: &crate::equilibrium::Outcome<D, 3>,
+    ) -> Self {
         let shown = match outcome {
-            Outcome::Equilibrium(state) => Ok(state.clone()),
+            Outcome::Equilibrium(state) => Ok(Box::new(state.without_hand())),
             Outcome::NoEquilibrium(NoEquilibrium { proof }) => {
                 Err(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
             }

@@ -98,7 +98,7 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
 }
 
 /// How it is known that no equilibrium exists.
-pub(super) fn proof_in_words(proof: &Proof) -> String {
+pub(super) fn proof_in_words<const D: usize>(proof: &Proof<D>) -> String {
     match proof {
         Proof::FreeMotion { motion, .. } => {
             format!(

@@ -1,0 +1,23 @@
+//! What is made once for a grasp and kept with it.
+
+use std::any::Any;
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+/// Something that follows from the sites of a grasp alone, and that a room above makes when it first needs it.
+#[derive(Clone, Default)]
+pub(crate) struct Remembered(OnceLock<Arc<dyn Any + Send + Sync>>);
+
+impl Remembered {
+    /// What is remembered, made now if it never was.
+    pub(crate) fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
+        let kept = self.0.get_or_init(|| Arc::new(make())).clone();
+        kept.downcast().unwrap_or_else(|_| Arc::new(make()))
+    }
+}
+
+impl fmt::Debug for Remembered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.get().is_some() { "Remembered" } else { "NotYet" })
+    }
+}
