@@ -253,13 +253,12 @@ impl<const C: usize> SoftFingertip<C> {
     pub fn contacts(&self, contact: &Contact<C>) -> Result<Vec<Contact<C>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
-        // Every point is commanded as far as the whole tip.
-        let contact = contact.clone().resolved();
         let child = |(i, place): (usize, &Place<C>)| Contact {
             name: contact.name.as_ref().map(|name| format!("{name} {i}")),
             point: contact.point + frame * place.offset,
             tangent: Some(frame.column(1).into_owned()),
             stiffness: contact.stiffness.scaled(place.share),
+            press: contact.press.map(|force| force * place.share),
             ..contact.clone()
         };
         Ok(self.places.iter().enumerate().map(child).collect())

@@ -56,7 +56,9 @@ pub fn draw_grasp<const D: usize>(
     }
     let mut svg = String::new();
     let bones = grasp.bones().copied().collect();
-    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones).draw(&mut svg, title).map_err(PictureError::from_backend)?;
+    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones)
+        .draw(&mut svg, title)
+        .map_err(PictureError::from_backend)?;
     Ok(svg)
 }
 
@@ -80,7 +82,8 @@ impl<'a> Picture<'a> {
         bones: Vec<[Vector2<f64>; 2]>,
     ) -> Self {
         let outline: Vec<_> = outline.unwrap_or_default().iter().map(|p| Vector2::from(*p)).collect();
-        let (low, high) = bounds(points(grasp).chain(outline.iter().copied()).chain(bones.iter().flatten().copied()));
+        let (low, high) =
+            bounds(points(grasp).chain(outline.iter().copied()).chain(bones.iter().flatten().copied()));
         let span = (high - low).amax().max(f64::MIN_POSITIVE);
         let load = force_of_load(state).norm();
         let most = state.contacts.iter().map(|c| c.force.norm()).fold(load, f64::max);

@@ -41,6 +41,7 @@
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
+//! | `pressed_with` | force of the squeeze, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
 //! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |

@@ -1,0 +1,309 @@
+//! At which load does a ball slide in a robot hand, and what do springs along the axes of the contacts say of it?
+//!
+//! `cargo run --release -p robot-hand` reads `hand.urdf` – three fingers of four joints, with the efforts of their motors – closes the hand about a
+//! ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their stiffness and the limits of
+//! their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints that stall are told.
+
+mod closing;
+mod description;
+
+use std::process::ExitCode;
+
+use closing::{Ball, Touch, close, touches};
+use description::{Chain, fingers};
+use grasp_lcp::Limit;
+use grasp_lcp::grasp::SoftFingertip;
+use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
+use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
+use grasp_lcp::spatial::hand::{DriveChange, Finger, Grasp, Hand, HandPart, Joint, Leg, Ramp, Wrench};
+use grasp_lcp::spatial::{self, Contact, PathEnd};
+
+type Failure = Box<dyn std::error::Error>;
+
+/// Coordinates: 6 of the object, 12 joints, and one more for each motor that may stall.
+const COORDINATES: usize = 30;
+/// Stiffness of the position controllers, from the palm outwards, N m/rad.
+const STIFFNESS: [f64; 4] = [3.0, 3.0, 2.0, 1.2];
+/// Pads: normal and tangential, N/m.
+const PAD: [f64; 2] = [6e3, 4e3];
+const FRICTION: f64 = 0.9;
+/// Each contact is pressed with this force before anything pulls, N.
+const SQUEEZE: f64 = 4.0;
+/// Loads are followed up to this force, N.
+const MOST: f64 = 200.0;
+
+/// A finger in its posture, with what touches.
+struct Closed<'c> {
+    chain: &'c Chain,
+    angles: [f64; 4],
+    touches: Vec<Touch>,
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Failure> {
+    let chains = fingers(include_str!("../hand.urdf"))?;
+    std::fs::create_dir_all("output")?;
+    let ball = Ball { centre: Point3::new(0.0, 0.0, 0.122), radius: 0.035 };
+    let tips: Vec<_> = chains.iter().map(|chain| pinched(chain, &ball)).collect();
+    of_grasp("A precision grasp by the tips", "tips", &tips, &ball, None)?;
+    // The ball lies on the palm.
+    let ball = Ball { centre: Point3::new(0.0, 0.0, 0.068), radius: 0.035 };
+    let palm = Contact::new(ball.centre - Vector3::z() * ball.radius, [0.0, 0.0, 1.0])
+        .name("palm")
+        .series_stiffness(PAD[0], PAD[1])
+        .friction(FRICTION)
+        .pressed_with(SQUEEZE);
+    let wrapped: Vec<_> = chains.iter().map(|chain| wrapped(chain, &ball)).collect();
+    of_grasp("A power grasp by all links and the palm", "power", &wrapped, &ball, Some(&palm))
+}
+
+/// The finger bent a little, and closed by its base until the tip touches.
+fn pinched<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
+    let mut angles = [0.0, -0.3, 0.45, 0.35];
+    close(chain, &mut angles, &[1], ball);
+    Closed { chain, angles, touches: touches(chain, &angles, ball) }
+}
+
+/// The finger closed joint by joint.
+fn wrapped<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
+    let mut angles = [0.0, -0.3, 0.0, 0.0];
+    close(chain, &mut angles, &[1, 2, 3], ball);
+    Closed { chain, angles, touches: touches(chain, &angles, ball) }
+}
+
+/// The contacts of a finger: a soft tip, and point contacts further in.
+fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
+    let mut all = Vec::new();
+    // The thumb is alone against two fingers.
+    let squeeze = if finger.chain.name == "thumb" { 2.0 * SQUEEZE } else { SQUEEZE };
+    for touch in &finger.touches {
+        let contact = Contact::new(touch.point, touch.normal)
+            .name(format!("{} link {}", finger.chain.name, touch.link))
+            .series_stiffness(PAD[0], PAD[1])
+            .friction(FRICTION)
+            .pressed_with(squeeze);
+        if touch.link == finger.angles.len() {
+            let tip = SoftFingertip::<3>::ring(0.004, 4)?;
+            all.extend(tip.contacts(&contact)?.into_iter().map(|contact| (touch.link, contact)));
+        } else {
+            all.push((touch.link, contact));
+        }
+    }
+    Ok(all)
+}
+
+/// The grasp with its joints.
+fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp<COORDINATES>, Failure> {
+    let mut hand = Hand::new(palm.cloned().map(Finger::fixed));
+    for finger in fingers {
+        let placed = finger.chain.at(&finger.angles);
+        let links = finger.touches.iter().map(|touch| touch.link).max().unwrap_or(0);
+        // Joints behind the last contact move nothing.
+        let joints = placed.joints.iter().zip(&finger.chain.joints).zip(STIFFNESS).take(links);
+        let joints = joints.map(|(((point, axis), joint), stiffness)| {
+            Joint::revolute(*point, **axis)
+                .name(&joint.name)
+                .stiffness(stiffness)
+                .limit(Limit::Saturates(joint.effort))
+        });
+        let mut built = Finger::new(joints);
+        for (link, contact) in contacts(finger)? {
+            built = built.contact_on(link, contact);
+        }
+        hand = hand.finger(built);
+    }
+    Ok(hand.grasp()?)
+}
+
+/// The same contacts with springs along their axes, `1/(J K⁻¹ Jᵀ + pad)` of each link's contact.
+fn with_springs(
+    fingers: &[Closed],
+    palm: Option<&Contact>,
+    grasp: &Grasp<COORDINATES>,
+) -> Result<spatial::Grasp, Failure> {
+    let mut all: Vec<Contact> = palm.cloned().into_iter().collect();
+    let mut frames = grasp.frames().skip(all.len());
+    for finger in fingers {
+        let placed = finger.chain.at(&finger.angles);
+        let carried = contacts(finger)?;
+        for (link, contact) in &carried {
+            let frame: &Matrix3<f64> = frames.next().ok_or("a frame for each contact")?;
+            let share = carried.iter().filter(|(other, _)| other == link).count() as f64;
+            let at = Point3::from(contact.point());
+            let jacobian = DMatrix::from_fn(3, *link, |a, j| {
+                let (point, axis) = &placed.joints[j];
+                (frame.transpose() * axis.cross(&(at - point)))[a]
+            });
+            let springs = contact.series_stiffness_of_axes();
+            let stiffness: [f64; 3] = std::array::from_fn(|a| {
+                let joints: f64 = (0..*link).map(|j| jacobian[(a, j)].powi(2) / STIFFNESS[j]).sum();
+                // Points that share a tip share its joints, too.
+                1.0 / (joints * share + 1.0 / springs[a])
+            });
+            all.push(contact.clone().series_stiffness_axes(stiffness));
+        }
+    }
+    Ok(spatial::Grasp::new(all)?)
+}
+
+fn of_grasp(
+    title: &str,
+    name: &str,
+    fingers: &[Closed],
+    ball: &Ball,
+    palm: Option<&Contact>,
+) -> Result<(), Failure> {
+    let grasp = with_joints(fingers, palm)?;
+    let springs = with_springs(fingers, palm, &grasp)?;
+    println!("{title}: {} contacts, {} joints", grasp.len(), grasp.joint_commands().len());
+    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let rest = outcome.equilibrium().ok_or("the hand does not hold the ball without a load")?;
+    let carried: Vec<String> = rest.contacts.iter().map(|c| format!("{:.2}", c.normal_force())).collect();
+    println!("  at rest: normal forces {} N", carried.join(" "));
+    let at = ball.centre;
+    let pull = |d: [f64; 3]| Wrench::force_at(d, at);
+    println!(
+        "  pull   slides at   {:<38} springs say       limit   motors that stall on the way",
+        "what slides or stalls"
+    );
+    let axes = [
+        ("+x", [1.0, 0.0, 0.0]),
+        ("-x", [-1.0, 0.0, 0.0]),
+        ("+y", [0.0, 1.0, 0.0]),
+        ("-y", [0.0, -1.0, 0.0]),
+        ("+z", [0.0, 0.0, 1.0]),
+        ("-z", [0.0, 0.0, -1.0]),
+    ];
+    for (label, direction) in axes {
+        let ramp = Ramp::load(Wrench::ZERO, pull(direction));
+        let onset = grasp.onset(&ramp)?;
+        let leaves = onset.event().map_or_else(String::new, |event| {
+            let contacts = event
+                .leaving
+                .iter()
+                .map(|leaving| grasp.contacts()[leaving.contact].label_text(leaving.contact));
+            contacts
+                .chain(event.drives.iter().map(|(part, _)| grasp.label_of(*part)))
+                .collect::<Vec<_>>()
+                .join(", ")
+        });
+        let told = springs
+            .onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force_at(direction, at))?
+            .factor();
+        let (limit, stalled) = limit(&grasp, &pull(direction))?;
+        let stalled: Vec<String> = stalled.iter().map(|part| grasp.label_of(*part)).collect();
+        println!(
+            "  {label:<6} {:>9}   {leaves:<38} {:>11} {:>11}   {}",
+            newtons(onset.factor()),
+            newtons(told),
+            newtons(Some(limit)),
+            stalled.join(", ")
+        );
+    }
+    // Where the squeeze alone slides there is no onset to draw.
+    if grasp.onset(&Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
+        draw_map(title, name, &grasp, &springs, ball)?;
+    }
+    let mut page = SpatialPage::new(&grasp, title).frame("the squeeze alone", rest);
+    for corners in circles(ball) {
+        page = page.outline(corners);
+    }
+    std::fs::write(format!("output/robot_hand_{name}.html"), page.to_html()?)?;
+    std::fs::write(format!("output/robot_hand_{name}_view.svg"), page.to_svg(Some(0), View::default())?)?;
+    println!("  wrote output/robot_hand_{name}.html and output/robot_hand_{name}_view.svg\n");
+    Ok(())
+}
+
+fn newtons(factor: Option<f64>) -> String {
+    match factor {
+        None => "at rest".to_owned(),
+        Some(f64::INFINITY) => format!("> {MOST:.0} N"),
+        Some(newtons) => format!("{newtons:.2} N"),
+    }
+}
+
+/// The onset for a pull in every direction, with the directions in which the diagonal springs mislead most.
+fn draw_map(
+    title: &str,
+    name: &str,
+    grasp: &Grasp<COORDINATES>,
+    springs: &spatial::Grasp,
+    ball: &Ball,
+) -> Result<(), Failure> {
+    let onset = |direction: [f64; 3]| {
+        let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force_at(direction, ball.centre)))?;
+        let stalls = onset.event().is_some_and(|event| !event.drives.is_empty());
+        Ok::<_, Failure>(onset.factor().map(|factor| (factor, stalls)))
+    };
+    let grid = SphereGrid::new(16, 32);
+    let directions = grid.directions();
+    let (mut values, mut ratios, mut stalls) = (Vec::new(), Vec::new(), 0);
+    for direction in &directions {
+        let told = spatial::Wrench::force_at(*direction, ball.centre);
+        let (with_joints, stalled) = onset(*direction)?.unwrap_or((f64::NAN, false));
+        let with_springs =
+            springs.onset_of_sliding(&spatial::Wrench::ZERO, &told)?.factor().unwrap_or(f64::NAN);
+        stalls += usize::from(stalled);
+        values.push(with_joints);
+        ratios.push(with_springs / with_joints);
+    }
+    let best = |list: &[f64], sign: f64| {
+        let finite = (0..list.len()).filter(|k| list[*k].is_finite());
+        finite
+            .min_by(|a, b| (sign * list[*a]).total_cmp(&(sign * list[*b])))
+            .ok_or("no direction has a bound")
+    };
+    let (least, low, high) = (best(&values, 1.0)?, best(&ratios, 1.0)?, best(&ratios, -1.0)?);
+    println!(
+        "  {} directions: least onset {:.2} N; diagonal springs say {:.2} to {:.2} times as much; a motor stalls first in {stalls}",
+        directions.len(),
+        values[least],
+        ratios[low],
+        ratios[high]
+    );
+    let svg = SphereMap::new(format!("{title}: first slip or stall"), "N", grid, values)?
+        .mark(directions[least], "weakest")
+        .mark(directions[high], format!("springs say {:.1} x", ratios[high]))
+        .mark(directions[low], format!("springs say {:.1} x", ratios[low]))
+        .note(format!("A pull in every direction; a motor stalls first in {stalls} of {}.", directions.len()))
+        .to_svg()?;
+    std::fs::write(format!("output/robot_hand_{name}.svg"), svg)?;
+    println!("  wrote output/robot_hand_{name}.svg");
+    Ok(())
+}
+
+/// Up to which pull the hand holds, N, and the motors that stall on the way.
+fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<(f64, Vec<HandPart>), Failure> {
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
+    let events = path.run();
+    let yields = |(part, change): &(HandPart, DriveChange)| (*change == DriveChange::Yields).then_some(*part);
+    let stalled = events.iter().flat_map(|event| event.drives.iter().filter_map(yields)).collect();
+    match path.end() {
+        Some(PathEnd::Completed) => Ok((f64::INFINITY, stalled)),
+        Some(PathEnd::Lost(loss)) => Ok((loss.fraction * MOST, stalled)),
+        end => Err(format!("the path cannot be followed: {end:?}").into()),
+    }
+}
+
+/// Three circles about a ball.
+fn circles(ball: &Ball) -> Vec<Vec<[f64; 3]>> {
+    let circle = |normal: usize| {
+        let at = |k: u32| {
+            let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 36.0).sin_cos();
+            let mut arm = Vector3::zeros();
+            (arm[(normal + 1) % 3], arm[(normal + 2) % 3]) = (cos, sin);
+            (ball.centre + arm * ball.radius).into()
+        };
+        (0..36).map(at).collect()
+    };
+    (0..3).map(circle).collect()
+}
