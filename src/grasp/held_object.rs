@@ -78,9 +78,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
     }
 
-    /// Links of the hand to be drawn, from joint to joint and on to the contacts.
-    #[cfg(feature = "plot")]
-    pub(crate) fn bones(&self) -> impl Iterator<Item = &[SVector<f64, C>; 2]> {
+    /// Ends of the hand's links, from revolute joint to revolute joint and on to the contacts, m, before anything moves: for pictures.
+    pub fn links(&self) -> impl Iterator<Item = &[SVector<f64, C>; 2]> {
         self.linkage().into_iter().flat_map(|linkage| &linkage.bones)
     }
 

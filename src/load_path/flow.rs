@@ -25,6 +25,8 @@ const AT_THE_GOAL: f64 = 2e-13;
 const NEAR_THE_GOAL: f64 = 1e-11;
 const MANY_TRIALS: usize = 16;
 const MOST_TRIALS: usize = 60;
+/// A factor that is missed by this part of it is reached: neighbouring lengths of a step may lead to both sides of it.
+const ROUNDED: f64 = 2.0 * f64::EPSILON;
 /// A part of a step may have so many times its error.
 const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
@@ -276,8 +278,8 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             let goal_here = Goal::after(goal, trial);
             let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
-            if reached.to == goal {
-                return Some(reached);
+            if (reached.to - goal).abs() <= ROUNDED * goal.abs() {
+                return Some(Reached { to: goal, ..reached });
             }
             if reached.to > goal {
                 high = length;

@@ -55,7 +55,7 @@ pub fn draw_grasp<const D: usize>(
         return Err(PictureError("a corner of the outline is not finite".into()));
     }
     let mut svg = String::new();
-    let bones = grasp.bones().copied().collect();
+    let bones = grasp.links().copied().collect();
     Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones)
         .draw(&mut svg, title)
         .map_err(PictureError::from_backend)?;

@@ -4,5 +4,7 @@ mod bad_input;
 mod closed_forms;
 mod exact;
 mod in_space;
+mod paths;
 mod pressed;
+mod sensitivity;
 mod theory;

@@ -49,7 +49,7 @@ fn chain(robot: &Robot, tip: &str) -> Result<Chain, Failure> {
             JointType::Fixed => beyond = origin * beyond,
             JointType::Revolute if joints.is_empty() => joints.push((joint, origin, beyond)),
             JointType::Revolute => {
-                joints.push((joint, origin, std::mem::replace(&mut beyond, Isometry3::identity())))
+                joints.push((joint, origin, std::mem::replace(&mut beyond, Isometry3::identity())));
             }
             ref other => {
                 return Err(format!(

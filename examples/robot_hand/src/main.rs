@@ -137,7 +137,7 @@ fn with_springs(
         let carried = contacts(finger)?;
         for (link, contact) in &carried {
             let frame: &Matrix3<f64> = frames.next().ok_or("a frame for each contact")?;
-            let share = carried.iter().filter(|(other, _)| other == link).count() as f64;
+            let share: f64 = carried.iter().filter(|(other, _)| other == link).map(|_| 1.0).sum();
             let at = Point3::from(contact.point());
             let jacobian = DMatrix::from_fn(3, *link, |a, j| {
                 let (point, axis) = &placed.joints[j];

@@ -66,7 +66,7 @@ impl SpatialPage {
             grasp: grasp.without_hand(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: grasp.bones().map(|bone| bone.map(Into::into).to_vec()).collect(),
+            fixtures: grasp.links().map(|bone| bone.map(Into::into).to_vec()).collect(),
             frames: Vec::new(),
         }
     }

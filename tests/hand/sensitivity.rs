@@ -1,0 +1,99 @@
+//! Sensitivities by joint data against small changes of the data.
+
+use grasp_lcp::Limit;
+use grasp_lcp::load_path::{Leaver, Parameter};
+use grasp_lcp::planar::Contact;
+use grasp_lcp::planar::hand::{DriveState, Finger, Grasp, Hand, HandPart, Joint, Ramp, Tendon, Wrench};
+
+/// Data of the joints, one list: commands, stiffnesses and limits of two joints and a tendon.
+type Data = [[f64; 3]; 3];
+
+const DATA: Data = [[0.10, 0.16, 0.09], [90.0, 70.0, 9e2], [3.0, 40.0, 80.0]];
+
+fn grasp(data: &Data, limit: fn(f64) -> Limit) -> Grasp<9> {
+    let [commands, stiffness, limits] = data;
+    let joint = |k: usize, point: [f64; 2]| {
+        Joint::revolute(point).stiffness(stiffness[k]).command(commands[k]).limit(limit(limits[k]))
+    };
+    let pad = |x: f64| Contact::new([x, 0.1 * x], [-x, 0.1]).series_stiffness(4e3, 3e3).friction(0.6);
+    // A turn from x to y presses the right finger inwards.
+    let right = Finger::new([joint(0, [1.3, -1.0]), joint(1, [1.1, -0.4])]).contact(pad(1.0));
+    let left = Finger::fixed(pad(-1.0).command([0.01, 0.0]));
+    let tendon =
+        Tendon::new([0.3, 0.2]).stiffness(stiffness[2]).pull(commands[2]).limit(Limit::Saturates(limits[2]));
+    Hand::new([right, left]).tendon(tendon).grasp().expect("well posed")
+}
+
+/// Forces and joint displacements.
+fn answer(grasp: &Grasp<9>, load: &Wrench<9>) -> Vec<f64> {
+    let outcome = grasp.solve(load).expect("a load");
+    let held = outcome.equilibrium().expect("holds");
+    let forces = held.contacts.iter().flat_map(|c| [c.force[0], c.force[1]]);
+    forces.chain(held.joints.iter().map(|j| j.displacement)).collect()
+}
+
+#[test]
+fn derivatives_are_those_of_small_changes() {
+    let load = Wrench::new([0.5, -1.0], 0.1);
+    for limit in [Limit::Saturates as fn(f64) -> Limit, Limit::Slips] {
+        let base = grasp(&DATA, limit);
+        let outcome = base.solve(&load).expect("a load");
+        let held = outcome.equilibrium().expect("holds");
+        // The first joint yields, the second and the tendon hold.
+        let states: Vec<_> = held.joints.iter().map(|j| j.state).collect();
+        assert_eq!(states, [DriveState::Yields, DriveState::Holds]);
+        assert_eq!(held.tendons[0].state, DriveState::Holds);
+        for (kind, row) in DATA.iter().enumerate() {
+            for (joint, value) in row.iter().enumerate() {
+                let step = 1e-6 * value;
+                let moved = |sign: f64| {
+                    let mut data = DATA;
+                    data[kind][joint] += sign * step;
+                    answer(&grasp(&data, limit), &load)
+                };
+                let (there, back) = (moved(1.0), moved(-1.0));
+                let by = match kind {
+                    0 => Parameter::JointCommand { joint },
+                    1 => Parameter::JointStiffness { joint },
+                    _ => Parameter::JointLimit { joint },
+                };
+                let derivative = base.sensitivity(held, by).expect("regular");
+                let forces = derivative.forces.iter().flat_map(|f| [f[0], f[1]]);
+                let told: Vec<f64> = forces.chain(derivative.twist.joints()[..2].iter().copied()).collect();
+                for (k, told) in told.iter().enumerate() {
+                    let measured = (there[k] - back[k]) / (2.0 * step);
+                    let size = (there[k].abs() + back[k].abs()) / value;
+                    assert!((told - measured).abs() < 1e-7 * size + 1e-12, "{by:?} {k}: {told} {measured}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn onset_gradients_are_those_of_small_changes_too() {
+    let mut data = DATA;
+    // Without a yielding joint at rest; the first that leaves along the ramp is the joint.
+    data[2][0] = 14.3;
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::force([1.0, 0.0]));
+    let onset = |data: &Data| grasp(data, Limit::Slips).onset(&ramp).expect("a ramp");
+    let event = onset(&data);
+    let event = event.event().expect("leaves");
+    let gradient = &grasp(&data, Limit::Slips).onset_gradients(&ramp, event)[0];
+    assert_eq!(gradient.leaving, Leaver::Drive(HandPart::Joint(0)));
+    for kind in 0..3 {
+        for joint in 0..3 {
+            let step = 1e-6 * data[kind][joint];
+            let moved = |sign: f64| {
+                let mut data = data;
+                data[kind][joint] += sign * step;
+                onset(&data).factor().expect("leaves")
+            };
+            let measured = (moved(1.0) - moved(-1.0)) / (2.0 * step);
+            let told =
+                [&gradient.joint_command, &gradient.joint_stiffness, &gradient.joint_limit][kind][joint];
+            let size = event.factor / data[kind][joint];
+            assert!((told - measured).abs() < 1e-7 * size, "{kind} {joint}: {told} {measured}");
+        }
+    }
+}
