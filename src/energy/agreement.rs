@@ -6,7 +6,7 @@ use super::energy_rows::{ROUNDING, Row};
 use super::minimum::{MinimumEnergy, MinimumOutcome};
 use super::optimality::{Faces, Program};
 use crate::Settings;
-use crate::error::{Error, Field};
+use crate::error::Error;
 use crate::grasp::Grasp;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
@@ -89,13 +89,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Result<Agreement<D, C>, Error> {
         ramp.base.check("base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
-        let change = match &ramp.command_change {
-            Some(change) => {
-                self.check_commands(change, "command changes", Field::CommandChange)?;
-                change.clone()
-            }
-            None => vec![SVector::zeros(); self.len()],
-        };
+        let change = ramp.drive_changes(self)?;
         let start = self.minimum_energy_with(&ramp.base, settings)?;
         if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));

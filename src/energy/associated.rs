@@ -125,6 +125,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<AssociatedOutcome<D, C>, Error> {
+        self.refuse_hands("associated_friction")?;
         let law = AssociatedLaw::new(self.on_polygons(load, &settings.cone)?);
         if !law.stuck.resists(&law.problem.wrench) {
             return Ok(AssociatedOutcome::NoBalance);

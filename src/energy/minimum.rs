@@ -160,7 +160,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
         // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
-        let rolling = Faces { open: vec![false; self.len()], binding: Vec::new() };
+        let rolling = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.rolling(&stuck)).filter(|point| program.holds(point, &rolling));
         if point.is_none() {
@@ -186,21 +186,26 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let most = program.problem.largest_force(&point.forces, &point.twist);
         let rows = program.friction.iter().zip(&point.multipliers);
         let binding = rows
-            .filter(|(row, l)| **l != 0.0 || row.binds(&point.forces, most))
+            .filter(|(row, l)| row.contact < self.len() && (**l != 0.0 || row.binds(&point.forces, most)))
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
         let pushed: SVector<f64, D> = self.sites().iter().zip(&held).map(|(site, f)| site.map * f).sum();
+        let object = SVector::from_fn(|k, _| if k < C * (C + 1) / 2 { point.twist[k] } else { 0.0 });
         let contact = |i: usize| {
             let site = &self.sites()[i];
             MinimumContact {
                 force: point.forces[i],
                 force_world: site.frame * point.forces[i],
-                body_core: site.frame * site.map.tr_mul(&point.twist),
+                body_core: site.frame * site.map.tr_mul(&object),
                 gap: point.gaps[i],
             }
         };
-        let stored_energy =
-            self.sites().iter().zip(&point.forces).map(|(site, f)| site.springs.stored(f)).sum::<f64>();
+        let stored = self.sites().iter().zip(&point.forces).take(self.len());
+        let mut stored_energy = stored.map(|(site, f)| site.springs.stored(f)).sum::<f64>();
+        if let Some(linkage) = self.linkage() {
+            let drives = linkage.drives.iter().zip(&point.forces[self.len()..]);
+            stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
+        }
         let own_work = load.as_vector().dot(self.outside(&point.twist).as_vector());
         MinimumEnergy {
             load: *load,

@@ -205,6 +205,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
     /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
     pub fn printed_qp(&self, load: &Wrench<D, C>, cone: &PolygonCone) -> Result<PrintedQp<D, C>, Error> {
+        self.refuse_hands("printed_qp")?;
         let problem = self.on_polygons(load, cone)?;
         let columns = 3 * C * self.len() + D;
         let mut written = Written {

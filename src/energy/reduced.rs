@@ -99,6 +99,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         cone: &PolygonCone,
         unknowns: Unknowns,
     ) -> Result<ReducedQp<D, C>, Error> {
+        self.refuse_hands("reduced_qp")?;
         let problem = self.on_polygons(load, cone)?;
         let may_open = |local: &LocalLaw<'_, C>| {
             unknowns == Unknowns::TwistAndGaps && local.may_open() && !local.never_slides()

@@ -128,6 +128,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<SecondOrderOutcome<D, C>, Error> {
+        self.refuse_hands("second_order_equilibrium")?;
         let first_order = match self.solve_with(load, settings)? {
             Outcome::Equilibrium(equilibrium) => *equilibrium,
             other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
@@ -207,7 +208,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             world.push(site.frame * step.forces[i]);
         }
         SecondOrder {
-            stability: self.stability_with(&arms, &world, &step.states),
+            stability: self.stability_with(&arms, &world, &step.states, (SMatrix::zeros(), false)),
             first_order,
             twist: Twist::from_vector(*twist),
             forces: step.forces,

@@ -34,7 +34,7 @@ const ZERO: f64 = 1e-12;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Stability<const D: usize, const C: usize> {
-    /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that the
+    /// `Σ G_i K_i G_iᵀ` over the springs that hold, those of joints included (with rows and columns for their displacements), about the origin of the coordinates, N/m, N and N m: the stiffness that the
     /// object feels.
     pub elastic: SMatrix<f64, D, D>,
     /// What the contact forces add as their arms turn, on the rotations alone, same units.
@@ -98,7 +98,26 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
-        self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states)
+        let drives = self.drives_that_hold(equilibrium);
+        self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states, drives)
+    }
+
+    /// Elastic stiffness of the drives of a hand, and whether one of them slips.
+    fn drives_that_hold(&self, equilibrium: &Equilibrium<D, C>) -> (SMatrix<f64, D, D>, bool) {
+        let (mut elastic, mut slips) = (SMatrix::zeros(), false);
+        let Some(linkage) = self.linkage() else { return (elastic, slips) };
+        let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
+        for (state, site) in states {
+            slips |= state.slides();
+            if state.is_open() || state.slides() {
+                continue;
+            }
+            for a in 0..site.springs.axes() {
+                let column = site.map.column(a).component_mul(&linkage.lengths);
+                elastic += column * column.transpose() * site.springs.force_along(a, 1.0);
+            }
+        }
+        (elastic, slips)
     }
 
     /// The same with given arms from the object's point at the origin.
@@ -107,11 +126,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         arms: &[SVector<f64, C>],
         forces: &[SVector<f64, C>],
         states: &[ContactState<C>],
+        (mut elastic, mut slides): (SMatrix<f64, D, D>, bool),
     ) -> Stability<D, C> {
-        let (mut elastic, mut geometric) = (SMatrix::zeros(), SMatrix::zeros());
-        let mut slides = false;
+        let mut geometric = SMatrix::zeros();
         let contacts = arms.iter().zip(forces).zip(states);
-        for (site, ((arm, force), state)) in self.sites().iter().zip(contacts) {
+        for (i, (site, ((arm, force), state))) in self.sites().iter().zip(contacts).enumerate() {
             let holds = match state {
                 ContactState::Separated => 0,
                 ContactState::Sliding { .. } => {
@@ -120,7 +139,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 }
                 _ => site.springs.axes(),
             };
-            let map = grasp_map::<D, C>(arm, &site.frame);
+            let mut map = grasp_map::<D, C>(arm, &site.frame);
+            for (k, motion) in self.linkage().map_or(&[][..], |linkage| &linkage.motions[i]) {
+                map.set_row(C * (C + 1) / 2 + k, &-motion.tr_mul(&site.frame));
+            }
             for a in 0..holds {
                 let column = map.column(a);
                 elastic += column * column.transpose() * site.springs.force_along(a, 1.0);

@@ -57,6 +57,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         load: &Wrench<D, C>,
         settings: &Settings,
     ) -> Result<ThreeLaws<D, C>, Error> {
+        self.refuse_hands("three_laws")?;
         Ok(ThreeLaws {
             comparison: self.compare_with_minimum_energy_with(load, settings)?,
             associated: self.associated_friction_with(load, settings)?,

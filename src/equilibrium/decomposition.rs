@@ -1,9 +1,11 @@
 //! Equilibrating and interaction forces.
 
-use nalgebra::SVector;
+use std::borrow::Cow;
+
+use nalgebra::{SMatrix, SVector};
 
 use super::answer::{ContactState, Equilibrium};
-use crate::grasp::Grasp;
+use crate::grasp::{Grasp, Site};
 use crate::object::least_forces;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
@@ -43,7 +45,17 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&equilibrium.load);
-        let equilibrating: Vec<_> = least_forces(self.sites(), &carries, &load)
+        // Forces on the object, whatever joints are behind them.
+        let object = C * (C + 1) / 2;
+        let load = SVector::from_fn(|k, _| if k < object { load[k] } else { 0.0 });
+        let on_object = |site: &Site<D, C>| {
+            site.with_map(SMatrix::from_fn(|k, a| if k < object { site.map[(k, a)] } else { 0.0 }))
+        };
+        let sites: Cow<'_, [Site<D, C>]> = match self.linkage() {
+            None => self.sites().into(),
+            Some(_) => self.sites()[..self.len()].iter().map(on_object).collect(),
+        };
+        let equilibrating: Vec<_> = least_forces(&sites, &carries, &load)
             .into_iter()
             .zip(self.sites())
             .take(equilibrium.contacts.len())

@@ -41,11 +41,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let [force_error, displacement_error] =
             self.accuracy(equilibrium).map_or([0.0; 2], |accuracy| [accuracy.force, accuracy.displacement]);
         let twist = &equilibrium.local.twist;
-        let forces = equilibrium.contacts.iter().map(|contact| contact.force.norm());
-        let largest = largest_force(self.sites(), &problem.drives, twist, problem.wrench.norm(), forces);
+        let forces = equilibrium.site_forces();
+        let sizes = forces.iter().map(nalgebra::Matrix::norm);
+        let largest = largest_force(self.sites(), &problem.drives, twist, problem.wrench.norm(), sizes);
         let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State<C>)| {
-            let at = problem.at(i, &equilibrium.contacts[i].force, twist, largest);
+            let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
             let least = ROUNDING_OF_DATA.max(match state {
@@ -57,6 +58,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             problem.local(i).for_each_condition(state, &at, |value, size| distinct &= value > least * size);
             distinct
         };
-        Some(equilibrium.local.states.iter().enumerate().map(distinct).collect())
+        Some(equilibrium.local.states.iter().enumerate().take(self.len()).map(distinct).collect())
     }
 }

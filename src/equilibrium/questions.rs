@@ -202,8 +202,12 @@ fn same<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D
     let force_size = size(a).max(size(b));
     let travel = |e: &Equilibrium<D, C>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
     let motion_size = travel(a).max(travel(b));
-    a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
+    let contacts_agree = a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
         (x.force - y.force).norm() <= SAME * force_size
             && (x.body_core - y.body_core).norm() <= SAME * motion_size
-    })
+    });
+    let joints = || a.joints.iter().zip(&b.joints);
+    let turn =
+        joints().fold(0.0_f64, |most, (x, y)| most.max(x.displacement.abs()).max(y.displacement.abs()));
+    contacts_agree && joints().all(|(x, y)| (x.displacement - y.displacement).abs() <= SAME * turn)
 }

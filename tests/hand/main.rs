@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod closed_forms;
+mod every_question;
 mod exact;
 mod in_space;
 mod paths;

@@ -1,0 +1,103 @@
+//! Every question is answered for a hand, or refused by name; none panics.
+
+use grasp_lcp::energy::{MinimumOutcome, StabilityVerdict, Unknowns};
+use grasp_lcp::nalgebra::DMatrix;
+use grasp_lcp::planar::Contact;
+use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Leg, Ramp, Tendon, Wrench};
+use grasp_lcp::structured::Workspace;
+use grasp_lcp::sweep::Uncertainty;
+use grasp_lcp::{Error, Limit, PolygonCone};
+
+fn hand(limit: Option<Limit>) -> Grasp<11> {
+    let finger = |x: f64| {
+        let joint = |p: [f64; 2]| {
+            let joint = Joint::revolute(p).stiffness(30.0);
+            if let Some(limit) = limit { joint.limit(limit) } else { joint }
+        };
+        let pad =
+            Contact::new([x, 0.0], [-x, 0.1]).series_stiffness(2e3, 1.5e3).friction(0.6).pressed_with(3.0);
+        Finger::new([joint([1.3 * x, -1.0]), joint([1.2 * x, 0.4])]).contact(pad)
+    };
+    let coupled = finger(1.0).coupled(DMatrix::from_row_slice(2, 2, &[9.0, 3.0, 3.0, 1.0]));
+    let tendon = Tendon::new([0.0, 0.0, 0.02, 0.02]).stiffness(500.0).pull(1e-3);
+    Hand::new([finger(-1.0), coupled]).tendon(tendon).grasp().expect("well posed")
+}
+
+#[test]
+fn nothing_panics_and_what_agrees_agrees() {
+    for limit in [None, Some(Limit::Saturates(50.0)), Some(Limit::Slips(50.0))] {
+        let grasp = hand(limit);
+        let load = Wrench::new([0.3, -0.5], 0.05);
+        let outcome = grasp.solve(&load).expect("a load");
+        let held = outcome.equilibrium().expect("holds");
+        assert!(held.residuals.worst() < 1e-14, "{:?}", held.residuals);
+        let ramp = Ramp::load(Wrench::ZERO, load);
+
+        // Where everything rolls the paper's minimum of energy is the equilibrium, joints included.
+        let MinimumOutcome::Minimum(minimum) = grasp.minimum_energy(&load).expect("a load") else { panic!() };
+        for (a, b) in minimum.contacts.iter().zip(&held.contacts) {
+            assert!((a.force - b.force).norm() < 1e-12);
+        }
+        assert!(
+            (minimum.stored_energy - held.stored_energy).abs() < 1e-12 * held.stored_energy,
+            "{} {}",
+            minimum.stored_energy,
+            held.stored_energy
+        );
+        grasp.compare_with_minimum_energy(&load).expect("a load");
+        grasp.agreement_with_minimum_energy(&ramp).expect("a ramp");
+        let refused = |error: Option<Error>| {
+            assert!(matches!(error, None | Some(Error::NotForHands { .. })), "{error:?}");
+        };
+        refused(grasp.associated_friction(&load).err());
+        refused(grasp.second_order_equilibrium(&load).err());
+        refused(grasp.three_laws(&load).err());
+        refused(grasp.printed_qp(&load, &PolygonCone::default()).err());
+        refused(grasp.reduced_qp(&load, &PolygonCone::default(), Unknowns::Twist).err());
+        let stability = grasp.stability(held);
+        assert_eq!(stability.verdict, StabilityVerdict::Stable);
+
+        let split = grasp.decompose(held);
+        let sum = |forces: &[grasp_lcp::nalgebra::Vector2<f64>]| {
+            forces.iter().sum::<grasp_lcp::nalgebra::Vector2<f64>>()
+        };
+        assert!((sum(&split.equilibrating) + grasp_lcp::nalgebra::Vector2::new(0.3, -0.5)).norm() < 1e-13);
+        assert!(sum(&split.interaction).norm() < 1e-13);
+        let accuracy = grasp.accuracy(held).expect("its own");
+        assert!(accuracy.force < 1e-13);
+        assert_eq!(grasp.distinct(held).expect("its own").len(), 2);
+        assert!(grasp.equilibria(&load).expect("few").len() == 1);
+        grasp.bracket(&load).expect("a load");
+        grasp.refutation(&load).expect("a load");
+        grasp.kinematic_form(&load, &PolygonCone::default()).expect("a load");
+        grasp.force_form(&load, &PolygonCone::default()).expect("a load");
+        let onset = grasp.onset(&ramp).expect("a ramp");
+        let event = onset.event().expect("slides");
+        assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
+        grasp.beyond(event).expect("its own");
+        assert!(!grasp.onset_gradients(&ramp, event).is_empty());
+        grasp.reserve(&ramp, 50.0).expect("a ramp");
+        grasp.rolling_range(&ramp).expect("a ramp");
+        let mut path = grasp
+            .follow(&Wrench::ZERO, &[Leg::load_to(load * 30.0), Leg::load_to(Wrench::ZERO)])
+            .expect("loads");
+        path.run();
+        let _ = path.beyond();
+        refused(grasp.follow_patch(&Wrench::ZERO, &[]).err());
+        assert_eq!(grasp.response(held).expect("regular").forces.shape(), (4, 4));
+        assert_eq!(grasp.joint_response(held).expect("regular").forces.nrows(), 4);
+        for outcome in grasp.solve_each(&[load, load * 2.0]) {
+            outcome.expect("a load");
+        }
+        for outcome in grasp.onset_each(std::slice::from_ref(&ramp)) {
+            outcome.expect("a ramp");
+        }
+        let uncertainty = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.2).with_squeeze(0.1);
+        for outcome in grasp.onset_of_samples(&ramp, &uncertainty, 5) {
+            outcome.expect("a sample");
+        }
+        let mut workspace = Workspace::default();
+        let found = workspace.solve(&grasp, &load);
+        assert!(found.is_ok());
+    }
+}
