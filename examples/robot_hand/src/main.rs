@@ -213,6 +213,14 @@ fn of_grasp(
     if grasp.onset(&Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
         draw_map(title, name, &grasp, &springs, ball)?;
     }
+    // What joints cost: the same question of the same contacts with springs of their own.
+    let (load, told) = (pull([0.0, 0.0, -0.5]), spatial::Wrench::force_at([0.0, 0.0, -0.5], at));
+    let joints = microseconds(|| grasp.solve(&load).map(drop))?;
+    let alone = microseconds(|| springs.solve(&told).map(drop))?;
+    println!(
+        "  one equilibrium: {joints:.0} µs with joints, {:.1} times that of springs alone",
+        joints / alone
+    );
     let mut page = SpatialPage::new(&grasp, title).frame("the squeeze alone", rest);
     for corners in circles(ball) {
         page = page.outline(corners);
@@ -221,6 +229,19 @@ fn of_grasp(
     std::fs::write(format!("output/robot_hand_{name}_view.svg"), page.to_svg(Some(0), View::default())?)?;
     println!("  wrote output/robot_hand_{name}.html and output/robot_hand_{name}_view.svg\n");
     Ok(())
+}
+
+/// The shortest of several times of a call, µs.
+fn microseconds(call: impl Fn() -> Result<(), grasp_lcp::Error>) -> Result<f64, Failure> {
+    let mut best = f64::INFINITY;
+    for _ in 0..20 {
+        let start = std::time::Instant::now();
+        for _ in 0..10 {
+            call()?;
+        }
+        best = best.min(start.elapsed().as_secs_f64() / 10.0 * 1e6);
+    }
+    Ok(best)
 }
 
 fn newtons(factor: Option<f64>) -> String {
