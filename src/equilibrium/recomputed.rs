@@ -90,10 +90,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
         // Comparisons below pass over what is not a number.
-        let finite = |c: &ContactAnswer<C>| {
-            c.gap.is_finite() && c.force.iter().chain(&c.force_world).chain(&c.slip).all(|x| x.is_finite())
-        };
-        if !answers.iter().all(finite) || !twist.as_vector().iter().all(|x| x.is_finite()) {
+        if !answers.iter().all(is_finite) || !twist.as_vector().iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
@@ -238,6 +235,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }
+}
+
+fn is_finite<const C: usize>(answer: &ContactAnswer<C>) -> bool {
+    let numbers = answer.force.iter().chain(&answer.force_world).chain(&answer.slip);
+    answer.gap.is_finite() && numbers.into_iter().all(|x| x.is_finite())
 }
 
 #[cfg(test)]

@@ -48,6 +48,7 @@ mod sensitivity;
 mod standing;
 mod straight;
 mod stretch;
+mod told_apart;
 mod transition;
 mod turning;
 mod walk;

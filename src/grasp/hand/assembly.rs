@@ -1,35 +1,15 @@
 //! From a hand as it is given to the coordinates, contacts and drives of a grasp.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, SVector};
 
-use super::compliant::split;
+use super::draft::{Assembly, refuse};
 use super::drive::{Drive, Owner, Role};
-use super::finger::{Finger, MovedBy};
 use super::hand_builder::Hand;
 use super::joint::{Joint, Limit};
 use super::linkage::{Linkage, Named};
-use super::positive::{Fault, squares};
+use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
-use crate::grasp::contact::Contact;
 use crate::grasp::held_object::Grasp;
-
-/// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
-type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
-
-/// A hand on its way to a grasp.
-struct Assembly<const D: usize, const C: usize> {
-    contacts: Vec<Contact<C>>,
-    motions: Vec<Columns<C>>,
-    joints: Vec<Joint<C>>,
-    /// Coordinates beside those of the object that are in use.
-    used: usize,
-    lengths: SVector<f64, D>,
-    drives: Vec<Drive<D>>,
-    held: SVector<f64, D>,
-    bones: Vec<[SVector<f64, C>; 2]>,
-    /// Pressing force of each contact.
-    presses: Vec<f64>,
-}
 
 impl<const C: usize> Hand<C> {
     /// The grasp of an object by this hand, in D coordinates: those of the object, 3 in the plane and 6 in space, and [one for each joint and
@@ -82,171 +62,6 @@ impl<const C: usize> Hand<C> {
 }
 
 impl<const D: usize, const C: usize> Assembly<D, C> {
-    /// Coordinates of the object.
-    const OBJECT: usize = C * (C + 1) / 2;
-
-    fn fault<T>(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<T, Error> {
-        Err(Error::Hand { what, field, value, allowed })
-    }
-
-    fn label(&self, joint: usize) -> String {
-        self.joints[joint]
-            .name
-            .as_ref()
-            .map_or_else(|| format!("joint {joint}"), |name| format!("joint {joint} ({name})"))
-    }
-
-    /// The contacts of a finger whose joints begin at `first`.
-    fn add_contacts(&mut self, finger: &Finger<C>, number: usize, first: usize) -> Result<(), Error> {
-        let count = finger.joints.len();
-        let (pads, own) = match &finger.compliance {
-            None => (None, Vec::new()),
-            Some(matrix) => {
-                let split = split(matrix, C * finger.contacts.len());
-                let (pads, own) =
-                    split.or_else(|fault| refuse(fault, format!("finger {number}"), "compliance"))?;
-                (Some(pads), own)
-            }
-        };
-        for (place, carried) in finger.contacts.iter().enumerate() {
-            let index = self.contacts.len();
-            let mut contact = carried.contact.clone();
-            if let Some(pads) = &pads {
-                contact.stiffness = contact.stiffness.softened(&SVector::from_fn(|a, _| pads[C * place + a]));
-            }
-            contact.check(index)?;
-            let frame = contact.frame(index)?;
-            self.presses.push(contact.press.unwrap_or(0.0));
-            let mut columns: Columns<C> = Vec::new();
-            let mut given = |matrix: &DMatrix<f64>, turn: bool| {
-                if matrix.shape() != (C, count) {
-                    let what = format!("jacobian of contact {}", contact.label(index));
-                    return Err(Error::Shape { what, given: matrix.shape(), expected: (C, count) });
-                }
-                if let Some(&value) = matrix.iter().find(|x| !is_moderate(**x)) {
-                    let what = format!("contact {}", contact.label(index));
-                    return Self::fault(what, "jacobian", value, crate::error::MODERATE);
-                }
-                for j in 0..count {
-                    let column = SVector::from_fn(|a, _| matrix[(a, j)]);
-                    columns.push((first + j, if turn { frame * column } else { column }));
-                }
-                Ok(())
-            };
-            match &carried.by {
-                MovedBy::World(matrix) => given(matrix, false)?,
-                MovedBy::Frame(matrix) => given(matrix, true)?,
-                MovedBy::Link(link) => {
-                    if *link > count {
-                        let what = format!("contact {}", contact.label(index));
-                        return Self::fault(
-                            what,
-                            "link",
-                            *link as f64,
-                            "at most the number of joints of its finger",
-                        );
-                    }
-                    let centres = finger.joints[..*link].iter().filter_map(|joint| joint.motion.centre());
-                    let corners: Vec<_> = centres.chain([contact.point]).collect();
-                    self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
-                    for j in 0..*link {
-                        let Some(velocity) = finger.joints[j].motion.of_point(&contact.point) else {
-                            return Self::fault(
-                                self.label(first + j),
-                                "axis",
-                                0.0,
-                                "of positive, finite length",
-                            );
-                        };
-                        if let Some(&value) = velocity.iter().find(|x| !is_moderate(**x)) {
-                            return Self::fault(
-                                self.label(first + j),
-                                "axis or point",
-                                value,
-                                crate::error::MODERATE,
-                            );
-                        }
-                        columns.push((first + j, velocity));
-                    }
-                }
-            }
-            // What the finger gives way by beside its pads: displacements of no joint.
-            for (k, column) in own.iter().enumerate() {
-                let along = SVector::from_fn(|a, _| column[C * place + a]);
-                columns.push((self.used + k, frame * along));
-            }
-            self.contacts.push(contact);
-            self.motions.push(columns);
-        }
-        self.press_on_compliance(finger, &own);
-        for k in 0..own.len() {
-            let mut along = SVector::zeros();
-            along[Self::OBJECT + self.used + k] = 1.0;
-            self.drives.push(Drive {
-                owner: Owner::Nobody,
-                role: Role::Holds,
-                along,
-                stiffness: 1.0,
-                bound: f64::INFINITY,
-                unit: 1.0,
-                commands: Vec::new(),
-                rest: 0.0,
-            });
-        }
-        self.used += own.len();
-        Ok(())
-    }
-
-    /// What gives way beside the pads of a finger is commanded along with its contacts.
-    fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
-        let first = self.contacts.len() - finger.contacts.len();
-        let presses: Vec<f64> = self.presses[first..].to_vec();
-        for column in own {
-            let pushed: f64 = presses.iter().enumerate().map(|(i, force)| column[C * i] * force).sum();
-            for (i, contact) in self.contacts[first..].iter_mut().enumerate() {
-                let along = SVector::<f64, C>::from_fn(|a, _| column[C * i + a] * pushed);
-                if pushed != 0.0 {
-                    *contact = contact.clone().resolved();
-                    contact.command += along;
-                }
-            }
-        }
-    }
-
-    /// Commands of joints that let their contacts press as they are told to, `K⁻¹ Σ Jᵀ F`.
-    fn pressed(&self, fingers: &[Finger<C>]) -> Result<Vec<f64>, Error> {
-        let mut torques = vec![0.0; self.joints.len()];
-        for ((contact, motions), force) in self.contacts.iter().zip(&self.motions).zip(&self.presses) {
-            let normal = contact.normal.normalize() * *force;
-            for (k, motion) in motions.iter().filter(|(k, _)| *k < self.joints.len()) {
-                torques[*k] += motion.dot(&normal);
-            }
-        }
-        let mut first = 0;
-        for finger in fingers {
-            let count = finger.joints.len();
-            let torque = DVector::from_fn(count, |j, _| torques[first + j]);
-            if torque.amax() > 0.0 {
-                let mut stiffness = finger.coupling.clone().unwrap_or_else(|| DMatrix::zeros(count, count));
-                for j in 0..count {
-                    stiffness[(j, j)] += finger.joints[j].stiffness;
-                }
-                let Some(commands) = stiffness.lu().solve(&torque) else {
-                    let what = self.label(first);
-                    return Self::fault(
-                        what,
-                        "stiffness",
-                        0.0,
-                        "positive where a contact of the finger is told how to press",
-                    );
-                };
-                torques[first..first + count].copy_from_slice(commands.as_slice());
-            }
-            first += count;
-        }
-        Ok(torques)
-    }
-
     /// Chooses the length by which each joint displacement is measured, a power of two near the longest motion of a contact: scaling then rounds nothing.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
@@ -414,19 +229,8 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     fn grasp(mut self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Grasp<D, C>, Error> {
         // Coordinates that are not in use stay where they are.
         for k in Self::OBJECT + self.used..D {
-            let mut along = SVector::zeros();
-            along[k] = 1.0;
             let stiffness = self.contacts.first().map_or(1.0, |contact| contact.stiffness.series()[0]);
-            self.drives.push(Drive {
-                owner: Owner::Nobody,
-                role: Role::Holds,
-                along,
-                stiffness,
-                bound: f64::INFINITY,
-                unit: 1.0,
-                commands: Vec::new(),
-                rest: 0.0,
-            });
+            self.drives.push(Drive::unowned(k, stiffness));
         }
         let name =
             |joint: &Joint<C>| Named { name: joint.name.clone(), limit: joint.limit, held: joint.torque };
@@ -470,22 +274,6 @@ fn check_spring(label: &str, stiffness: f64, limit: Option<Limit>) -> Result<(),
         );
     }
     Ok(())
-}
-
-/// The error for a matrix.
-fn refuse<T>(fault: Fault, what: String, field: &'static str) -> Result<T, Error> {
-    Err(match fault {
-        Fault::Shape { rows, columns, size } => Error::Shape {
-            what: format!("{field} of {what}"),
-            given: (rows, columns),
-            expected: (size, size),
-        },
-        Fault::Entry(value) => Error::Hand { what, field, value, allowed: crate::error::MODERATE },
-        Fault::Asymmetry(value) => {
-            Error::Matrix { what, field, fault: "differs across its diagonal by", value }
-        }
-        Fault::Eigenvalue(value) => Error::Matrix { what, field, fault: "has the eigenvalue", value },
-    })
 }
 
 /// The power of two next to a positive number.

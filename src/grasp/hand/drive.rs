@@ -51,6 +51,22 @@ pub(crate) struct Drive<const D: usize> {
 }
 
 impl<const D: usize> Drive<D> {
+    /// A spring that holds one coordinate and belongs to no joint.
+    pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
+        let mut along = SVector::zeros();
+        along[coordinate] = 1.0;
+        Self {
+            owner: Owner::Nobody,
+            role: Role::Holds,
+            along,
+            stiffness,
+            bound: f64::INFINITY,
+            unit: 1.0,
+            commands: Vec::new(),
+            rest: 0.0,
+        }
+    }
+
     /// The axis of its site along which the spring acts.
     fn axis(&self) -> usize {
         usize::from(self.role == Role::Slips)

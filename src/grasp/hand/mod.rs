@@ -19,7 +19,9 @@
 //! The contact law is untouched: a drive is one more spring, of one axis, whose map has entries among the joints alone.
 
 mod assembly;
+mod carried;
 mod compliant;
+mod draft;
 mod drive;
 mod finger;
 mod hand_builder;

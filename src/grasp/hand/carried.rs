@@ -1,0 +1,156 @@
+//! The contacts of a finger: how joints move them, what else gives way behind them, and how they are pressed.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::compliant::split;
+use super::draft::{Assembly, Columns, refuse};
+use super::drive::Drive;
+use super::finger::{Finger, MovedBy};
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::grasp::contact::Contact;
+
+impl<const D: usize, const C: usize> Assembly<D, C> {
+    /// The contacts of a finger whose joints begin at `first`.
+    pub(super) fn add_contacts(
+        &mut self,
+        finger: &Finger<C>,
+        number: usize,
+        first: usize,
+    ) -> Result<(), Error> {
+        let (pads, own) = match &finger.compliance {
+            None => (DVector::zeros(0), Vec::new()),
+            Some(matrix) => split(matrix, C * finger.contacts.len())
+                .or_else(|fault| refuse(fault, format!("finger {number}"), "compliance"))?,
+        };
+        for (place, carried) in finger.contacts.iter().enumerate() {
+            let index = self.contacts.len();
+            let mut contact = carried.contact.clone();
+            if !pads.is_empty() {
+                contact.stiffness = contact.stiffness.softened(&SVector::from_fn(|a, _| pads[C * place + a]));
+            }
+            contact.check(index)?;
+            let frame = contact.frame(index)?;
+            self.presses.push(contact.press.unwrap_or(0.0));
+            let mut columns = match &carried.by {
+                MovedBy::World(matrix) => {
+                    given(matrix, (finger, first), (&contact, index), &SMatrix::identity())?
+                }
+                MovedBy::Frame(matrix) => given(matrix, (finger, first), (&contact, index), &frame)?,
+                MovedBy::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
+            };
+            // What the finger gives way by beside its pads: displacements of no joint.
+            for (k, column) in own.iter().enumerate() {
+                let along = SVector::from_fn(|a, _| column[C * place + a]);
+                columns.push((self.used + k, frame * along));
+            }
+            self.contacts.push(contact);
+            self.motions.push(columns);
+        }
+        self.press_on_compliance(finger, &own);
+        for k in 0..own.len() {
+            self.drives.push(Drive::unowned(Self::OBJECT + self.used + k, 1.0));
+        }
+        self.used += own.len();
+        Ok(())
+    }
+
+    /// Motion of a contact on a link with the joints before it, by what these joints are.
+    fn on_link(
+        &mut self,
+        link: usize,
+        finger: &Finger<C>,
+        (contact, index): (&Contact<C>, usize),
+        first: usize,
+    ) -> Result<Columns<C>, Error> {
+        if link > finger.joints.len() {
+            let what = format!("contact {}", contact.label(index));
+            return Self::fault(what, "link", link as f64, "at most the number of joints of its finger");
+        }
+        let joints = &finger.joints[..link];
+        let corners: Vec<_> =
+            joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).collect();
+        self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
+        let mut columns = Columns::new();
+        for (j, joint) in joints.iter().enumerate() {
+            let label = || self.label(first + j);
+            let Some(velocity) = joint.motion.of_point(&contact.point) else {
+                return Self::fault(label(), "axis", 0.0, "of positive, finite length");
+            };
+            if let Some(&value) = velocity.iter().find(|x| !is_moderate(**x)) {
+                return Self::fault(label(), "axis or point", value, MODERATE);
+            }
+            columns.push((first + j, velocity));
+        }
+        Ok(columns)
+    }
+
+    /// What gives way beside the pads of a finger is commanded along with its contacts.
+    fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
+        let first = self.contacts.len() - finger.contacts.len();
+        let presses: Vec<f64> = self.presses[first..].to_vec();
+        for column in own {
+            let pushed: f64 = presses.iter().enumerate().map(|(i, force)| column[C * i] * force).sum();
+            for (i, contact) in self.contacts[first..].iter_mut().enumerate() {
+                let along = SVector::<f64, C>::from_fn(|a, _| column[C * i + a] * pushed);
+                if pushed != 0.0 {
+                    *contact = contact.clone().resolved();
+                    contact.command += along;
+                }
+            }
+        }
+    }
+
+    /// Commands of joints that let their contacts press as they are told to, `K⁻¹ Σ Jᵀ F`.
+    pub(super) fn pressed(&self, fingers: &[Finger<C>]) -> Result<Vec<f64>, Error> {
+        let mut torques = vec![0.0; self.joints.len()];
+        for ((contact, motions), force) in self.contacts.iter().zip(&self.motions).zip(&self.presses) {
+            let normal = contact.normal.normalize() * *force;
+            for (k, motion) in motions.iter().filter(|(k, _)| *k < self.joints.len()) {
+                torques[*k] += motion.dot(&normal);
+            }
+        }
+        let mut first = 0;
+        for finger in fingers {
+            let count = finger.joints.len();
+            let torque = DVector::from_fn(count, |j, _| torques[first + j]);
+            if torque.amax() > 0.0 {
+                let mut stiffness = finger.coupling.clone().unwrap_or_else(|| DMatrix::zeros(count, count));
+                for j in 0..count {
+                    stiffness[(j, j)] += finger.joints[j].stiffness;
+                }
+                let Some(commands) = stiffness.lu().solve(&torque) else {
+                    let what = self.label(first);
+                    return Self::fault(
+                        what,
+                        "stiffness",
+                        0.0,
+                        "positive where a contact of the finger is told how to press",
+                    );
+                };
+                torques[first..first + count].copy_from_slice(commands.as_slice());
+            }
+            first += count;
+        }
+        Ok(torques)
+    }
+}
+
+/// The columns of a Jacobian that is given along these axes.
+fn given<const C: usize>(
+    matrix: &DMatrix<f64>,
+    (finger, first): (&Finger<C>, usize),
+    (contact, index): (&Contact<C>, usize),
+    axes: &SMatrix<f64, C, C>,
+) -> Result<Columns<C>, Error> {
+    let expected = (C, finger.joints.len());
+    if matrix.shape() != expected {
+        let what = format!("jacobian of contact {}", contact.label(index));
+        return Err(Error::Shape { what, given: matrix.shape(), expected });
+    }
+    if let Some(&value) = matrix.iter().find(|x| !is_moderate(**x)) {
+        let what = format!("contact {}", contact.label(index));
+        return Err(Error::Hand { what, field: "jacobian", value, allowed: MODERATE });
+    }
+    let column = |j: usize| axes * SVector::<f64, C>::from_fn(|a, _| matrix[(a, j)]);
+    Ok((0..expected.1).map(|j| (first + j, column(j))).collect())
+}

@@ -1,0 +1,64 @@
+//! A hand on its way to a grasp: what its parts are put into.
+
+use nalgebra::SVector;
+
+use super::drive::Drive;
+use super::joint::Joint;
+use super::positive::Fault;
+use crate::error::Error;
+use crate::grasp::contact::Contact;
+
+/// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
+pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
+
+/// A hand on its way to a grasp.
+pub(super) struct Assembly<const D: usize, const C: usize> {
+    pub(super) contacts: Vec<Contact<C>>,
+    pub(super) motions: Vec<Columns<C>>,
+    pub(super) joints: Vec<Joint<C>>,
+    /// Coordinates beside those of the object that are in use.
+    pub(super) used: usize,
+    pub(super) lengths: SVector<f64, D>,
+    pub(super) drives: Vec<Drive<D>>,
+    pub(super) held: SVector<f64, D>,
+    pub(super) bones: Vec<[SVector<f64, C>; 2]>,
+    /// Pressing force of each contact.
+    pub(super) presses: Vec<f64>,
+}
+
+impl<const D: usize, const C: usize> Assembly<D, C> {
+    /// Coordinates of the object.
+    pub(super) const OBJECT: usize = C * (C + 1) / 2;
+
+    pub(super) fn fault<T>(
+        what: String,
+        field: &'static str,
+        value: f64,
+        allowed: &'static str,
+    ) -> Result<T, Error> {
+        Err(Error::Hand { what, field, value, allowed })
+    }
+
+    pub(super) fn label(&self, joint: usize) -> String {
+        self.joints[joint]
+            .name
+            .as_ref()
+            .map_or_else(|| format!("joint {joint}"), |name| format!("joint {joint} ({name})"))
+    }
+}
+
+/// The error for a matrix.
+pub(super) fn refuse<T>(fault: Fault, what: String, field: &'static str) -> Result<T, Error> {
+    Err(match fault {
+        Fault::Shape { rows, columns, size } => Error::Shape {
+            what: format!("{field} of {what}"),
+            given: (rows, columns),
+            expected: (size, size),
+        },
+        Fault::Entry(value) => Error::Hand { what, field, value, allowed: crate::error::MODERATE },
+        Fault::Asymmetry(value) => {
+            Error::Matrix { what, field, fault: "differs across its diagonal by", value }
+        }
+        Fault::Eigenvalue(value) => Error::Matrix { what, field, fault: "has the eigenvalue", value },
+    })
+}
