@@ -2,7 +2,8 @@
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. What is left out is zero. A force that acts elsewhere than at the origin may say
-//! where, `"at": [0.1, 0]`; its moment is added.
+//! where, `"at": [0.1, 0]`; its moment is added. Of a grasp by a hand what belongs to its joints comes
+//! behind, `"joints": [0.1, 0, …]`; fewer than there are stand for the first.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -11,20 +12,25 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 use super::numbers::{Found, Given, Number};
 use super::object;
 use super::rows::Few;
-use crate::grasp::{Twist, Wrench, wrench_of};
+use crate::grasp::{Twist, Wrench, of_the_object, wrench_of};
 
 fn write<S: Serializer, const D: usize, const C: usize>(
     serializer: S,
     components: &SVector<f64, D>,
     [name, linear_name, angular_name]: [&'static str; 3],
 ) -> Result<S::Ok, S::Error> {
-    let (linear, angular) = components.as_slice().split_at(C);
-    let mut out = serializer.serialize_struct(name, 2)?;
+    let (linear, behind) = components.as_slice().split_at(C);
+    let (angular, joints) = behind.split_at(of_the_object::<C>() - C);
+    let mut out = serializer.serialize_struct(name, if joints.is_empty() { 2 } else { 3 })?;
     out.serialize_field(linear_name, &Few::<Found, 3>::of(linear))?;
     if let [moment] = angular {
         out.serialize_field(angular_name, &Number::<Found>::new(*moment))?;
     } else {
         out.serialize_field(angular_name, &Few::<Found, 3>::of(angular))?;
+    }
+    if !joints.is_empty() {
+        let joints: Vec<_> = joints.iter().map(|x| Number::<Found>::new(*x)).collect();
+        out.serialize_field("joints", &joints)?;
     }
     out.end()
 }
@@ -42,14 +48,24 @@ fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f6
     Ok(part)
 }
 
-/// Both parts in one row.
+/// All parts in one row, those of joints zero if they are left out.
 fn join<K, const D: usize, const C: usize>(
     parts: [Option<&Few<K, 3>>; 2],
+    joints: Option<&[Number<K>]>,
     names: [&str; 2],
 ) -> Result<SVector<f64, D>, String> {
+    let object = of_the_object::<C>();
     let linear_part = part(parts[0], C, names[0])?;
-    let angular_part = part(parts[1], D - C, names[1])?;
-    Ok(SVector::from_fn(|k, _| if k < C { linear_part[k] } else { angular_part[k - C] }))
+    let angular_part = part(parts[1], object - C, names[1])?;
+    let joints = joints.unwrap_or_default();
+    if joints.len() > D - object {
+        return Err(format!("joints: {} given, must be at most {}", joints.len(), D - object));
+    }
+    Ok(SVector::from_fn(|k, _| match k {
+        _ if k < C => linear_part[k],
+        _ if k < object => angular_part[k - C],
+        _ => joints.get(k - object).map_or(0.0, |x| x.0),
+    }))
 }
 
 #[derive(serde::Deserialize)]
@@ -57,6 +73,7 @@ fn join<K, const D: usize, const C: usize>(
 struct WrittenWrench {
     force: Option<Few<Given, 3>>,
     moment: Option<Few<Given, 3>>,
+    joints: Option<Vec<Number<Given>>>,
     at: Option<Few<Given, 3>>,
 }
 
@@ -65,9 +82,10 @@ struct WrittenWrench {
 struct WrittenTwist {
     translation: Option<Few<Found, 3>>,
     rotation: Option<Few<Found, 3>>,
+    joints: Option<Vec<Number<Found>>>,
 }
 
-/// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
+/// `{"force": …, "moment": …}`, and `"joints": […]` behind a hand (feature `serde`), see [`crate::scene`].
 impl<const D: usize, const C: usize> Serialize for Wrench<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         write::<S, D, C>(serializer, self.as_vector(), ["Wrench", "force", "moment"])
@@ -78,15 +96,17 @@ impl<const D: usize, const C: usize> Serialize for Wrench<D, C> {
 /// Refuses numbers that a grasp would refuse.
 impl<'de, const D: usize, const C: usize> Deserialize<'de> for Wrench<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {
-            let mut wrench = join::<_, D, C>([force.as_ref(), moment.as_ref()], ["force", "moment"])?;
+        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, joints, at }| {
+            let parts = [force.as_ref(), moment.as_ref()];
+            let mut wrench = join::<_, D, C>(parts, joints.as_deref(), ["force", "moment"])?;
             if at.is_some() {
                 let at = part(at.as_ref(), C, "at")?;
                 let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
                 let through = wrench_of::<6, 3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
                 // The plane turns about z, the last axis of space.
-                for k in C..D {
-                    wrench[k] += through[6 + k - D];
+                let object = of_the_object::<C>();
+                for k in C..object {
+                    wrench[k] += through[6 + k - object];
                 }
             }
             Ok(Self::from_vector(wrench))
@@ -94,7 +114,7 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Wrench<D, C> {
     }
 }
 
-/// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
+/// `{"translation": …, "rotation": …}`, and `"joints": […]` behind a hand (feature `serde`), see [`crate::scene`].
 impl<const D: usize, const C: usize> Serialize for Twist<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         write::<S, D, C>(serializer, self.as_vector(), ["Twist", "translation", "rotation"])
@@ -104,9 +124,9 @@ impl<const D: usize, const C: usize> Serialize for Twist<D, C> {
 /// `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
 impl<'de, const D: usize, const C: usize> Deserialize<'de> for Twist<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
+        object::read(deserializer, "a twist", |WrittenTwist { translation, rotation, joints }| {
             let parts = [translation.as_ref(), rotation.as_ref()];
-            join::<_, D, C>(parts, ["translation", "rotation"]).map(Self::from_vector)
+            join::<_, D, C>(parts, joints.as_deref(), ["translation", "rotation"]).map(Self::from_vector)
         })
     }
 }

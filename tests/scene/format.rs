@@ -129,6 +129,25 @@ fn spatial_answers_read_back_to_the_bit() {
     for_all(file!(), 30, &draw, |drawn| answers_read_back(&drawn));
 }
 
+/// Behind a hand wrenches and twists have components for its joints; they are written by name, and too many are refused.
+#[test]
+fn wrenches_of_hands_read_back_with_their_joints() {
+    use planar::hand::{Twist, Wrench};
+    let load = Wrench::<5>::from_vector([1.0, -2.0, 0.1, 1e-300, 1.0 / 3.0]);
+    let written = serde_json::to_value(load).unwrap();
+    assert_eq!(written, json!({ "force": [1.0, -2.0], "moment": 0.1, "joints": [1e-300, 1.0 / 3.0] }));
+    assert_eq!(serde_json::from_value::<Wrench<5>>(written).unwrap(), load);
+    let motion = Twist::<5>::from_vector([0.0, 0.0, 0.0, f64::INFINITY, -0.0]);
+    let back: Twist<5> = serde_json::from_str(&serde_json::to_string(&motion).unwrap()).unwrap();
+    assert_eq!(back.joints(), motion.joints());
+    let few: Wrench<5> = serde_json::from_value(json!({ "joints": [2.0] })).unwrap();
+    assert_eq!(few.as_vector().as_slice(), [0.0, 0.0, 0.0, 2.0, 0.0]);
+    let refused = |text: Value| serde_json::from_value::<Wrench<5>>(text).unwrap_err().to_string();
+    assert!(refused(json!({ "joints": [1, 2, 3] })).contains("joints: 3 given, must be at most 2"));
+    let object = serde_json::from_value::<planar::Wrench>(json!({ "joints": [1] })).unwrap_err().to_string();
+    assert!(object.contains("joints: 1 given, must be at most 0"), "{object}");
+}
+
 #[test]
 fn what_is_left_out_has_the_defaults_of_the_crate() {
     let scene: Scene = serde_json::from_value(json!({

@@ -149,7 +149,11 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         ),
         ("\"solve\"", "\"slove\"", "unknown variant `slove`, expected one of `solve`, `onset`, `follow`"),
         ("\"load\"", "\"lode\"", "unknown field `lode`, expected `load`"),
-        ("\"force\"", "\"forse\"", "unknown field `forse`, expected one of `force`, `moment`, `at`"),
+        (
+            "\"force\"",
+            "\"forse\"",
+            "unknown field `forse`, expected one of `force`, `moment`, `joints`, `at`",
+        ),
         (
             "\"commands_by\"",
             "\"command_by\"",
