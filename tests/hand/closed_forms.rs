@@ -43,10 +43,17 @@ fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
 /// A side that tightens itself never slides from μ |c_nt| >= c_nn on.
 #[test]
 fn a_side_that_tightens_itself_never_slides() -> Tested {
-    let grasp = pinch(1e-3, 0.8e-3, 1e-3, 1.25 + 1e-9, 10.0)?;
-    let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]));
-    assert_eq!(onset(-1.0)?.factor(), Some(f64::INFINITY));
-    assert!((onset(1.0)?.factor().ok_or("slides")? - 25.0 / 2.0).abs() < 1e-7);
+    let (c_nn, c_nt, force) = (1e-3, 0.8e-3, 10.0);
+    for (mu, tightens) in [(1.25 + 1e-9, true), (1.25 - 1e-9, false)] {
+        let grasp = pinch(c_nn, c_nt, 1e-3, mu, force)?;
+        let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]));
+        let factor = onset(1.0)?.factor().ok_or("slides")?;
+        let expected = 2.0 * mu * force / (1.0 + mu * c_nt / c_nn);
+        assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
+        // Just below the threshold the other side holds ten thousand million newtons.
+        let factor = onset(-1.0)?.factor().ok_or("has an answer")?;
+        assert_eq!(factor.is_infinite(), tightens, "{factor}");
+    }
     Ok(())
 }
 
@@ -58,7 +65,10 @@ fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
         let joints = [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].map(|[px, py]| [x * px, py]);
         let stiffness = [0.8, 0.8, 0.5];
         let joints = joints.iter().zip(stiffness).map(|(p, k)| Joint::revolute(*p).stiffness(k));
-        let pad = Contact::new([x * 0.25, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(mu);
+        let pad = Contact::new([x * 0.25, 0.0], [-x, 0.0])
+            .series_stiffness(1e9, 1e9)
+            .friction(mu)
+            .pressed_with(4.5);
         Finger::new(joints).contact(pad)
     };
     // C = Σ J J^T / k with the arms from joint to contact, normal towards the middle, tangent down.
@@ -70,26 +80,15 @@ fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
         c_nt += n * t / k;
     }
     let grasp: Grasp<9> = Hand::new([finger(-1.0), finger(1.0)]).grasp()?;
-    // A squeeze of 4.5 N: torques J^T F over stiffness, pushed on by the pads.
-    let mut commands = Vec::new();
-    for x in [-1.0, 1.0] {
-        for ([px, py], k) in [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].into_iter().zip([0.8, 0.8, 0.5]) {
-            let motion = [py, x * (0.25 - px)]; // -(arm)_y, arm_x
-            let force = [-x * 4.5, 0.0];
-            commands.push((motion[0] * force[0] + motion[1] * force[1]) / k);
-        }
-    }
-    let grasp = grasp.with_joint_commands(&commands)?;
     let outcome = grasp.solve(&Wrench::ZERO)?;
     let squeezed = outcome.equilibrium().ok_or("holds")?;
     let force = squeezed.contacts[0].normal_force();
-    assert!((force - 4.5).abs() < 1e-7);
-    assert!(squeezed.contacts[0].friction_force() < 1e-7);
+    assert!((force - 4.5).abs() < 1e-12 && squeezed.contacts[0].friction_force() < 1e-12);
     for side in [-1.0, 1.0] {
         let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]))?;
         let expected = 2.0 * mu * force / (1.0 + side * mu * c_nt / c_nn);
         let factor = onset.factor().ok_or("slides")?;
-        assert!((factor / expected - 1.0).abs() < 1e-8, "{factor} {expected}");
+        assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
     }
     Ok(())
 }
@@ -256,8 +255,7 @@ fn a_plate_jaw_on_one_spring() -> Tested {
 fn a_tendon_over_two_fingers() -> Tested {
     // Each finger turns about a pivot 1 m below its contact: a turn presses the contact inwards by the arm.
     let finger = |x: f64, arm: f64| {
-        let knuckle = Joint::revolute([x, -arm]).torque(-x.signum() * 0.0);
-        Finger::new([knuckle])
+        Finger::new([Joint::revolute([x, -arm])])
             .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.6))
     };
     // Motion of the contact for a unit turn: (-arm, 0): inwards on the right, so on the left the arm of the tendon is negative.

@@ -8,4 +8,5 @@ mod in_space;
 mod paths;
 mod pressed;
 mod sensitivity;
+mod stability;
 mod theory;

@@ -92,7 +92,7 @@ fn slipping_joints_follow_small_steps() {
         let (stepped, followed) =
             (outcome.equilibrium().expect("holds"), path.state_at(1, 1.0).expect("has passed"));
         for (a, b) in stepped.contacts.iter().zip(&followed.contacts) {
-            assert!((a.force - b.force).norm() < 2e-3 * a.force.norm().max(1.0), "{} {}", a.force, b.force);
+            assert!((a.force - b.force).norm() < 1e-9 * a.force.norm().max(1.0), "{} {}", a.force, b.force);
         }
         slipped += usize::from(followed.joints.iter().any(|j| j.yielded.abs() > 1e-4));
     }

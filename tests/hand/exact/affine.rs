@@ -1,0 +1,81 @@
+//! Affine functions of the unknowns in rationals, and the elimination that solves systems of them.
+
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, One, Zero};
+
+pub(super) type Q = BigRational;
+
+pub(super) fn exact(x: f64) -> Q {
+    Q::from_f64(x).expect("finite")
+}
+
+/// `row · (q, φ) + constant`.
+#[derive(Clone)]
+pub(super) struct Affine {
+    pub(super) row: Vec<Q>,
+    pub(super) constant: Q,
+}
+
+impl Affine {
+    pub(super) fn zero(n: usize) -> Self {
+        Self { row: vec![Q::zero(); n], constant: Q::zero() }
+    }
+
+    pub(super) fn constant(n: usize, constant: Q) -> Self {
+        Self { constant, ..Self::zero(n) }
+    }
+
+    pub(super) fn plus(mut self, other: &Self, factor: &Q) -> Self {
+        for (a, b) in self.row.iter_mut().zip(&other.row) {
+            *a += b * factor;
+        }
+        self.constant += &other.constant * factor;
+        self
+    }
+
+    pub(super) fn times(&self, factor: &Q) -> Self {
+        Self::zero(self.row.len()).plus(self, factor)
+    }
+
+    pub(super) fn at(&self, x: &[Q]) -> Q {
+        self.row.iter().zip(x).fold(self.constant.clone(), |sum, (a, x)| sum + a * x)
+    }
+}
+
+/// What a system of equations `row · x + constant = 0` determines.
+pub(super) enum Solved {
+    Point(Vec<Q>),
+    Nothing,
+    Family,
+}
+
+/// Gauss–Jordan elimination.
+pub(super) fn eliminate(mut rows: Vec<Affine>, n: usize) -> Solved {
+    let mut singular = false;
+    let mut done = 0;
+    for k in 0..n {
+        let Some(p) = (done..rows.len()).find(|&i| !rows[i].row[k].is_zero()) else {
+            singular = true;
+            continue;
+        };
+        rows.swap(done, p);
+        let scale = Q::one() / &rows[done].row[k];
+        rows[done] = rows[done].times(&scale);
+        for i in 0..rows.len() {
+            if i != done && !rows[i].row[k].is_zero() {
+                let factor = -rows[i].row[k].clone();
+                let pivot = rows[done].clone();
+                rows[i] = rows[i].clone().plus(&pivot, &factor);
+            }
+        }
+        done += 1;
+    }
+    if !singular {
+        return Solved::Point(rows.iter().map(|row| -row.constant.clone()).collect());
+    }
+    if rows[done..].iter().all(|row| row.constant.is_zero()) { Solved::Family } else { Solved::Nothing }
+}
+
+pub(super) fn float(x: &Q) -> f64 {
+    num_traits::ToPrimitive::to_f64(x).unwrap_or(f64::NAN)
+}

@@ -1,0 +1,44 @@
+//! The stiffness that stability tells is the one that solving feels: `elastic · (change of twist) = change of load`.
+
+use grasp_lcp::nalgebra::{DMatrix, SVector};
+use grasp_lcp::planar::Contact;
+use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Tendon, Wrench};
+use grasp_lcp::{Limit, planar};
+
+/// Two fingers of two joints with gears and a tendon, held off their limits.
+fn hand() -> Result<Grasp<11>, grasp_lcp::Error> {
+    let finger = |x: f64| {
+        let joint = |p| Joint::revolute(p).stiffness(30.0).limit(Limit::Saturates(50.0));
+        let pad =
+            Contact::new([x, 0.0], [-x, 0.1]).series_stiffness(2e3, 1.5e3).friction(0.9).pressed_with(6.0);
+        Finger::new([joint([1.3 * x, -1.0]), joint([1.2 * x, 0.4])]).contact(pad)
+    };
+    let coupled = finger(1.0).coupled(DMatrix::from_row_slice(2, 2, &[9.0, 3.0, 3.0, 1.0]));
+    let tendon = Tendon::new([0.0, 0.0, 0.02, 0.02]).stiffness(500.0).pull(1e-3);
+    Hand::new([finger(-1.0), coupled]).tendon(tendon).grasp()
+}
+
+#[test]
+fn the_elastic_stiffness_is_the_one_that_loads_feel() -> Result<(), Box<dyn std::error::Error>> {
+    let grasp = hand()?;
+    let at = |load: &SVector<f64, 11>| -> Result<_, Box<dyn std::error::Error>> {
+        let outcome = grasp.solve(&Wrench::from_vector(*load))?;
+        let planar::Outcome::Equilibrium(held) = outcome else { return Err("holds".into()) };
+        if held.contacts.iter().any(|c| c.state != planar::ContactState::Rolling) {
+            return Err("rolls".into());
+        }
+        Ok(held)
+    };
+    let rest = at(&SVector::zeros())?;
+    let elastic = grasp.stability(&rest).elastic;
+    for k in 0..7 {
+        // Torques on joints as well as force and moment on the object.
+        let change = SVector::from_fn(|i, _| if i == k { 0.1 } else { 0.0 });
+        let moved = at(&change)?.twist - rest.twist;
+        let felt = elastic * moved.as_vector();
+        for i in 0..7 {
+            assert!((felt[i] - change[i]).abs() < 1e-11, "{k} {i}: {} {}", felt[i], change[i]);
+        }
+    }
+    Ok(())
+}
