@@ -50,7 +50,7 @@ pub enum Error {
     Wrench {
         /// Which wrench of the question, such as "load", "base load" or "load direction".
         what: &'static str,
-        /// Index of the component: forces first, then moments.
+        /// Index of the component: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
         /// What was given.
         value: f64,

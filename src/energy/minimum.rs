@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::optimality::{Faces, Failure, Point, Program};
 use crate::Settings;
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Grasp, Twist, Wrench, object_alone};
 use crate::object::Unbalanced;
 
 /// How the search for the minimum of the paper's program ends.
@@ -190,7 +190,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
         let pushed: SVector<f64, D> = self.sites().iter().zip(&held).map(|(site, f)| site.map * f).sum();
-        let object = SVector::from_fn(|k, _| if k < C * (C + 1) / 2 { point.twist[k] } else { 0.0 });
+        let object = object_alone::<D, C>(&point.twist);
         let contact = |i: usize| {
             let site = &self.sites()[i];
             MinimumContact {

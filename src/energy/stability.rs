@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
-use crate::grasp::{Grasp, Twist, grasp_map};
+use crate::grasp::{Grasp, Twist, grasp_map, of_the_object};
 use crate::numerics::unit;
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
@@ -141,7 +141,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             };
             let mut map = grasp_map::<D, C>(arm, &site.frame);
             for (k, motion) in self.linkage().map_or(&[][..], |linkage| &linkage.motions[i]) {
-                map.set_row(C * (C + 1) / 2 + k, &-motion.tr_mul(&site.frame));
+                map.set_row(of_the_object::<C>() + k, &-motion.tr_mul(&site.frame));
             }
             for a in 0..holds {
                 let column = map.column(a);

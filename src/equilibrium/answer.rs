@@ -40,7 +40,8 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub load: Wrench<D, C>,
     /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm,
     /// unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is about the centroid of
-    /// the contact points, with lengths in units of their root mean square distance from it.
+    /// the contact points, with lengths in units of their root mean square distance from it; a joint's displacement counts times a
+    /// power of two near the longest motion of its contacts.
     pub twist: Twist<D, C>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,
@@ -55,7 +56,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
     /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
-    /// from it; either sign is meant. None where every motion is resisted.
+    /// from it, and joints as in the norm of `twist`; either sign is meant. None where every motion is resisted.
     pub free_motions: Vec<Twist<D, C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
     /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use nalgebra::{SMatrix, SVector};
 
 use super::answer::{ContactState, Equilibrium};
-use crate::grasp::{Grasp, Site};
+use crate::grasp::{Grasp, Site, object_alone};
 use crate::object::least_forces;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
@@ -46,10 +46,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&equilibrium.load);
         // Forces on the object, whatever joints are behind them.
-        let object = C * (C + 1) / 2;
-        let load = SVector::from_fn(|k, _| if k < object { load[k] } else { 0.0 });
+        let load = object_alone::<D, C>(&load);
         let on_object = |site: &Site<D, C>| {
-            site.with_map(SMatrix::from_fn(|k, a| if k < object { site.map[(k, a)] } else { 0.0 }))
+            let columns: [_; C] = std::array::from_fn(|a| object_alone::<D, C>(&site.map.column(a).into()));
+            site.with_map(SMatrix::from_columns(&columns))
         };
         let sites: Cow<'_, [Site<D, C>]> = match self.linkage() {
             None => self.sites().into(),

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Drive, Grasp, Linkage, Named, Owner, Role};
+use crate::grasp::{Drive, Grasp, Linkage, Named, Owner, Role, of_the_object};
 use crate::object::Problem;
 use crate::search::Found;
 
@@ -22,7 +22,7 @@ pub struct JointAnswer {
     pub state: DriveState,
     /// What is left of its limit, the bound less |drive|, N m or N; infinite without a limit.
     pub margin: f64,
-    /// How far its own drive has given way beyond its spring, `θ - φ - τ/k`, rad or m: zero while it holds, except for what a clutch has slipped before.
+    /// How far its own drive has given way beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, except for what a clutch has slipped before.
     pub yielded: f64,
 }
 
@@ -74,7 +74,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
             exerted += site.map * force;
         }
-        let object = C * (C + 1) / 2;
+        let object = of_the_object::<C>();
         let joint = |j: usize| {
             let length = linkage.lengths[object + j];
             let Own { carried, state, yielded } = own(Owner::Joint(j));

@@ -5,7 +5,9 @@ use nalgebra::SVector;
 use super::answer::{Cone, ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::Polygon;
-use crate::grasp::{Grasp, Hold, Site, Twist, Wrench, displacement_of, wrench_of};
+use crate::grasp::{
+    Grasp, Hold, Site, Twist, Wrench, displacement_of, object_alone, of_the_object, wrench_of,
+};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::search::Found;
 
@@ -94,10 +96,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Residuals::NONE_HOLDS;
         }
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
-        let object = C * (C + 1) / 2;
+        let object = of_the_object::<C>();
         let turned: f64 = twist.as_vector().iter().take(object).skip(C).map(|x| x.abs()).sum();
-        let translated =
-            SVector::<f64, D>::from_fn(|k, _| if k < object { twist.as_vector()[k] } else { 0.0 });
+        let translated = object_alone::<D, C>(twist.as_vector());
         // The law is about the slip since the state that the drives count from.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
@@ -154,7 +155,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
-            let step = motion * twist.as_vector()[C * (C + 1) / 2 + k];
+            let step = motion * twist.as_vector()[of_the_object::<C>() + k];
             sum += step;
             size += step.norm();
         }
@@ -192,7 +193,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
-        let object = C * (C + 1) / 2;
+        let object = of_the_object::<C>();
         let from_outside = self.inside_unchecked(load);
         let mut sums = linkage.held + from_outside;
         let mut sizes = linkage.held.abs() + from_outside.abs();
@@ -218,7 +219,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn out_of_balance(&self, load: &Wrench<D, C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = *load.as_vector();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
-        for k in 0..C * (C + 1) / 2 {
+        for k in 0..of_the_object::<C>() {
             *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
         }
         for (contact, answer) in self.contacts().iter().zip(answers) {
@@ -231,7 +232,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         // A moment counts against the moments, and against the forces at the distance of the contacts.
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
-        let moment = sum.iter().take(C * (C + 1) / 2).skip(C).map(|m| m * m).sum::<f64>().sqrt();
+        let moment = sum.iter().take(of_the_object::<C>()).skip(C).map(|m| m * m).sum::<f64>().sqrt();
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }

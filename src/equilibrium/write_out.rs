@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, LocalAnswer, WorkDone};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
-use crate::grasp::{Contact, Grasp, Hold, Stiffness, Twist, Wrench};
+use crate::grasp::{Contact, Grasp, Hold, Stiffness, Twist, Wrench, object_alone, of_the_object};
 use crate::object::Problem;
 use crate::search::{Effort, Found, Rung};
 
@@ -106,8 +106,8 @@ fn solved_sites<'s, const D: usize, const C: usize>(
 ) -> impl Iterator<Item = SolvedContact<'s, C>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.drives.iter().zip(&problem.slips);
-    let joints = SVector::<f64, D>::from_fn(|k, _| if k < C * (C + 1) / 2 { 0.0 } else { found.twist[k] });
-    let any = D > C * (C + 1) / 2;
+    let joints = found.twist - object_alone::<D, C>(&found.twist);
+    let any = D > of_the_object::<C>();
     solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
         local,
         frame: &site.frame,

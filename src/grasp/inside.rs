@@ -7,7 +7,7 @@
 use nalgebra::SVector;
 
 use super::held_object::Grasp;
-use super::rotation::{moved_twist, moved_wrench, planes};
+use super::rotation::{moved_twist, moved_wrench, of_the_object, planes};
 use super::wrench::{Twist, Wrench};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
@@ -61,7 +61,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Angular components divided by the inside unit of length, those of joints by the lengths that measure them.
     fn per_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
-        v.iter_mut().take(C * (C + 1) / 2).skip(C).for_each(|x| *x /= self.length);
+        v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_div_assign(&linkage.lengths);
         }
@@ -70,7 +70,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Angular components times the inside unit of length, those of joints times the lengths that measure them.
     fn times_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
-        v.iter_mut().take(C * (C + 1) / 2).skip(C).for_each(|x| *x *= self.length);
+        v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_mul_assign(&linkage.lengths);
         }

@@ -48,7 +48,9 @@ pub use hand::{Finger, Hand, HandPart, Joint, Limit, Tendon};
 pub use held_object::Grasp;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
-pub(crate) use rotation::{assert_plane_or_space, displacement_of, grasp_map, wrench_of};
+pub(crate) use rotation::{
+    assert_plane_or_space, displacement_of, grasp_map, object_alone, of_the_object, wrench_of,
+};
 pub(crate) use site::Site;
 pub(crate) use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};

@@ -31,6 +31,16 @@ pub(crate) const fn assert_room_for_joints<const D: usize, const C: usize>() {
     );
 }
 
+/// Coordinates of the object: its translations and rotations. Those of joints come behind them.
+pub(crate) const fn of_the_object<const C: usize>() -> usize {
+    C + planes::<C>().len()
+}
+
+/// A vector over all coordinates without its joint components.
+pub(crate) fn object_alone<const D: usize, const C: usize>(v: &SVector<f64, D>) -> SVector<f64, D> {
+    SVector::from_fn(|k, _| if k < of_the_object::<C>() { v[k] } else { 0.0 })
+}
+
 /// The planes of rotation of a space with `C` axes.
 pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
     match C {

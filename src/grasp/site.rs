@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::{Contact, Hold};
-use super::rotation::grasp_map_in_twice;
+use super::rotation::{grasp_map_in_twice, of_the_object};
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
 
     /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements.
     pub(super) fn move_with(&mut self, motions: &[(usize, SVector<f64, C>)], lengths: &SVector<f64, D>) {
-        let object = C * (C + 1) / 2;
+        let object = of_the_object::<C>();
         for (coordinate, motion) in motions {
             let k = object + coordinate;
             for a in 0..C {

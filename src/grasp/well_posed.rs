@@ -113,7 +113,7 @@ impl<const C: usize> Contact<C> {
 }
 
 /// The unit vector along `v`, free of overflow; `None` for a zero or non-finite vector.
-fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+pub(super) fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let largest = v.amax();
     if !(largest > 0.0 && v.iter().all(|x| x.is_finite())) {
         return None;
@@ -123,6 +123,6 @@ fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
 }
 
 /// What an error message shows of a bad vector: its non-finite component, or else its length.
-fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
+pub(super) fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
     v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
 }

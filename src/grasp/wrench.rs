@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
-use super::rotation::{displacement_of, wrench_of};
+use super::rotation::{displacement_of, of_the_object, wrench_of};
 use crate::error::{Error, is_moderate};
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, `d`
@@ -13,7 +13,8 @@ use crate::error::{Error, is_moderate};
 /// A load acts **on the object** from outside, weight for instance; the contact forces F balance
 /// it, `Σ G_i F_i + W = 0`. Forces are in N and moments in N m, or in whatever consistent units the
 /// contacts use. Positive moments turn from x to y in the plane and follow the right-hand rule in
-/// space.
+/// space. Of a grasp by a [hand](crate::grasp::Hand) what acts on its joints follows, joint by joint: N m about a revolute
+/// one, N along a prismatic one.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -37,7 +38,7 @@ pub struct Wrench<const D: usize, const C: usize>(SVector<f64, D>);
 /// To first order the body moves at a point r by `translation + rotation × r`, equation 4.1 of the
 /// paper without its quadratic term; see [`Twist::displacement_at`]. Translations are in m,
 /// rotations in rad. Rotations turn from x to y in the plane and follow the right-hand rule in
-/// space.
+/// space. Of a grasp by a [hand](crate::grasp::Hand) the displacements of its joints follow, rad or m.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -65,7 +66,7 @@ macro_rules! vector_like {
             pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; D]])));
 
             /// From its `d` components: linear ones first, then angular ones; (x, y, xy) in the
-            /// plane, (x, y, z, x, y, z) in space.
+            /// plane, (x, y, z, x, y, z) in space; behind a hand those of joints follow.
             #[must_use]
             pub fn from_vector(components: impl Into<[f64; D]>) -> Self {
                 Self(SVector::from(components.into()))
@@ -136,7 +137,7 @@ impl<const D: usize, const C: usize> Wrench<D, C> {
     /// ```
     #[must_use]
     pub fn on_joints(mut self, torques: impl IntoIterator<Item = f64>) -> Self {
-        for (component, torque) in self.0.iter_mut().skip(C * (C + 1) / 2).zip(torques) {
+        for (component, torque) in self.0.iter_mut().skip(of_the_object::<C>()).zip(torques) {
             *component = torque;
         }
         self
@@ -145,7 +146,7 @@ impl<const D: usize, const C: usize> Wrench<D, C> {
     /// Torques on joints from outside, N m or N, along their displacements; zeros behind the last joint.
     #[must_use]
     pub fn joints(&self) -> &[f64] {
-        &self.0.as_slice()[C * (C + 1) / 2..]
+        &self.0.as_slice()[of_the_object::<C>()..]
     }
 }
 
@@ -153,7 +154,7 @@ impl<const D: usize, const C: usize> Twist<D, C> {
     /// Displacements of joints that go with this motion, rad or m, and what else moves in a hand behind the last of them.
     #[must_use]
     pub fn joints(&self) -> &[f64] {
-        &self.0.as_slice()[C * (C + 1) / 2..]
+        &self.0.as_slice()[of_the_object::<C>()..]
     }
 }
 

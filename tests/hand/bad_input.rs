@@ -59,7 +59,7 @@ fn numbers_of_joints_are_named() {
     let contact =
         grasp_lcp::spatial::Contact::new([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).series_stiffness(1.0, 1.0);
     let error = spatial::Hand::new([spatial::Finger::new([axis]).contact(contact)]).grasp::<8>().unwrap_err();
-    assert_eq!(error.to_string(), "joint 0: axis is 0, must be of positive, finite length");
+    assert_eq!(error.to_string(), "joint 0: axis is NaN, must be of positive, finite length");
 }
 
 #[test]

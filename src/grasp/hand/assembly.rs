@@ -157,7 +157,9 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             return Self::fault(label, "arm", value, crate::error::MODERATE);
         }
         if matches!(tendon.limit, Some(Limit::Slips(_))) && !tendon.pushes {
-            return Self::fault(label, "limit", f64::NAN, "that of a motor: what slips has to push as well");
+            let bound = tendon.limit.map_or(0.0, Limit::bound);
+            let allowed = "one that saturates: a tendon that slips would have to push as well";
+            return Self::fault(label, "limit", bound, allowed);
         }
         let arms: Vec<_> = tendon.arms.iter().copied().enumerate().filter(|(_, arm)| *arm != 0.0).collect();
         if arms.is_empty() {

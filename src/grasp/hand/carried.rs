@@ -30,7 +30,8 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             }
             contact.check(index)?;
             let frame = contact.frame(index)?;
-            self.presses.push(contact.press.unwrap_or(0.0));
+            let press = contact.press.unwrap_or(0.0);
+            self.presses.push((press, frame.column(0) * press));
             let mut columns = match &carried.by {
                 MovedBy::World(matrix) => {
                     given(matrix, (finger, first), (&contact, index), &SMatrix::identity())?
@@ -73,8 +74,9 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
         let mut columns = Columns::new();
         for (j, joint) in joints.iter().enumerate() {
             let label = || self.label(first + j);
-            let Some(velocity) = joint.motion.of_point(&contact.point) else {
-                return Self::fault(label(), "axis", 0.0, "of positive, finite length");
+            let velocity = match joint.motion.of_point(&contact.point) {
+                Ok(velocity) => velocity,
+                Err(axis) => return Self::fault(label(), "axis", axis, "of positive, finite length"),
             };
             if let Some(&value) = velocity.iter().find(|x| !is_moderate(**x)) {
                 return Self::fault(label(), "axis or point", value, MODERATE);
@@ -87,9 +89,9 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     /// What gives way beside the pads of a finger is commanded along with its contacts.
     fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
         let first = self.contacts.len() - finger.contacts.len();
-        let presses: Vec<f64> = self.presses[first..].to_vec();
         for column in own {
-            let pushed: f64 = presses.iter().enumerate().map(|(i, force)| column[C * i] * force).sum();
+            let presses = self.presses[first..].iter().enumerate();
+            let pushed: f64 = presses.map(|(i, (force, _))| column[C * i] * force).sum();
             for (i, contact) in self.contacts[first..].iter_mut().enumerate() {
                 let along = SVector::<f64, C>::from_fn(|a, _| column[C * i + a] * pushed);
                 if pushed != 0.0 {
@@ -103,17 +105,16 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     /// Commands of joints that let their contacts press as they are told to, `K⁻¹ Σ Jᵀ F`.
     pub(super) fn pressed(&self, fingers: &[Finger<C>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
-        for ((contact, motions), force) in self.contacts.iter().zip(&self.motions).zip(&self.presses) {
-            let normal = contact.normal.normalize() * *force;
+        for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {
             for (k, motion) in motions.iter().filter(|(k, _)| *k < self.joints.len()) {
-                torques[*k] += motion.dot(&normal);
+                torques[*k] += motion.dot(force);
             }
         }
         let mut first = 0;
         for finger in fingers {
             let count = finger.joints.len();
             let torque = DVector::from_fn(count, |j, _| torques[first + j]);
-            if torque.amax() > 0.0 {
+            if torque.amax() != 0.0 {
                 let mut stiffness = finger.coupling.clone().unwrap_or_else(|| DMatrix::zeros(count, count));
                 for j in 0..count {
                     stiffness[(j, j)] += finger.joints[j].stiffness;

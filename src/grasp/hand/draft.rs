@@ -7,6 +7,7 @@ use super::joint::Joint;
 use super::positive::Fault;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
+use crate::grasp::rotation::of_the_object;
 
 /// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
 pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
@@ -22,13 +23,13 @@ pub(super) struct Assembly<const D: usize, const C: usize> {
     pub(super) drives: Vec<Drive<D>>,
     pub(super) held: SVector<f64, D>,
     pub(super) bones: Vec<[SVector<f64, C>; 2]>,
-    /// Pressing force of each contact.
-    pub(super) presses: Vec<f64>,
+    /// With which force each contact is told to press, along its normal and along the coordinate axes.
+    pub(super) presses: Vec<(f64, SVector<f64, C>)>,
 }
 
 impl<const D: usize, const C: usize> Assembly<D, C> {
     /// Coordinates of the object.
-    pub(super) const OBJECT: usize = C * (C + 1) / 2;
+    pub(super) const OBJECT: usize = of_the_object::<C>();
 
     pub(super) fn fault<T>(
         what: String,

@@ -2,6 +2,7 @@
 
 use super::finger::Finger;
 use super::tendon::Tendon;
+use crate::grasp::rotation::of_the_object;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
 ///
@@ -60,7 +61,7 @@ impl<const C: usize> Hand<C> {
             limits.flatten().filter(|limit| matches!(limit, super::joint::Limit::Saturates(_))).count();
         let compliant = self.fingers.iter().filter(|finger| finger.compliance.is_some());
         let axes: usize = compliant.map(|finger| C * finger.contacts.len()).sum();
-        C * (C + 1) / 2 + self.joints() + saturating + axes
+        of_the_object::<C>() + self.joints() + saturating + axes
     }
 
     /// Number of joints.

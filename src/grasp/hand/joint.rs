@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+use crate::grasp::well_posed::{length_or_culprit, unit};
+
 /// How a joint moves what lies behind it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Motion<const C: usize> {
@@ -129,30 +131,26 @@ impl<const C: usize> Motion<C> {
     }
 
     /// Velocity of a point for one unit of the joint's: `axis × (point - centre)`, or the unit direction.
-    /// `None` where the axis has no direction.
-    pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+    /// An axis without a direction is told by its length, or by its component that is no number.
+    pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
+        let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {
-            Self::Given => Some(SVector::zeros()),
-            Self::Prismatic { direction } => unit(direction),
+            Self::Given => Ok(SVector::zeros()),
+            Self::Prismatic { direction } => along(direction),
             Self::Revolute { point, axis } => {
                 let arm = at - point;
                 let mut velocity = SVector::zeros();
                 if C == 2 {
                     (velocity[0], velocity[1]) = (-arm[1], arm[0]);
                 } else {
-                    let axis = unit(axis)?;
+                    let axis = along(axis)?;
                     for a in 0..C {
                         let (b, c) = ((a + 1) % C, (a + 2) % C);
                         velocity[a] = axis[b] * arm[c] - axis[c] * arm[b];
                     }
                 }
-                Some(velocity)
+                Ok(velocity)
             }
         }
     }
-}
-
-fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
-    let norm = v.norm();
-    (norm > 0.0 && norm.is_finite()).then(|| v / norm)
 }
