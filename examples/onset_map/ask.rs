@@ -17,9 +17,9 @@ pub(crate) fn point<const C: usize>(text: Option<&str>) -> Result<[f64; C], Fail
 }
 
 /// The load on top of which the force comes.
-pub(crate) fn base<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<D, C> {
+pub(crate) fn base<const D: usize, const W: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<W, C> {
     let asked = setup.questions.iter().find_map(|question| match question {
-        Question::Onset(ramp) => Some(ramp.base),
+        Question::Onset(ramp) => Some(setup.load(&ramp.base)),
         _ => None,
     });
     asked.unwrap_or(Wrench::ZERO)
@@ -52,7 +52,8 @@ pub(crate) fn first<const D: usize, const C: usize>(
                 let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
                 format!("{} {does}", grasp.contacts()[leaving.contact].label_text(leaving.contact))
             });
-            let mut who: Vec<_> = who.collect();
+            let drives = event.drives.iter().map(|(part, _)| format!("{} gives way", grasp.label_of(*part)));
+            let mut who: Vec<_> = who.chain(drives).collect();
             // Points of a soft fingertip leave by the dozen.
             if who.len() > MANY {
                 let others = who.len() - 1;
@@ -67,10 +68,10 @@ pub(crate) fn first<const D: usize, const C: usize>(
 }
 
 /// An error, with its reason, where there is no rolling equilibrium to start from: no direction has an onset then.
-pub(crate) fn check_base<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
+pub(crate) fn check_base<const D: usize, const W: usize, const C: usize>(
+    grasp: &Grasp<W, C>,
     setup: &Setup<D, C>,
-    ramp: &Ramp<D, C>,
+    ramp: &Ramp<W, C>,
 ) -> Result<(), Failure> {
     match grasp.onset_with(ramp, &setup.settings)? {
         Onset::NoBase(none) => {

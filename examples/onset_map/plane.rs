@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 use std::time::Duration;
 
+use grasp_lcp::grasp::Grasp;
 use grasp_lcp::picture::{Polar, Stroke};
-use grasp_lcp::planar::{Grasp, Ramp, Wrench};
-use grasp_lcp::scene::Setup;
+use grasp_lcp::planar::hand::{Ramp, Wrench};
+use grasp_lcp::scene::{Setup, WithGrasp};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End, Last};
@@ -22,17 +23,36 @@ const MOST: Duration = Duration::from_secs(300);
 const TOO_LONG: &str = "that takes more than five minutes";
 
 pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) -> Result<(), Failure> {
-    let (grasp, base) = (setup.grasp()?, ask::base(setup));
+    setup.with_grasp(Map { setup, title, name, at })?
+}
+
+struct Map<'a> {
+    setup: &'a Setup<3, 2>,
+    title: &'a str,
+    name: &'a str,
+    at: [f64; 2],
+}
+
+impl WithGrasp<2> for Map<'_> {
+    type Output = Result<(), Failure>;
+    fn with<const W: usize>(self, grasp: &Grasp<W, 2>) -> Self::Output {
+        map_of(grasp, &self)
+    }
+}
+
+fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map) -> Result<(), Failure> {
+    let &Map { setup, title, name, at } = map;
+    let base: Wrench<W> = ask::base(setup);
     let pull = |angle: f64| {
         // Quarter turns exactly, so that symmetric grasps have symmetric answers.
         let (sin, cos) = quarter(angle).unwrap_or_else(|| angle.sin_cos());
         Wrench::force_at([cos, sin], at)
     };
     let ramp = |angle: f64| Ramp::load(base, pull(angle));
-    ask::check_base(&grasp, setup, &ramp(0.0))?;
+    ask::check_base(grasp, setup, &ramp(0.0))?;
     let quick = ask::quick(&setup.settings);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
-    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&grasp, &quick, &ramp(*angle)))?
+    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(grasp, &quick, &ramp(*angle)))?
         .ok_or(TOO_LONG)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -41,7 +61,7 @@ pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) ->
     }
     let most = FAR * largest;
     let lasts = watch::sweep("load paths", &angles, MOST, |angle| {
-        limit::last(&grasp, &setup.settings, base, pull(*angle), most)
+        limit::last(grasp, &setup.settings, base, pull(*angle), most)
     })?
     .ok_or(TOO_LONG)?;
     let onset_at = |angle: f64| {
@@ -64,7 +84,7 @@ pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) ->
         let exact = 65f64.sqrt() / 66.0;
         println!("  downwards: onset {:.15} N, exact √65/66 = {exact:.15} N", onset_at(0.75 * TAU));
     }
-    let svg = draw(title, &grasp, &words, &angles, &onsets, &lasts, &weakest)?;
+    let svg = draw(title, grasp, &words, &angles, &onsets, &lasts, &weakest)?;
     support::save(&format!("onset_map_{name}.svg"), &svg)?;
     Ok(())
 }
@@ -106,9 +126,9 @@ fn distance_of_edge(angle: f64, onset_at: impl Fn(f64) -> f64) -> Option<f64> {
     ((distance(m) - distance(a)).abs() <= 1e-10 * distance(a).abs()).then(|| distance(a).abs())
 }
 
-fn draw(
+fn draw<const W: usize>(
     title: &str,
-    grasp: &Grasp,
+    grasp: &Grasp<W, 2>,
     words: &[String],
     angles: &[f64],
     onsets: &[f64],

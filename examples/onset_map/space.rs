@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use grasp_lcp::grasp::Grasp;
 use grasp_lcp::picture::{SphereGrid, SphereMap};
-use grasp_lcp::scene::Setup;
-use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
+use grasp_lcp::scene::{Setup, WithGrasp};
+use grasp_lcp::spatial::hand::{Ramp, Wrench};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End};
@@ -22,16 +23,35 @@ const ALL_PATHS: Duration = Duration::from_secs(120);
 const FAR: f64 = 5.0;
 
 pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) -> Result<(), Failure> {
-    let (grasp, base) = (setup.grasp()?, ask::base(setup));
+    setup.with_grasp(Map { setup, title, name, at })?
+}
+
+struct Map<'a> {
+    setup: &'a Setup<6, 3>,
+    title: &'a str,
+    name: &'a str,
+    at: [f64; 3],
+}
+
+impl WithGrasp<3> for Map<'_> {
+    type Output = Result<(), Failure>;
+    fn with<const W: usize>(self, grasp: &Grasp<W, 3>) -> Self::Output {
+        map_of(grasp, &self)
+    }
+}
+
+fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure> {
+    let &Map { setup, title, name, at } = map;
+    let base: Wrench<W> = ask::base(setup);
     let pull = |direction: [f64; 3]| Wrench::force_at(direction, at);
     let ramp = |direction: [f64; 3]| Ramp::load(base, pull(direction));
-    ask::check_base(&grasp, setup, &ramp([0.0, 0.0, -1.0]))?;
+    ask::check_base(grasp, setup, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&setup.settings);
 
     let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
-    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(&grasp, &quick, &ramp(*d)))?
+    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(grasp, &quick, &ramp(*d)))?
         .ok_or("onsets in so many directions take more than five minutes")?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
@@ -53,15 +73,15 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
     } else {
         // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
         watch::sweep("load paths", &ways, ALL_PATHS, |d| {
-            let last = limit::last(&grasp, &quick, base, pull(*d), most)?;
+            let last = limit::last(grasp, &quick, base, pull(*d), most)?;
             let known = last.end != End::Unknown;
-            if known { Ok(last) } else { limit::last(&grasp, &setup.settings, base, pull(*d), most) }
+            if known { Ok(last) } else { limit::last(grasp, &setup.settings, base, pull(*d), most) }
         })?
     };
 
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
-    print_table(&grasp, setup, &ramp, &pull, (base, most), weakest)?;
+    print_table(grasp, setup, &ramp, &pull, (base, most), weakest)?;
     println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
     println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
     match &lasts {
@@ -77,7 +97,7 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
             grasp.len()
         ),
     }
-    let first = ask::first(&grasp, &quick, &ramp(weakest))?;
+    let first = ask::first(grasp, &quick, &ramp(weakest))?;
 
     let marked = |map: SphereMap| {
         let normals = grasp.contacts().iter().zip(grasp.frames()).enumerate();
@@ -114,12 +134,12 @@ pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) ->
 /// Names of more contacts would cover the map, and its load paths take minutes.
 const MANY: usize = 8;
 
-fn print_table(
-    grasp: &Grasp,
+fn print_table<const W: usize>(
+    grasp: &Grasp<W, 3>,
     setup: &Setup<6, 3>,
-    ramp: &impl Fn([f64; 3]) -> Ramp,
-    pull: &impl Fn([f64; 3]) -> Wrench,
-    (base, most): (Wrench, f64),
+    ramp: &impl Fn([f64; 3]) -> Ramp<W>,
+    pull: &impl Fn([f64; 3]) -> Wrench<W>,
+    (base, most): (Wrench<W>, f64),
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
     println!(

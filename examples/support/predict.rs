@@ -1,17 +1,18 @@
 //! Prints what a scene asks, in words and tables.
 
 use grasp_lcp::Error;
-use grasp_lcp::grasp::Wrench;
-use grasp_lcp::load_path::LossKind;
+use grasp_lcp::equilibrium::DriveState;
+use grasp_lcp::grasp::{Grasp, HandPart, Wrench};
+use grasp_lcp::load_path::{DriveChange, LossKind};
 use grasp_lcp::scene::{
-    Answer, Beyond, Departure, Doing, Equilibrium, Leaving, OnsetAnswer, PathAnswer, PathEnd, Proof,
-    Question, Setup, SolveAnswer, Touch, Turn,
+    Answer, Beyond, Departure, Doing, DriveTurn, Equilibrium, Leaving, Motion, OnsetAnswer, Part, PathAnswer,
+    PathEnd, Proof, Question, Setup, SolveAnswer, Touch, Turn, WithGrasp,
 };
 
 /// Answers every question of a scene and prints the answers.
 pub(crate) fn predict<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Result<(), Error> {
-    let points = setup.grasp()?.len();
-    println!("{} contacts, {points} points of contact", setup.contacts.len());
+    let points = setup.with_grasp(Points)?;
+    println!("{} contacts, {points} points of contact", setup.entries().count());
     for (question, answer) in setup.questions.iter().zip(setup.answers()?) {
         match (question, &answer) {
             (Question::Solve { load }, Answer::Solve(outcome)) => {
@@ -34,6 +35,16 @@ pub(crate) fn predict<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Re
         }
     }
     Ok(())
+}
+
+/// Number of contacts that a grasp has, soft fingertips spread.
+struct Points;
+
+impl<const C: usize> WithGrasp<C> for Points {
+    type Output = usize;
+    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> usize {
+        grasp.len()
+    }
 }
 
 fn solved<const D: usize, const C: usize>(setup: &Setup<D, C>, outcome: &SolveAnswer<D, C>) {
@@ -61,6 +72,9 @@ fn slides<const D: usize, const C: usize>(setup: &Setup<D, C>, onset: &OnsetAnsw
                     Departure::Opens => println!("  {} opens", name(place)),
                     other => println!("  {} {other:?}", name(place)),
                 }
+            }
+            for DriveTurn { part, what, .. } in &event.drives {
+                println!("  {} {}", part_name(part), drive_word(*what));
             }
             table(setup, &event.state);
             match &event.beyond {
@@ -102,6 +116,10 @@ fn followed<const D: usize, const C: usize>(setup: &Setup<D, C>, path: &PathAnsw
             let at = format!("leg {} at {:.9}", event.leg, event.fraction);
             println!("  {at}, {}: {} {what}", wrench(&event.load), name(&change.place));
         }
+        for DriveTurn { part, what, .. } in &event.drives {
+            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
+            println!("  {at}, {}: {} {}", wrench(&event.load), part_name(part), drive_word(*what));
+        }
     }
     match &path.end {
         PathEnd::Completed { state: Some(state) } => {
@@ -132,17 +150,63 @@ fn followed<const D: usize, const C: usize>(setup: &Setup<D, C>, path: &PathAnsw
 /// One line for each contact of the scene; forces of a soft fingertip are sums over its points.
 fn table<const D: usize, const C: usize>(setup: &Setup<D, C>, state: &Equilibrium<D, C>) {
     println!("  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)");
-    for (index, finger) in setup.contacts.iter().enumerate() {
+    for (index, entry) in setup.entries().enumerate() {
         let points: Vec<&Touch<C>> = state.contacts.iter().filter(|c| c.place.contact == index).collect();
         let sum = |axis: usize| points.iter().map(|c| c.force[axis]).sum::<f64>();
         let tangential = (1..C).map(sum).fold(0.0, f64::hypot);
         let margin = points.iter().map(|c| c.margin).fold(f64::INFINITY, f64::min);
-        let label = finger.contact.label_text(index);
+        let label = entry.contact.label_text(index);
         println!("  {label:24} {:12.6} {tangential:12.6} {margin:12.6}  {}", sum(0), doing(&points));
+    }
+    for joint in &state.joints {
+        let (label, torque, margin) = (part_name(&joint.part), joint.torque, joint.margin);
+        println!("  {label:24} torque  {torque:12.6}{}{}", left(margin), gives_way(joint.state));
+    }
+    for tendon in &state.tendons {
+        let (label, tension, margin) = (part_name(&tendon.part), tendon.tension, tendon.margin);
+        println!("  {label:24} tension {tension:12.6}{}{}", left(margin), gives_way(tendon.state));
     }
     let r = &state.residuals;
     let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
     println!("  the object moves by {}, residual {worst:.0e}", row(state.twist.as_vector().as_slice()));
+}
+
+/// What is left of a limit, if there is one.
+fn left(margin: f64) -> String {
+    if margin.is_finite() { format!(", {margin:.6} left of its limit") } else { String::new() }
+}
+
+fn gives_way(state: DriveState) -> &'static str {
+    match state {
+        DriveState::Yields => "  yields at its limit",
+        DriveState::Slack => "  slack",
+        _ => "",
+    }
+}
+
+fn drive_word(what: DriveChange) -> &'static str {
+    match what {
+        DriveChange::Yields => "yields at its limit",
+        DriveChange::Holds => "holds again",
+        DriveChange::Slackens => "slackens",
+        DriveChange::Tightens => "tightens",
+        _ => "changes",
+    }
+}
+
+fn part_name(part: &Part) -> String {
+    let (kind, number) = match part.part {
+        HandPart::Joint(joint) => ("joint", joint),
+        HandPart::Tendon(tendon) => ("tendon", tendon),
+        _ => ("part", 0),
+    };
+    part.name.clone().unwrap_or_else(|| format!("{kind} {number}"))
+}
+
+/// A motion of the object, and of the joints if there are any.
+fn motion<const D: usize, const C: usize>(motion: &Motion<D, C>) -> String {
+    let object = row(motion.object.as_vector().as_slice());
+    if motion.joints.is_empty() { object } else { format!("{object}, joints {}", row(&motion.joints)) }
 }
 
 fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
@@ -166,11 +230,11 @@ fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
 
 fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> String {
     match proof {
-        Proof::FreeMotion { motion, .. } => {
-            format!("nothing resists the motion {}", row(motion.as_vector().as_slice()))
+        Proof::FreeMotion { motion: free, .. } => {
+            format!("nothing resists the motion {}", motion(free))
         }
-        Proof::SeparatingMotion { motion, .. } => {
-            format!("no friction works against the motion {}", row(motion.as_vector().as_slice()))
+        Proof::SeparatingMotion { motion: free, .. } => {
+            format!("no friction works against the motion {}", motion(free))
         }
         Proof::EveryStateTried { combinations } => {
             format!("all {combinations} combinations of contact states fail")

@@ -83,6 +83,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.linkage().into_iter().flat_map(|linkage| &linkage.bones)
     }
 
+    /// Where each joint of the hand turns, m, before anything moves: for pictures. `None` for what slides, or is known by Jacobians alone.
+    pub fn joint_centres(&self) -> impl Iterator<Item = Option<SVector<f64, C>>> {
+        self.linkage().into_iter().flat_map(|linkage| linkage.centres.iter().copied())
+    }
+
     /// The contacts alone, without the hand behind them.
     #[cfg(feature = "plot")]
     pub(crate) fn without_hand<const N: usize>(&self) -> Grasp<N, C> {

@@ -43,6 +43,8 @@ mod wrench;
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
 pub use fingertip::SoftFingertip;
+#[cfg(feature = "serde")]
+pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
 pub use hand::{Finger, Hand, HandPart, Joint, Limit, Tendon};
 pub use held_object::Grasp;

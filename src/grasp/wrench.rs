@@ -77,6 +77,12 @@ macro_rules! vector_like {
             pub fn as_vector(&self) -> &SVector<f64, D> {
                 &self.0
             }
+
+            /// Its first components; zero beyond those that there are.
+            #[cfg(any(feature = "plot", feature = "serde"))]
+            pub(crate) fn resized<const N: usize>(&self) -> $name<N, C> {
+                $name(SVector::from_fn(|k, _| self.0.get(k).copied().unwrap_or(0.0)))
+            }
         }
 
         vector_like!($name, Add, add, +);

@@ -4,6 +4,7 @@ use nalgebra::Vector2;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::actuators::Actuators;
 use super::canvas::{Canvas, Plotted};
 use super::contact_look::{slope, word};
 use super::error::PictureError;
@@ -20,7 +21,8 @@ const HEIGHT: u32 = 560;
 /// Draws a grasp with its contact forces inside their friction cones. Arrows are forces on the
 /// object, the largest of them or of the load a third as long as contacts and outline extend; cones
 /// are a little longer than the normal forces in them. The load's force is drawn at the origin, its
-/// moment is not drawn.
+/// moment is not drawn. Links of a [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at
+/// their limit are marked.
 ///
 /// ```
 /// use grasp_lcp::picture::draw_grasp;
@@ -56,7 +58,7 @@ pub fn draw_grasp<const D: usize>(
     }
     let mut svg = String::new();
     let bones = grasp.links().copied().collect();
-    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones)
+    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones, Actuators::of(grasp))
         .draw(&mut svg, title)
         .map_err(PictureError::from_backend)?;
     Ok(svg)
@@ -68,6 +70,7 @@ struct Picture<'a> {
     outline: Vec<Vector2<f64>>,
     /// Links of a hand, from joint to joint.
     bones: Vec<[Vector2<f64>; 2]>,
+    actuators: Actuators<2>,
     /// Size of the scene, m.
     span: f64,
     /// m per N.
@@ -80,6 +83,7 @@ impl<'a> Picture<'a> {
         state: &'a Equilibrium,
         outline: Option<Outline>,
         bones: Vec<[Vector2<f64>; 2]>,
+        actuators: Actuators<2>,
     ) -> Self {
         let outline: Vec<_> = outline.unwrap_or_default().iter().map(|p| Vector2::from(*p)).collect();
         let (low, high) =
@@ -88,7 +92,7 @@ impl<'a> Picture<'a> {
         let load = force_of_load(state).norm();
         let most = state.contacts.iter().map(|c| c.force.norm()).fold(load, f64::max);
         let scale = if most > 0.0 { span / 3.0 / most } else { 0.0 };
-        Self { grasp, state, outline, bones, span, scale }
+        Self { grasp, state, outline, bones, actuators, span, scale }
     }
 
     fn draw(&self, svg: &mut String, title: &str) -> Plotted {
@@ -115,7 +119,9 @@ impl<'a> Picture<'a> {
             .draw()?;
         for bone in &self.bones {
             chart.draw_series([PathElement::new(bone.map(|p| (p.x, p.y)).to_vec(), GREY.stroke_width(3))])?;
-            chart.draw_series([Circle::new((bone[0].x, bone[0].y), 5, GREY.filled())])?;
+        }
+        for at in self.actuators.joints.iter().filter_map(|(_, at)| *at) {
+            chart.draw_series([Circle::new((at.x, at.y), 5, GREY.filled())])?;
         }
         if self.outline.len() > 2 {
             let corners: Vec<_> = self.outline.iter().map(|p| (p.x, p.y)).collect();
@@ -136,7 +142,27 @@ impl<'a> Picture<'a> {
                 &format!("load {size:.4} N"),
             )?;
         }
+        let corner = low + Vector2::new(0.02, 0.03) * self.span;
+        self.mark_what_yields(&mut chart, corner)?;
         root.present()?;
+        Ok(())
+    }
+
+    /// Joints at their limit where they are; what has no place is listed in a corner.
+    fn mark_what_yields(&self, chart: &mut Canvas, corner: Vector2<f64>) -> Plotted {
+        let mut elsewhere = Vec::new();
+        for (name, at) in self.actuators.that_yield(self.state) {
+            let Some(at) = at else {
+                elsewhere.push(name);
+                continue;
+            };
+            chart.draw_series([Circle::new((at.x, at.y), 8, VERMILION.filled())])?;
+            let beside = at + Vector2::new(0.03, 0.0) * self.span;
+            self.label(chart, beside, HPos::Left, &format!("{name} yields"))?;
+        }
+        if !elsewhere.is_empty() {
+            self.label(chart, corner, HPos::Left, &format!("At their limit: {}", elsewhere.join(", ")))?;
+        }
         Ok(())
     }
 

@@ -4,6 +4,7 @@
 //! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's
 //! business.
 
+mod actuators;
 mod bands;
 mod canvas;
 mod chart;

@@ -2,11 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::drive::{JointTold, TendonTold};
 use super::fields::found;
+use super::motion::Motion;
 use super::place::{Places, Touch};
 use crate::contact::PolygonCone;
 use crate::equilibrium::{self as state, Doubt, NoEquilibrium, Outcome, Rung};
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Grasp, Twist, Wrench, of_the_object};
 
 /// How a question for an equilibrium ends; see [`Outcome`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,7 +34,7 @@ pub enum Proof<const D: usize, const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
         /// The motion.
-        motion: Twist<D, C>,
+        motion: Motion<D, C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "found")]
         work: f64,
@@ -40,7 +42,7 @@ pub enum Proof<const D: usize, const C: usize> {
     /// No admissible contact force works against this unit motion, and the load drives it.
     SeparatingMotion {
         /// The motion.
-        motion: Twist<D, C>,
+        motion: Motion<D, C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "found")]
         work: f64,
@@ -59,19 +61,6 @@ pub enum Proof<const D: usize, const C: usize> {
     },
 }
 
-impl<const D: usize, const C: usize> From<&NoEquilibrium<D, C>> for Proof<D, C> {
-    fn from(none: &NoEquilibrium<D, C>) -> Self {
-        match none.proof {
-            state::Proof::FreeMotion { motion, work } => Self::FreeMotion { motion, work },
-            state::Proof::SeparatingMotion { motion, work } => Self::SeparatingMotion { motion, work },
-            state::Proof::EveryStateTried { combinations } => Self::EveryStateTried { combinations },
-            state::Proof::EveryCaseContradicted { cases, escape } => {
-                Self::EveryCaseContradicted { cases, escape }
-            }
-        }
-    }
-}
-
 /// An equilibrium; see [`state::Equilibrium`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -82,6 +71,12 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub twist: Twist<D, C>,
     /// Contact by contact, in the order of the scene; a soft fingertip point by point.
     pub contacts: Vec<Touch<C>>,
+    /// Joint by joint, finger by finger.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<JointTold>,
+    /// Tendon by tendon.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tendons: Vec<TendonTold>,
     /// How well it satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
     /// How far it is from the exact answer: of the answer to `solve`.
@@ -97,10 +92,10 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
     /// as one unit says [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Twist<D, C>>,
+    pub free_motions: Vec<Motion<D, C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub neutral_motions: Vec<Twist<D, C>>,
+    pub neutral_motions: Vec<Motion<D, C>>,
     /// The largest change of a contact force, N, from the answer of the polygon that the search
     /// started from, if it did.
     #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
@@ -178,10 +173,10 @@ impl From<state::Accuracy> for Accuracy {
 
 impl Places {
     /// An outcome with all that is known of an equilibrium.
-    pub(super) fn solved<const D: usize, const C: usize>(
+    pub(super) fn solved<const W: usize, const D: usize, const C: usize>(
         &self,
-        grasp: &Grasp<D, C>,
-        outcome: &Outcome<D, C>,
+        grasp: &Grasp<W, C>,
+        outcome: &Outcome<W, C>,
     ) -> SolveAnswer<D, C> {
         match outcome {
             Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.measured(grasp, state))),
@@ -189,22 +184,58 @@ impl Places {
         }
     }
 
-    pub(super) fn outcome<const D: usize, const C: usize>(
+    pub(super) fn outcome<const W: usize, const D: usize, const C: usize>(
         &self,
-        outcome: &Outcome<D, C>,
+        outcome: &Outcome<W, C>,
     ) -> SolveAnswer<D, C> {
         match outcome {
             Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.equilibrium(state))),
-            Outcome::NoEquilibrium(none) => SolveAnswer::NoEquilibrium(none.into()),
+            Outcome::NoEquilibrium(none) => SolveAnswer::NoEquilibrium(self.proof(none)),
             Outcome::Undecided(undecided) => SolveAnswer::Undecided { doubt: undecided.doubt },
         }
     }
 
-    /// An equilibrium with its accuracy, and with the states that are told from their neighbours.
-    fn measured<const D: usize, const C: usize>(
+    pub(super) fn proof<const W: usize, const D: usize, const C: usize>(
         &self,
-        grasp: &Grasp<D, C>,
-        state: &state::Equilibrium<D, C>,
+        none: &NoEquilibrium<W, C>,
+    ) -> Proof<D, C> {
+        match &none.proof {
+            state::Proof::FreeMotion { motion, work } => {
+                Proof::FreeMotion { motion: self.motion(motion), work: *work }
+            }
+            state::Proof::SeparatingMotion { motion, work } => {
+                Proof::SeparatingMotion { motion: self.motion(motion), work: *work }
+            }
+            state::Proof::EveryStateTried { combinations } => {
+                Proof::EveryStateTried { combinations: *combinations }
+            }
+            state::Proof::EveryCaseContradicted { cases, escape } => {
+                Proof::EveryCaseContradicted { cases: *cases, escape: *escape }
+            }
+        }
+    }
+
+    /// A motion with its part of the joints.
+    pub(super) fn motion<const W: usize, const D: usize, const C: usize>(
+        &self,
+        twist: &Twist<W, C>,
+    ) -> Motion<D, C> {
+        let joints = &twist.as_vector().as_slice()[of_the_object::<C>()..];
+        Motion { object: twist.resized(), joints: joints.iter().take(self.joints.len()).copied().collect() }
+    }
+
+    pub(super) fn motions<const W: usize, const D: usize, const C: usize>(
+        &self,
+        twists: &[Twist<W, C>],
+    ) -> Vec<Motion<D, C>> {
+        twists.iter().map(|twist| self.motion(twist)).collect()
+    }
+
+    /// An equilibrium with its accuracy, and with the states that are told from their neighbours.
+    fn measured<const W: usize, const D: usize, const C: usize>(
+        &self,
+        grasp: &Grasp<W, C>,
+        state: &state::Equilibrium<W, C>,
     ) -> Equilibrium<D, C> {
         let mut told = self.equilibrium(state);
         told.accuracy = grasp.accuracy(state).map(Accuracy::from);
@@ -214,14 +245,16 @@ impl Places {
         told
     }
 
-    pub(super) fn equilibrium<const D: usize, const C: usize>(
+    pub(super) fn equilibrium<const W: usize, const D: usize, const C: usize>(
         &self,
-        state: &state::Equilibrium<D, C>,
+        state: &state::Equilibrium<W, C>,
     ) -> Equilibrium<D, C> {
         Equilibrium {
-            load: state.load,
-            twist: state.twist,
+            load: state.load.resized(),
+            twist: state.twist.resized(),
             contacts: state.contacts.iter().enumerate().map(|(i, c)| self.touch(i, c)).collect(),
+            joints: self.joints(&state.joints),
+            tendons: self.tendons(&state.tendons),
             residuals: state.residuals.into(),
             accuracy: None,
             cone: match state.cone {
@@ -231,8 +264,8 @@ impl Places {
             },
             rule: state.rule,
             stored_energy: state.stored_energy,
-            free_motions: state.free_motions.clone(),
-            neutral_motions: state.neutral_motions.clone(),
+            free_motions: self.motions(&state.free_motions),
+            neutral_motions: self.motions(&state.neutral_motions),
             change_from_polygon: state.change_from_polygon,
             pivots: state.work.pivots,
         }

@@ -1,170 +1,156 @@
-//! One entry of the list of contacts: a contact, or a soft fingertip in its place.
+//! A finger with joints, and the contacts that they move.
 
-use nalgebra::SVector;
-use serde::de::{Deserialize, Deserializer, Error as _};
+use nalgebra::DMatrix;
+use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::given;
-use super::fingertip::Tip;
-use super::numbers::{Friction, Number, Spring};
+use super::fingertip::{Carried, Fingertip, MovedBy};
+use super::matrix::Rows;
 use super::object;
-use super::rows::Few;
 use crate::error::Error;
-use crate::grasp::{Axes, Contact, Hold, Stiffness};
+use crate::grasp::{self, Contact, Joint};
 
-/// A contact of a scene: one point, or the patch of a soft fingertip around it.
+/// A finger of a scene: joints in a row from the palm on, and contacts on its links; see [`grasp::Finger`].
 ///
 /// ```
 /// use grasp_lcp::planar::Contact;
-/// use grasp_lcp::scene::{Finger, Setup, Tip};
+/// use grasp_lcp::planar::hand::Joint;
+/// use grasp_lcp::scene::{Finger, Scene, Setup};
 ///
-/// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
-/// let (hard, soft) = (Finger::from(jaw(-1.0)), Finger::from(jaw(1.0)).soft(Tip::Pair { width: 0.01 }));
-/// // The pair shares the stiffness of its contact.
-/// let grasp = Setup::<3, 2>::new([hard, soft]).grasp()?;
-/// assert_eq!(grasp.len(), 3);
-/// # Ok::<(), grasp_lcp::Error>(())
+/// // Two jaws of 1000 N/m, told to close by 10 mm, with stiff pads.
+/// let jaw = |side: f64| {
+///     let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
+///     Finger::new([slide]).contact(Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
+/// };
+/// let scene = Scene::from(Setup::<3, 2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0)));
+/// let written = serde_json::to_value(&scene)?;
+/// assert_eq!(written["planar"]["fingers"][0]["joints"][0]["stiffness"], 1e3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Finger<const C: usize> {
-    /// The contact.
-    pub contact: Contact<C>,
-    /// How it is spread, if it is not a point.
-    pub soft: Option<Tip>,
     /// For the reader of the file.
     pub comment: Option<String>,
-}
-
-impl<const C: usize> From<Contact<C>> for Finger<C> {
-    fn from(contact: Contact<C>) -> Self {
-        Self { contact, soft: None, comment: None }
-    }
+    /// From the palm on; none for a finger that only gives way, or that presses with a force.
+    pub joints: Vec<Joint<C>>,
+    /// A stiffness matrix among its joints beside their own springs; see [`grasp::Finger::coupled`].
+    pub stiffness_matrix: Option<DMatrix<f64>>,
+    /// A compliance matrix over its contacts; see [`grasp::Finger::compliant`].
+    pub compliance: Option<DMatrix<f64>>,
+    /// The force, N, with which its one contact is pressed on, wherever that goes; see [`grasp::Finger::pressing`].
+    pub presses: Option<f64>,
+    /// At least one.
+    pub contacts: Vec<Fingertip<C>>,
 }
 
 impl<const C: usize> Finger<C> {
-    /// This contact spread over a patch: a ring or a disc in space, a pair or a pad in the plane.
-    /// Another patch is an error of [`Setup::grasp`](super::Setup::grasp).
-    #[must_use]
-    pub fn soft(self, tip: Tip) -> Self {
-        Self { soft: Some(tip), ..self }
-    }
-
-    /// The point contacts that it stands for.
-    ///
-    /// # Errors
-    /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
-    pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<C>>, Error> {
-        let Some(tip) = &self.soft else { return Ok(vec![self.contact.clone()]) };
-        self.contact.check(index)?;
-        self.contact.frame(index)?;
-        tip.spread::<C>()?.contacts(&self.contact)
-    }
-
-    /// Number of point contacts that it stands for.
-    pub(super) fn count(&self) -> Result<usize, Error> {
-        self.soft.as_ref().map_or(Ok(1), |tip| tip.spread::<C>().map(|patch| patch.points().len()))
-    }
-}
-
-/// As it stands in the file.
-#[derive(serde::Serialize, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written<const C: usize> {
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    comment: Option<String>,
-    #[serde(with = "given")]
-    point: SVector<f64, C>,
-    #[serde(with = "given")]
-    normal: SVector<f64, C>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    tangent: Option<SVector<f64, C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    body_stiffness: Option<Springs<C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    finger_stiffness: Option<Springs<C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    series_stiffness: Option<Springs<C>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    friction: Option<Number<Friction>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    command: Option<SVector<f64, C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    command_world: Option<SVector<f64, C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    pressed_with: Option<f64>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    clearance: Option<f64>,
-    #[serde(default, skip_serializing_if = "is_unilateral")]
-    hold: Hold,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    soft: Option<Tip>,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_unilateral(hold: &Hold) -> bool {
-    *hold == Hold::Unilateral
-}
-
-/// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
-struct Springs<const C: usize>(SVector<f64, C>);
-
-impl<const C: usize> Serialize for Springs<C> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Few::<Spring, 3>::of(self.0.as_slice()).serialize(serializer)
-    }
-}
-
-impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match *Few::<Spring, 3>::deserialize(deserializer)?.as_slice() {
-            [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
-            [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
-            ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
-            ref other => {
-                let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
-                let message = format!(
-                    "{} given, must be 2 (normal, tangential){or_axes}, each a number or \"rigid\"; or \"rigid\" alone",
-                    other.len()
-                );
-                Err(D::Error::custom(message))
-            }
+    /// A finger with these joints and no contact yet.
+    pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
+        Self {
+            comment: None,
+            joints: joints.into_iter().collect(),
+            stiffness_matrix: None,
+            compliance: None,
+            presses: None,
+            contacts: Vec::new(),
         }
     }
+
+    /// This finger with one more contact: a [`Contact`], or a [`Fingertip`] that says which link it is on.
+    #[must_use]
+    pub fn contact(mut self, contact: impl Into<Fingertip<C>>) -> Self {
+        self.contacts.push(contact.into());
+        self
+    }
+
+    /// The finger of a hand. `first` is the index of its first contact in the scene.
+    pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<C>, Error> {
+        let points = |k: usize| self.contacts[k].points(first + k);
+        if let Some(force) = self.presses {
+            let [contact] = &<[Contact<C>; 1]>::try_from(points(0)?).map_err(|points| Error::Hand {
+                what: format!("contact {first}"),
+                field: "number of points",
+                value: points.len() as f64,
+                allowed: "1 on a finger that presses with a force",
+            })?;
+            return Ok(grasp::Finger::pressing(force, contact.clone()));
+        }
+        let mut finger = grasp::Finger::new(self.joints.iter().cloned());
+        finger.coupling.clone_from(&self.stiffness_matrix);
+        finger.compliance.clone_from(&self.compliance);
+        for (k, entry) in self.contacts.iter().enumerate() {
+            for point in points(k)? {
+                finger = match &entry.moved_by {
+                    MovedBy::LastLink => finger.contact(point),
+                    MovedBy::Link(joints) => finger.contact_on(*joints, point),
+                    MovedBy::Jacobian(_) if entry.soft.is_some() => {
+                        return Err(Error::Hand {
+                            what: format!("contact {}", first + k),
+                            field: "number of points",
+                            value: entry.count()? as f64,
+                            allowed: "1 with a jacobian, which is that of one point",
+                        });
+                    }
+                    MovedBy::Jacobian(matrix) => finger.contact_moved_by(matrix.clone(), point),
+                };
+            }
+        }
+        Ok(finger)
+    }
+
+    /// Refuses what would be left out without a word.
+    fn checked(self) -> Result<Self, String> {
+        if self.contacts.is_empty() {
+            return Err("contacts: none given, must be at least one a finger".to_owned());
+        }
+        let alone = self.joints.is_empty() && self.stiffness_matrix.is_none() && self.compliance.is_none();
+        let moved = self.contacts.iter().any(|entry| entry.moved_by != MovedBy::LastLink);
+        if self.presses.is_some() && !(alone && self.contacts.len() == 1 && !moved) {
+            return Err("presses_with: a finger that presses with a force has one contact and nothing else"
+                .to_owned());
+        }
+        Ok(self)
+    }
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written<const C: usize> {
+    comment: Option<String>,
+    #[serde(default)]
+    joints: Vec<Joint<C>>,
+    stiffness_matrix: Option<Rows>,
+    compliance: Option<Rows>,
+    #[serde(default, with = "super::fields::given")]
+    presses_with: Option<f64>,
+    contacts: Vec<Carried<C>>,
+}
+
+#[derive(serde::Serialize)]
+struct Out<'a, const C: usize> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comment: Option<&'a str>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    joints: &'a [Joint<C>],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stiffness_matrix: Option<Rows>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compliance: Option<Rows>,
+    #[serde(skip_serializing_if = "Option::is_none", with = "super::fields::given")]
+    presses_with: Option<f64>,
+    contacts: &'a [Fingertip<C>],
 }
 
 impl<const C: usize> Serialize for Finger<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let contact = &self.contact;
-        let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
-        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
-        let (body, finger, series) = match &contact.stiffness {
-            Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
-            Stiffness::Series(k) => (None, None, Some(Springs(*k))),
-        };
-        let said = |x: f64| x.to_bits() != 0;
-        let command_along = |axes: Axes| {
-            let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
-            (given && axes == contact.command_axes).then_some(contact.command)
-        };
-        Written {
-            name: contact.name.clone(),
-            comment: self.comment.clone(),
-            point: contact.point,
-            normal: contact.normal,
-            tangent: contact.tangent,
-            body_stiffness: body,
-            finger_stiffness: finger,
-            series_stiffness: series,
-            friction: said(contact.friction).then(|| Number::new(contact.friction)),
-            command: command_along(Axes::Frame),
-            command_world: command_along(Axes::World),
-            pressed_with: contact.press,
-            clearance: said(contact.clearance).then_some(contact.clearance),
-            hold: contact.hold,
-            soft: self.soft.clone(),
+        Out {
+            comment: self.comment.as_deref(),
+            joints: &self.joints,
+            stiffness_matrix: self.stiffness_matrix.as_ref().map(Rows::of),
+            compliance: self.compliance.as_ref().map(Rows::of),
+            presses_with: self.presses,
+            contacts: &self.contacts,
         }
         .serialize(serializer)
     }
@@ -172,61 +158,17 @@ impl<const C: usize> Serialize for Finger<C> {
 
 impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a contact", Self::of_written)
-    }
-}
-
-impl<const C: usize> Finger<C> {
-    fn of_written(written: Written<C>) -> Result<Self, String> {
-        let mut contact = Contact::new(written.point, written.normal);
-        contact.name = written.name;
-        contact.tangent = written.tangent;
-        contact.stiffness =
-            stiffness(written.body_stiffness, written.finger_stiffness, written.series_stiffness)?;
-        contact.friction = written.friction.map_or(0.0, |mu| mu.0);
-        contact = match (written.command, written.command_world) {
-            (Some(u), None) => contact.command(u),
-            (None, Some(u)) => contact.command_world(u),
-            (None, None) => contact,
-            (Some(_), Some(_)) => {
-                return Err("command and command_world: a contact has one of them".to_owned());
+        object::read(deserializer, "a finger", |written: Written<C>| {
+            let matrix = |rows: Option<Rows>, field| rows.map(|rows| rows.matrix(field)).transpose();
+            Self {
+                comment: written.comment,
+                joints: written.joints,
+                stiffness_matrix: matrix(written.stiffness_matrix, "stiffness_matrix")?,
+                compliance: matrix(written.compliance, "compliance")?,
+                presses: written.presses_with,
+                contacts: written.contacts.into_iter().map(|Carried(entry)| entry).collect(),
             }
-        };
-        contact.press = written.pressed_with;
-        contact.clearance = written.clearance.unwrap_or(0.0);
-        contact.hold = written.hold;
-        // Where it stands in the list is known to the list only.
-        let fault = |error| match error {
-            Error::Contact { contact, field, value, allowed } => {
-                let name = contact.name.map_or(String::new(), |name| format!("{name}: "));
-                format!("{name}{field} is {value}, must be {allowed}")
-            }
-            other => other.to_string(),
-        };
-        contact.check(0).map_err(fault)?;
-        contact.frame(0).map_err(fault)?;
-        if let Some(tip) = &written.soft {
-            tip.spread::<C>().map_err(fault)?;
-        }
-        Ok(Self { contact, soft: written.soft, comment: written.comment })
-    }
-}
-
-fn stiffness<const C: usize>(
-    body: Option<Springs<C>>,
-    finger: Option<Springs<C>>,
-    series: Option<Springs<C>>,
-) -> Result<Stiffness<C>, String> {
-    let axes = |side: Option<Springs<C>>| side.map_or(SVector::repeat(f64::INFINITY), |k| k.0);
-    match (body, finger, series) {
-        (None, None, None) => {
-            Err("no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness".to_owned())
-        }
-        (None, None, Some(k)) => Ok(Stiffness::Series(k.0)),
-        (body, finger, None) => Ok(Stiffness::BodyAndFinger { body: axes(body), finger: axes(finger) }),
-        _ => Err(
-            "series_stiffness is body and finger together: give it, or body_stiffness and finger_stiffness"
-                .to_owned(),
-        ),
+            .checked()
+        })
     }
 }

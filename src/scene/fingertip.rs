@@ -1,71 +1,299 @@
-//! Soft fingertips as they are written: which patch, how large, how fine.
+//! One entry of a list of contacts: a contact, or a soft fingertip in its place.
 
-use serde::{Deserialize, Serialize};
+use nalgebra::{DMatrix, SVector};
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, Serializer};
 
-use crate::error::Error;
-use crate::grasp::{Pressure, SoftFingertip};
+use super::fields::given;
+use super::matrix::Rows;
+use super::numbers::{Friction, Number, Spring};
+use super::object;
+use super::patch::Tip;
+use super::rows::Few;
+use crate::error::{ContactLabel, Error};
+use crate::grasp::{Axes, Contact, Hold, Stiffness};
 
-/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane.
-/// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+/// A contact of a scene: one point, or the patch of a soft fingertip around it.
+///
+/// ```
+/// use grasp_lcp::planar::Contact;
+/// use grasp_lcp::scene::{Fingertip, Setup, Tip};
+///
+/// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+/// let (hard, soft) = (Fingertip::from(jaw(-1.0)), Fingertip::from(jaw(1.0)).soft(Tip::Pair { width: 0.01 }));
+/// // The pair shares the stiffness of its contact.
+/// let grasp = Setup::<3, 2>::new([hard, soft]).grasp()?;
+/// assert_eq!(grasp.len(), 3);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Tip {
-    /// [`SoftFingertip::ring`].
-    Ring {
-        /// Radius of the ring, m.
-        radius: f64,
-        /// Points on it.
-        points: usize,
-    },
-    /// [`SoftFingertip::disc`].
-    Disc {
-        /// Radius of the disc, m.
-        radius: f64,
-        /// Annuli of equal width, two rings of points each.
-        annuli: usize,
-        /// Points on a ring.
-        points: usize,
-        /// Its profile; uniform unless said otherwise.
-        #[serde(default)]
-        pressure: Pressure,
-    },
-    /// [`SoftFingertip::pair`].
-    Pair {
-        /// Width of the pad at whose edges the two points are, m.
-        width: f64,
-    },
-    /// [`SoftFingertip::pad`].
-    Pad {
-        /// Width of the pad from edge to edge, m.
-        width: f64,
-        /// Strips of equal width on either side of the middle, two points each.
-        strips: usize,
-        /// Its profile; uniform unless said otherwise.
-        #[serde(default)]
-        pressure: Pressure,
-    },
+pub struct Fingertip<const C: usize> {
+    /// The contact.
+    pub contact: Contact<C>,
+    /// How it is spread, if it is not a point.
+    pub soft: Option<Tip>,
+    /// For the reader of the file.
+    pub comment: Option<String>,
+    /// Which joints of its finger move it, and how.
+    pub moved_by: MovedBy,
 }
 
-impl Tip {
-    /// The patch.
+/// What moves a contact of a [finger](super::Finger). A contact that belongs to no finger says nothing.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub enum MovedBy {
+    /// All joints of its finger: it sits on the last link.
+    #[default]
+    LastLink,
+    /// So many of its finger's joints, counted from the palm; written as `"link": 1`.
+    Link(usize),
+    /// All of them, by this Jacobian: motion of the contact along the coordinate axes for a unit of each joint. Written as
+    /// `"jacobian": [[…], …]`, one row an axis.
+    Jacobian(DMatrix<f64>),
+}
+
+impl<const C: usize> From<Contact<C>> for Fingertip<C> {
+    fn from(contact: Contact<C>) -> Self {
+        Self { contact, soft: None, comment: None, moved_by: MovedBy::LastLink }
+    }
+}
+
+impl<const C: usize> Fingertip<C> {
+    /// This contact spread over a patch: a ring or a disc in space, a pair or a pad in the plane.
+    /// Another patch is an error of [`Setup::grasp`](super::Setup::grasp).
+    #[must_use]
+    pub fn soft(self, tip: Tip) -> Self {
+        Self { soft: Some(tip), ..self }
+    }
+
+    /// This contact of a finger on another link than the last, or moved by a Jacobian that is given.
+    #[must_use]
+    pub fn moved_by(self, moved_by: MovedBy) -> Self {
+        Self { moved_by, ..self }
+    }
+
+    /// The point contacts that it stands for.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] if a number is out of range, or if the patch is not one for this many
-    /// axes.
-    pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
-        let patch = match *self {
-            Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),
-            Self::Disc { radius, annuli, points, pressure } => {
-                SoftFingertip::disc(radius, annuli, points, pressure)?.of_axes()
+    /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
+    pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<C>>, Error> {
+        let Some(tip) = &self.soft else { return Ok(vec![self.contact.clone()]) };
+        self.contact.check(index)?;
+        self.contact.frame(index)?;
+        tip.spread::<C>()?.contacts(&self.contact)
+    }
+
+    /// Number of point contacts that it stands for.
+    pub(super) fn count(&self) -> Result<usize, Error> {
+        self.soft.as_ref().map_or(Ok(1), |tip| tip.spread::<C>().map(|patch| patch.points().len()))
+    }
+}
+
+/// As it stands in the file.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written<const C: usize> {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    comment: Option<String>,
+    #[serde(with = "given")]
+    point: SVector<f64, C>,
+    #[serde(with = "given")]
+    normal: SVector<f64, C>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    tangent: Option<SVector<f64, C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    body_stiffness: Option<Springs<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    finger_stiffness: Option<Springs<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    series_stiffness: Option<Springs<C>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    friction: Option<Number<Friction>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    command: Option<SVector<f64, C>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    command_world: Option<SVector<f64, C>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    pressed_with: Option<f64>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
+    #[serde(default, skip_serializing_if = "is_unilateral")]
+    hold: Hold,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    soft: Option<Tip>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    link: Option<usize>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    jacobian: Option<Rows>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_unilateral(hold: &Hold) -> bool {
+    *hold == Hold::Unilateral
+}
+
+/// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
+struct Springs<const C: usize>(SVector<f64, C>);
+
+impl<const C: usize> Serialize for Springs<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Few::<Spring, 3>::of(self.0.as_slice()).serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match *Few::<Spring, 3>::deserialize(deserializer)?.as_slice() {
+            [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
+            [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
+            ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
+            ref other => {
+                let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
+                let message = format!(
+                    "{} given, must be 2 (normal, tangential){or_axes}, each a number or \"rigid\"; or \"rigid\" alone",
+                    other.len()
+                );
+                Err(D::Error::custom(message))
             }
-            Self::Pair { width } => SoftFingertip::pair(width)?.of_axes(),
-            Self::Pad { width, strips, pressure } => SoftFingertip::pad(width, strips, pressure)?.of_axes(),
+        }
+    }
+}
+
+impl<const C: usize> Serialize for Fingertip<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let contact = &self.contact;
+        let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
+        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
+        let (body, finger, series) = match &contact.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
+            Stiffness::Series(k) => (None, None, unless_rigid(k)),
         };
-        patch.ok_or(Error::Fingertip {
-            what: "number of axes of the patch",
-            value: if C == 2 { 3.0 } else { 2.0 },
-            allowed: if C == 2 { "2: a pair or a pad" } else { "3: a ring or a disc" },
+        let said = |x: f64| x.to_bits() != 0;
+        let command_along = |axes: Axes| {
+            let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
+            (given && axes == contact.command_axes).then_some(contact.command)
+        };
+        Written {
+            name: contact.name.clone(),
+            comment: self.comment.clone(),
+            point: contact.point,
+            normal: contact.normal,
+            tangent: contact.tangent,
+            body_stiffness: body,
+            finger_stiffness: finger,
+            series_stiffness: series,
+            friction: said(contact.friction).then(|| Number::new(contact.friction)),
+            command: command_along(Axes::Frame),
+            command_world: command_along(Axes::World),
+            pressed_with: contact.press,
+            clearance: said(contact.clearance).then_some(contact.clearance),
+            hold: contact.hold,
+            soft: self.soft.clone(),
+            link: if let MovedBy::Link(joints) = self.moved_by { Some(joints) } else { None },
+            jacobian: if let MovedBy::Jacobian(matrix) = &self.moved_by {
+                Some(Rows::of(matrix))
+            } else {
+                None
+            },
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a contact", |written: Written<C>| {
+            if written.link.is_some() || written.jacobian.is_some() {
+                return Err("link and jacobian are for the contacts of a finger".to_owned());
+            }
+            let stiffness = written.stiffness()?.ok_or(NO_STIFFNESS)?;
+            let entry = Self::of_written(written, stiffness)?;
+            entry.checked(true)
         })
+    }
+}
+
+/// A contact of a finger: it may say what moves it, and a compliance of the finger may stand for its springs.
+pub(super) struct Carried<const C: usize>(pub(super) Fingertip<C>);
+
+impl<'de, const C: usize> Deserialize<'de> for Carried<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a contact", |written: Written<C>| {
+            let given = written.stiffness()?;
+            let stiffness = given.unwrap_or(Stiffness::Series(SVector::repeat(f64::INFINITY)));
+            Fingertip::of_written(written, stiffness)?.checked(given.is_some()).map(Self)
+        })
+    }
+}
+
+impl<const C: usize> Fingertip<C> {
+    fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
+        let mut contact = Contact::new(written.point, written.normal);
+        contact.name = written.name;
+        contact.tangent = written.tangent;
+        contact.stiffness = stiffness;
+        contact.friction = written.friction.map_or(0.0, |mu| mu.0);
+        contact = match (written.command, written.command_world) {
+            (Some(u), None) => contact.command(u),
+            (None, Some(u)) => contact.command_world(u),
+            (None, None) => contact,
+            (Some(_), Some(_)) => {
+                return Err("command and command_world: a contact has one of them".to_owned());
+            }
+        };
+        contact.press = written.pressed_with;
+        contact.clearance = written.clearance.unwrap_or(0.0);
+        contact.hold = written.hold;
+        let moved_by = match (written.link, written.jacobian) {
+            (None, None) => MovedBy::LastLink,
+            (Some(joints), None) => MovedBy::Link(joints),
+            (None, Some(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
+            (Some(_), Some(_)) => return Err("link and jacobian: a contact has one of them".to_owned()),
+        };
+        Ok(Self { contact, soft: written.soft, comment: written.comment, moved_by })
+    }
+
+    /// Refuses what no grasp would take. Springs that a finger's compliance stands for are judged with the finger.
+    fn checked(self, springs: bool) -> Result<Self, String> {
+        let contact = &self.contact;
+        // Where it stands in the list is known to the list only.
+        let fault = |error| match error {
+            Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
+                let name = name.map_or(String::new(), |name| format!("{name}: "));
+                format!("{name}{field} is {value}, must be {allowed}")
+            }
+            other => other.to_string(),
+        };
+        if springs {
+            contact.check(0).map_err(fault)?;
+        }
+        contact.frame(0).map_err(fault)?;
+        if let Some(tip) = &self.soft {
+            tip.spread::<C>().map_err(fault)?;
+        }
+        Ok(self)
+    }
+}
+
+const NO_STIFFNESS: &str = "no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness";
+
+impl<const C: usize> Written<C> {
+    /// The springs, if any are given.
+    fn stiffness(&self) -> Result<Option<Stiffness<C>>, String> {
+        let axes = |side: &Option<Springs<C>>| side.as_ref().map_or(SVector::repeat(f64::INFINITY), |k| k.0);
+        match (&self.body_stiffness, &self.finger_stiffness, &self.series_stiffness) {
+            (None, None, None) => Ok(None),
+            (None, None, Some(k)) => Ok(Some(Stiffness::Series(k.0))),
+            (body, finger, None) => {
+                Ok(Some(Stiffness::BodyAndFinger { body: axes(body), finger: axes(finger) }))
+            }
+            _ => Err(
+                "series_stiffness is body and finger together: give it, or body_stiffness and finger_stiffness"
+                    .to_owned(),
+            ),
+        }
     }
 }

@@ -21,7 +21,9 @@
 //!
 //! | field | value | if left out |
 //! |---|---|---|
-//! | `contacts` | a list of contacts, at least one | an error |
+//! | `contacts` | a list of contacts whose fingers have no joints | none; an error if no finger has one either |
+//! | `fingers` | a list of fingers with joints, see below | none |
+//! | `tendons` | a list of tendons over their joints, see below | none |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
@@ -52,6 +54,33 @@
 //! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!
+//! A finger (see [`Finger`](crate::grasp::Finger) for signs):
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `comment` | a text | | none |
+//! | `joints` | a list of joints from the palm on | | none |
+//! | `stiffness_matrix` | rows of a symmetric matrix among its joints, beside their own springs | N m/rad | none |
+//! | `compliance` | rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames | m/N | none |
+//! | `presses_with` | a force with which its only contact is pressed on, wherever that goes; such a finger counts as one joint | N | not used |
+//! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
+//!
+//! Its contacts may say which joints move them: `"link": 1`, so many of the finger's joints counted from the palm, or
+//! `"jacobian"`, one row a coordinate axis and one column a joint. Without either all joints of the finger move them. Contacts of fingers
+//! are counted on behind those of the list `contacts`.
+//!
+//! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
+//! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `name` | a text | | none |
+//! | `stiffness` | of its drive | N m/rad or N/m, of a tendon N/m | none: what is given alone acts |
+//! | `command`, of a tendon `pull` | where its drive is told to go | rad or m | 0 |
+//! | `torque`, of a tendon `tension` | what acts besides, whatever it does | N m or N | 0 |
+//! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
+//! | `pushes`, of a tendon alone | `true` for a rod or a differential, which pushes, too | | pulls only |
+//!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; what is left out is zero. `"at":
 //! [0.1, 0]` lets the force act there (m): its moment is added.
@@ -61,13 +90,13 @@
 //! | field | with | asks for |
 //! |---|---|---|
 //! | `solve` | `load` (a wrench) | the equilibrium under it |
-//! | `onset` | `base`, `direction` (wrenches), `command_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
+//! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
-//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), or one of
-//! each; what it does not mention stays.
+//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, or one of
+//! each; what it does not mention stays. `joint_change` and these lists have one number for each joint and then each tendon.
 //!
 //! The settings (see [`Settings`](crate::Settings)):
 //!
@@ -146,6 +175,37 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Two jaws of a gripper whose motors stall at 6 N:
+//!
+//! ```
+//! use grasp_lcp::scene::Scene;
+//!
+//! let scene: Scene = serde_json::from_str(r#"{
+//!     "format": "grasp-lcp/1",
+//!     "planar": {
+//!         "fingers": [
+//!             {
+//!                 "joints": [{ "name": "left jaw", "prismatic": [1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
+//!                 "contacts": [{ "point": [-1, 0], "normal": [1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
+//!             },
+//!             {
+//!                 "joints": [{ "name": "right jaw", "prismatic": [-1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
+//!                 "contacts": [{ "point": [1, 0], "normal": [-1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
+//!             }
+//!         ],
+//!         "questions": [{ "onset": { "direction": { "force": [1, 0] } } }, { "follow": { "legs": [{ "joints_to": [0.01, 0.01] }] } }]
+//!     }
+//! }"#)?;
+//! let answers = serde_json::to_value(scene.answers()?)?;
+//! // Told 4 mm, 1.1 mm/N a side: pulled by W the right jaw carries 4/1.1 N + W/2.
+//! let onset = &answers[0]["onset"];
+//! assert!((onset["factor"].as_f64().unwrap() - 2.0 * (6.0 - 4.0 / 1.1)).abs() < 1e-12);
+//! assert_eq!(onset["drives"][0], serde_json::json!({ "joint": 1, "name": "right jaw", "what": "yields" }));
+//! let end = &answers[1]["follow"]["state"];
+//! assert_eq!(end["joints"][0]["state"], "yields");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Answers
 //!
 //! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome":
@@ -160,7 +220,7 @@
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
 //! underscores. Contacts are named by their place in the scene and, for a soft fingertip, the point
-//! of its patch. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
+//! of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
 //! `"not a number"`. Fields may be added to answers without a new version.
 //!
 //! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature
@@ -174,29 +234,40 @@
 //! `predict_sliding`.
 
 mod answer;
+mod asked;
+mod drive;
 mod equilibrium;
 mod fields;
 mod finger;
 mod fingertip;
+mod joint;
+mod matrix;
+mod motion;
 mod numbers;
 mod object;
 mod onset;
+mod patch;
 mod path;
 mod place;
 mod question;
 mod rows;
 mod settings;
 mod setup;
+mod width;
 mod wrench;
 mod written;
 
 pub use answer::Answer;
+pub use drive::{DriveTurn, JointTold, Part, TendonTold};
 pub use equilibrium::{Accuracy, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
 pub use finger::Finger;
-pub use fingertip::Tip;
+pub use fingertip::{Fingertip, MovedBy};
+pub use motion::Motion;
 pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};
+pub use patch::Tip;
 pub use path::{Change, Energy, Event, Loss, PathAnswer, PathEnd, Turn};
 pub use place::{Doing, Place, Touch};
 pub use question::{Commands, Goal, Leg, Question, RampAsked};
 pub use setup::Setup;
+pub use width::WithGrasp;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

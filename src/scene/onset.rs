@@ -3,11 +3,13 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
+use super::drive::DriveTurn;
 use super::equilibrium::{Equilibrium, Proof};
 use super::fields::found;
+use super::motion::Motion;
 use super::place::{Doing, Place, Places};
 use crate::equilibrium::{Doubt, Rung, Settings};
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Grasp, Wrench};
 use crate::load_path as path;
 
 /// When the first contact leaves rolling; see [`path::Onset`].
@@ -52,6 +54,9 @@ pub struct Onset<const D: usize, const C: usize> {
     pub load: Wrench<D, C>,
     /// Which contacts leave, all at once.
     pub leaving: Vec<Leaving<C>>,
+    /// Which joints and tendons give way there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<DriveTurn>,
     /// What comes next.
     pub beyond: Beyond<D, C>,
     /// The equilibrium there.
@@ -97,8 +102,8 @@ pub enum Beyond<const D: usize, const C: usize> {
         /// Rates of the contact forces in the contact frames, N, contact by contact.
         #[serde(with = "found")]
         force_rates: Vec<SVector<f64, C>>,
-        /// Rate of the object's twist, m and rad.
-        twist_rate: Twist<D, C>,
+        /// Rate of the object's motion, m and rad, and of the joints'.
+        twist_rate: Motion<D, C>,
         /// By which rule it was found.
         rule: Rung,
     },
@@ -118,29 +123,30 @@ pub enum Beyond<const D: usize, const C: usize> {
     },
 }
 
-impl<const D: usize, const C: usize> From<&path::Beyond<D, C>> for Beyond<D, C> {
-    fn from(beyond: &path::Beyond<D, C>) -> Self {
+impl Places {
+    pub(super) fn beyond<const W: usize, const D: usize, const C: usize>(
+        &self,
+        beyond: &path::Beyond<W, C>,
+    ) -> Beyond<D, C> {
         match beyond {
-            path::Beyond::Continues(next) => Self::Continues {
+            path::Beyond::Continues(next) => Beyond::Continues {
                 states: next.states.iter().map(|state| (*state).into()).collect(),
                 force_rates: next.force_rates.clone(),
-                twist_rate: next.twist_rate,
+                twist_rate: self.motion(&next.twist_rate),
                 rule: next.rule,
             },
-            path::Beyond::LimitLoad => Self::LimitLoad,
-            path::Beyond::Snap => Self::Snap,
-            path::Beyond::Ends(none) => Self::Ends { reason: none.into() },
-            path::Beyond::Undecided(doubt) => Self::Undecided { doubt: *doubt },
+            path::Beyond::LimitLoad => Beyond::LimitLoad,
+            path::Beyond::Snap => Beyond::Snap,
+            path::Beyond::Ends(none) => Beyond::Ends { reason: self.proof(none) },
+            path::Beyond::Undecided(doubt) => Beyond::Undecided { doubt: *doubt },
         }
     }
-}
 
-impl Places {
-    pub(super) fn onset<const D: usize, const C: usize>(
+    pub(super) fn onset<const W: usize, const D: usize, const C: usize>(
         &self,
-        grasp: &Grasp<D, C>,
+        grasp: &Grasp<W, C>,
         settings: &Settings,
-        onset: &path::Onset<D, C>,
+        onset: &path::Onset<W, C>,
     ) -> OnsetAnswer<D, C> {
         match onset {
             path::Onset::At(event) => {
@@ -151,9 +157,10 @@ impl Places {
                 };
                 OnsetAnswer::At(Box::new(Onset {
                     factor: event.factor,
-                    load: event.load,
+                    load: event.load.resized(),
                     leaving: event.leaving.iter().map(|leaving| self.leaving(leaving)).collect(),
-                    beyond: (&beyond).into(),
+                    drives: self.turns(&event.drives),
+                    beyond: self.beyond(&beyond),
                     state: self.equilibrium(&state),
                 }))
             }
@@ -161,9 +168,9 @@ impl Places {
             path::Onset::AlreadySliding(state) => {
                 OnsetAnswer::AlreadySliding { state: Box::new(self.equilibrium(state)) }
             }
-            path::Onset::NoBase(none) => OnsetAnswer::NoBase(none.into()),
+            path::Onset::NoBase(none) => OnsetAnswer::NoBase(self.proof(none)),
             path::Onset::GivesWay { factor, reason } => {
-                OnsetAnswer::GivesWay { factor: *factor, reason: reason.into() }
+                OnsetAnswer::GivesWay { factor: *factor, reason: self.proof(reason) }
             }
             path::Onset::Undecided(undecided) => OnsetAnswer::Undecided { doubt: undecided.doubt },
         }
@@ -171,7 +178,7 @@ impl Places {
 
     fn leaving<const C: usize>(&self, leaving: &path::Leaving<C>) -> Leaving<C> {
         Leaving {
-            place: self.0[leaving.contact].clone(),
+            place: self.contacts[leaving.contact].clone(),
             how: match leaving.how {
                 path::Departure::Slides { direction } => Departure::Slides { direction },
                 path::Departure::Opens => Departure::Opens,

@@ -3,12 +3,14 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
+use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, SolveAnswer};
 use super::fields::found;
+use super::motion::Motion;
 use super::onset::Beyond;
 use super::place::{Place, Places};
 use crate::equilibrium::Doubt;
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::Wrench;
 use crate::load_path as path;
 
 /// A load path that was followed to its end; see [`path::LoadPath`].
@@ -80,9 +82,12 @@ pub struct Loss<const D: usize, const C: usize> {
     pub kind: path::LossKind,
     /// The contacts that stand on the edge of their cone there.
     pub contacts: Vec<Place>,
+    /// The joints and tendons that have reached their limit there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<Part>,
     /// The unit motion with which the object leaves, if the states determine one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub motion: Option<Twist<D, C>>,
+    pub motion: Option<Motion<D, C>>,
 }
 
 /// Something changes on a load path; see [`path::Event`].
@@ -98,9 +103,12 @@ pub struct Event<const D: usize, const C: usize> {
     pub load: Wrench<D, C>,
     /// What changes, contact by contact.
     pub changes: Vec<Change<C>>,
+    /// Which joints and tendons change what they do.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drives: Vec<DriveTurn>,
     /// Unit motions that nothing resists from here on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Twist<D, C>>,
+    pub free_motions: Vec<Motion<D, C>>,
     /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that
     /// is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -196,10 +204,10 @@ pub struct Energy {
 
 impl Places {
     /// A path that was followed to its end, and the events on the way.
-    pub(super) fn path<const D: usize, const C: usize>(
+    pub(super) fn path<const W: usize, const D: usize, const C: usize>(
         &self,
-        path: &path::LoadPath<D, C>,
-        events: &[path::Event<D, C>],
+        path: &path::LoadPath<W, C>,
+        events: &[path::Event<W, C>],
     ) -> PathAnswer<D, C> {
         PathAnswer {
             end: self.end(path),
@@ -219,14 +227,17 @@ impl Places {
         }
     }
 
-    fn end<const D: usize, const C: usize>(&self, path: &path::LoadPath<D, C>) -> PathEnd<D, C> {
+    fn end<const W: usize, const D: usize, const C: usize>(
+        &self,
+        path: &path::LoadPath<W, C>,
+    ) -> PathEnd<D, C> {
         match path.end() {
             Some(path::PathEnd::Completed) => PathEnd::Completed {
                 state: path.position().map(|(_, _, state)| Box::new(self.equilibrium(&state))),
             },
             Some(path::PathEnd::Lost(loss)) => {
                 let beyond = path.beyond().unwrap_or(path::Beyond::Undecided(Doubt::OnTheBoundary));
-                PathEnd::Lost { loss: self.loss(loss), beyond: (&beyond).into() }
+                PathEnd::Lost { loss: self.loss(loss), beyond: self.beyond(&beyond) }
             }
             Some(path::PathEnd::NoStart(outcome)) => {
                 PathEnd::NoStart { start: Box::new(self.outcome(outcome)) }
@@ -238,28 +249,33 @@ impl Places {
         }
     }
 
-    fn loss<const D: usize, const C: usize>(&self, loss: &path::Loss<D, C>) -> Loss<D, C> {
+    fn loss<const W: usize, const D: usize, const C: usize>(&self, loss: &path::Loss<W, C>) -> Loss<D, C> {
         Loss {
             leg: loss.leg,
             fraction: loss.fraction,
-            load: loss.load,
+            load: loss.load.resized(),
             kind: loss.kind,
             contacts: self.many(&loss.contacts),
-            motion: loss.motion,
+            drives: loss.drives.iter().map(|part| self.part(*part)).collect(),
+            motion: loss.motion.as_ref().map(|motion| self.motion(motion)),
         }
     }
 
-    fn event<const D: usize, const C: usize>(&self, event: &path::Event<D, C>) -> Event<D, C> {
+    fn event<const W: usize, const D: usize, const C: usize>(
+        &self,
+        event: &path::Event<W, C>,
+    ) -> Event<D, C> {
         let change = |(contact, change): &(usize, path::Change<C>)| Change {
-            place: self.0[*contact].clone(),
+            place: self.contacts[*contact].clone(),
             what: (*change).into(),
         };
         Event {
             leg: event.leg,
             fraction: event.fraction,
-            load: event.load,
+            load: event.load.resized(),
             changes: event.changes.iter().map(change).collect(),
-            free_motions: event.free_motions.clone(),
+            drives: self.turns(&event.drives),
+            free_motions: self.motions(&event.free_motions),
             other_continuations: event.other_continuations,
             state: self.equilibrium(&event.state),
         }

@@ -20,8 +20,13 @@ pub struct Place {
     pub name: Option<String>,
 }
 
-/// The contacts of a grasp in their order.
-pub(super) struct Places(pub(super) Vec<Place>);
+/// What a grasp consists of, in its order, as the scene knows it.
+pub(super) struct Places {
+    pub(super) contacts: Vec<Place>,
+    /// Names of joints, those that have one.
+    pub(super) joints: Vec<Option<String>>,
+    pub(super) tendons: Vec<Option<String>>,
+}
 
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -97,7 +102,7 @@ pub struct Touch<const C: usize> {
 impl Places {
     pub(super) fn touch<const C: usize>(&self, index: usize, answer: &ContactAnswer<C>) -> Touch<C> {
         Touch {
-            place: self.0[index].clone(),
+            place: self.contacts[index].clone(),
             doing: answer.state.into(),
             force: answer.force,
             force_world: answer.force_world,
@@ -112,6 +117,6 @@ impl Places {
     }
 
     pub(super) fn many(&self, indices: &[usize]) -> Vec<Place> {
-        indices.iter().map(|&index| self.0[index].clone()).collect()
+        indices.iter().map(|&index| self.contacts[index].clone()).collect()
     }
 }

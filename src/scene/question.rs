@@ -45,6 +45,17 @@ pub struct RampAsked<const D: usize, const C: usize> {
     /// What one unit of the factor adds to the finger commands, if to them at all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
+    /// What one unit of the factor adds to the commands of a hand, if to them at all: one for each joint and then each tendon.
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    pub joint_change: Option<Vec<f64>>,
+}
+
+impl<const D: usize, const C: usize> RampAsked<D, C> {
+    /// From no load along a direction, all commands as they are.
+    #[must_use]
+    pub fn along(direction: Wrench<D, C>) -> Self {
+        Self { base: Wrench::ZERO, direction, command_change: None, joint_change: None }
+    }
 }
 
 fn no_load<const D: usize, const C: usize>() -> Wrench<D, C> {
@@ -81,7 +92,7 @@ pub enum Goal<T> {
 }
 
 /// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
-/// or `commands_to`, or one of each; what is not mentioned stays.
+/// or `commands_to`, `joints_by` or `joints_to`, or one of each; what is not mentioned stays.
 ///
 /// ```
 /// use grasp_lcp::planar::Wrench;
@@ -100,13 +111,21 @@ pub struct Leg<const D: usize, const C: usize> {
     pub load: Option<Goal<Wrench<D, C>>>,
     /// What becomes of the finger commands.
     pub commands: Option<Goal<Commands<C>>>,
+    /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
+    pub joints: Option<Goal<Vec<f64>>>,
 }
 
 impl<const D: usize, const C: usize> Leg<D, C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<D, C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
-        Self { load, commands }
+        Self { load, commands, joints: None }
+    }
+
+    /// This leg with commands of a hand.
+    #[must_use]
+    pub fn with_joints(self, joints: Goal<Vec<f64>>) -> Self {
+        Self { joints: Some(joints), ..self }
     }
 }
 
@@ -121,6 +140,10 @@ struct WrittenLeg<const D: usize, const C: usize> {
     commands_by: Option<Commands<C>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_to: Option<Commands<C>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    joints_by: Option<Vec<f64>>,
+    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    joints_to: Option<Vec<f64>>,
 }
 
 /// At most one of both.
@@ -145,17 +168,19 @@ impl<const D: usize, const C: usize> Serialize for Leg<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (load_by, load_to) = split(self.load.as_ref());
         let (commands_by, commands_to) = split(self.commands.as_ref());
-        WrittenLeg { load_by, load_to, commands_by, commands_to }.serialize(serializer)
+        let (joints_by, joints_to) = split(self.joints.as_ref());
+        WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to }.serialize(serializer)
     }
 }
 
 impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", |written: WrittenLeg<D, C>| {
-            let WrittenLeg { load_by, load_to, commands_by, commands_to } = written;
+            let WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to } = written;
             Ok(Self {
                 load: goal(load_by, load_to, ["load_by", "load_to"])?,
                 commands: goal(commands_by, commands_to, ["commands_by", "commands_to"])?,
+                joints: goal(joints_by, joints_to, ["joints_by", "joints_to"])?,
             })
         })
     }

@@ -3,19 +3,18 @@
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
-use super::answer::Answer;
 use super::fields::{found, given};
 use super::finger::Finger;
+use super::fingertip::Fingertip;
 use super::object;
-use super::place::{Place, Places};
-use super::question::{Commands, Goal, Leg, Question, RampAsked};
+use super::question::Question;
+use super::width::WithGrasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::Grasp;
-use crate::load_path::{self, Ramp};
+use crate::grasp::{self, Grasp, Hand, Tendon};
 
-/// Contacts, questions and settings: `D` degrees of freedom and `C` axes a contact, 3 and 2 in the
-/// plane, 6 and 3 in space.
+/// Contacts, questions and settings: `D` degrees of freedom of the object and `C` axes a contact, 3 and 2 in
+/// the plane, 6 and 3 in space.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -28,7 +27,7 @@ use crate::load_path::{self, Ramp};
 /// let down = Wrench::force([0.0, -1.0]);
 /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()])
 ///     .ask(Question::Solve { load: down * 4.0 })
-///     .ask(Question::Onset(RampAsked { base: Wrench::ZERO, direction: down, command_change: None }));
+///     .ask(Question::Onset(RampAsked::along(down)));
 ///
 /// let [Answer::Solve(SolveAnswer::Equilibrium(state)), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
 ///     panic!("it holds 4 N, and slides at some load")
@@ -40,8 +39,16 @@ use crate::load_path::{self, Ramp};
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Setup<const D: usize, const C: usize> {
-    /// At least one; without any [`Setup::grasp`] is an error.
-    pub contacts: Vec<Finger<C>>,
+    /// Contacts whose fingers have no joints. With those of the fingers at least one; without any
+    /// [`Setup::grasp`] is an error.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<Fingertip<C>>,
+    /// Fingers with joints; their contacts are counted on behind those above.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fingers: Vec<Finger<C>>,
+    /// Tendons over the joints of all fingers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tendons: Vec<Tendon>,
     /// Corners of the object in order, m. They are only drawn, by the caller.
     #[serde(with = "found", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
@@ -61,7 +68,12 @@ fn is_default(settings: &Settings) -> bool {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written<const D: usize, const C: usize> {
-    contacts: Vec<Finger<C>>,
+    #[serde(default)]
+    contacts: Vec<Fingertip<C>>,
+    #[serde(default)]
+    fingers: Vec<Finger<C>>,
+    #[serde(default)]
+    tendons: Vec<Tendon>,
     #[serde(default, with = "given")]
     outline: Vec<SVector<f64, C>>,
     #[serde(default)]
@@ -72,11 +84,16 @@ struct Written<const D: usize, const C: usize> {
 
 impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a setup", |Written { contacts, outline, questions, settings }| {
-            if contacts.is_empty() {
+        object::read(deserializer, "a setup", |written: Written<D, C>| {
+            let Written { contacts, fingers, tendons, outline, questions, settings } = written;
+            let setup = Self { contacts, fingers, tendons, outline, questions, settings };
+            if setup.entries().next().is_none() {
                 return Err(Error::EmptyGrasp.to_string());
             }
-            let setup = Self { contacts, outline, questions, settings };
+            if setup.is_held_by_a_hand() {
+                // Numbers of joints are judged together with what they move.
+                setup.with_grasp(Built).map_err(|error| error.to_string())?;
+            }
             for (index, question) in setup.questions.iter().enumerate() {
                 setup.check(question).map_err(|error| format!("question {index}: {error}"))?;
             }
@@ -85,23 +102,54 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> From<&Grasp<D, C>> for Setup<D, C> {
+/// Whether the grasp can be built is all that is asked.
+struct Built;
+
+impl<const C: usize> WithGrasp<C> for Built {
+    type Output = ();
+    fn with<const W: usize>(self, _: &Grasp<W, C>) {}
+}
+
+impl From<&Grasp<3, 2>> for Setup<3, 2> {
     /// Every contact as a point; nothing is asked yet.
-    fn from(grasp: &Grasp<D, C>) -> Self {
-        Self::new(grasp.contacts().iter().cloned().map(Finger::from))
+    fn from(grasp: &Grasp<3, 2>) -> Self {
+        Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
+    }
+}
+
+impl From<&Grasp<6, 3>> for Setup<6, 3> {
+    /// Every contact as a point; nothing is asked yet.
+    fn from(grasp: &Grasp<6, 3>) -> Self {
+        Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
     }
 }
 
 impl<const D: usize, const C: usize> Setup<D, C> {
     /// Contacts of which nothing is asked yet, without an outline, with default settings. A
-    /// [`Contact`](crate::grasp::Contact) is turned `into` a [`Finger`].
-    pub fn new(contacts: impl IntoIterator<Item = Finger<C>>) -> Self {
+    /// [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
+    pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
             contacts: contacts.into_iter().collect(),
+            fingers: Vec::new(),
+            tendons: Vec::new(),
             outline: Vec::new(),
             questions: Vec::new(),
             settings: Settings::default(),
         }
+    }
+
+    /// This setup with one more finger.
+    #[must_use]
+    pub fn finger(mut self, finger: Finger<C>) -> Self {
+        self.fingers.push(finger);
+        self
+    }
+
+    /// This setup with one more tendon over the joints of its fingers.
+    #[must_use]
+    pub fn tendon(mut self, tendon: Tendon) -> Self {
+        self.tendons.push(tendon);
+        self
     }
 
     /// This setup with one more question.
@@ -118,129 +166,67 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         self
     }
 
+    /// All contacts, those of the fingers behind the others: the index of an entry is that of the contact in questions and answers.
+    pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
+        self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
+    }
+
+    /// Whether the grasp has coordinates beside those of the object.
+    #[must_use]
+    pub fn is_held_by_a_hand(&self) -> bool {
+        !self.fingers.is_empty() || !self.tendons.is_empty()
+    }
+
     /// The grasp: soft fingertips are spread, so that it may have more contacts than the scene.
     ///
     /// # Errors
     /// As for [`Grasp::new`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
-    /// that the contact has in the scene.
+    /// that the contact has in the scene. [`Error::Coordinates`] for a scene with fingers, whose
+    /// grasp has more coordinates: see [`Self::hand`] and [`Self::with_grasp`].
     pub fn grasp(&self) -> Result<Grasp<D, C>, Error> {
+        if self.is_held_by_a_hand() {
+            return self.grasp_by_hand();
+        }
         let mut points = Vec::with_capacity(self.contacts.len());
-        let mut of = Vec::with_capacity(self.contacts.len());
-        for (index, finger) in self.contacts.iter().enumerate() {
-            points.extend(finger.points(index)?);
-            of.resize(points.len(), index);
+        for (index, entry) in self.contacts.iter().enumerate() {
+            points.extend(entry.points(index)?);
         }
-        Grasp::new(points).map_err(|error| match error {
-            Error::Contact { contact: ContactLabel { index, name }, field, value, allowed } => {
-                let contact = ContactLabel { index: of[index], name };
-                Error::Contact { contact, field, value, allowed }
-            }
-            other => other,
-        })
+        Grasp::new(points).map_err(|error| self.in_the_scene(error))
     }
 
-    /// The ramp of a question as the grasp has it: with command changes for every point of a soft
-    /// fingertip.
+    /// The hand that holds the object: fingers that are nothing but a contact first. Call [`Hand::grasp`] with the
+    /// number of its coordinates.
     ///
     /// # Errors
-    /// [`Error::Size`] if the command changes are not one for each contact of the scene.
-    pub fn ramp(&self, asked: &RampAsked<D, C>) -> Result<Ramp<D, C>, Error> {
-        let ramp = Ramp::load(asked.base, asked.direction);
-        Ok(match &asked.command_change {
-            Some(change) => ramp.with_commands(self.spread(change, "command changes")?),
-            None => ramp,
-        })
-    }
-
-    /// The legs of a load program as the grasp has them: with commands for every point of a soft
-    /// fingertip.
-    ///
-    /// # Errors
-    /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene.
-    pub fn legs(&self, legs: &[Leg<D, C>]) -> Result<Vec<load_path::Leg<D, C>>, Error> {
-        legs.iter().map(|leg| self.leg(leg)).collect()
-    }
-
-    fn leg(&self, leg: &Leg<D, C>) -> Result<load_path::Leg<D, C>, Error> {
-        let mut out = load_path::Leg::load_by(crate::grasp::Wrench::ZERO);
-        match &leg.load {
-            None => {}
-            Some(Goal::By(change)) => out = out.and_load_by(*change),
-            Some(Goal::To(load)) => out = out.and_load_to(*load),
+    /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for what cannot be built.
+    pub fn hand(&self) -> Result<Hand<C>, Error> {
+        let mut fingers = Vec::new();
+        for (index, entry) in self.contacts.iter().enumerate() {
+            fingers.extend(entry.points(index)?.into_iter().map(grasp::Finger::fixed));
         }
-        Ok(match &leg.commands {
-            None => out,
-            Some(Goal::By(change)) => out.and_commands_by(self.spread(change, "commands of a leg")?),
-            Some(Goal::To(commands)) => out.and_commands_to(self.spread(commands, "commands of a leg")?),
-        })
-    }
-
-    /// Whether the lists of a question that have one entry a contact are as long as that.
-    fn check(&self, question: &Question<D, C>) -> Result<(), Error> {
-        match question {
-            Question::Solve { .. } => Ok(()),
-            Question::Onset(asked) => self.ramp(asked).map(drop),
-            Question::Follow { legs, .. } => self.legs(legs).map(drop),
+        let mut first = self.contacts.len();
+        for finger in &self.fingers {
+            fingers.push(finger.spread(first)?);
+            first += finger.contacts.len();
         }
+        Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
     }
 
-    /// Commands of every point from those of the contacts.
-    fn spread(&self, commands: &Commands<C>, what: &'static str) -> Result<Vec<SVector<f64, C>>, Error> {
-        let (given, expected) = (commands.0.len(), self.contacts.len());
-        if given != expected {
-            return Err(Error::Size { what, given, expected });
-        }
-        let mut all = Vec::with_capacity(expected);
-        for (finger, command) in self.contacts.iter().zip(&commands.0) {
-            all.resize(all.len() + finger.count()?, *command);
-        }
-        Ok(all)
+    pub(super) fn grasp_by_hand<const W: usize>(&self) -> Result<Grasp<W, C>, Error> {
+        self.hand()?.grasp().map_err(|error| self.in_the_scene(error))
     }
 
-    /// Where the contacts of the grasp stand in the scene.
-    fn places(&self) -> Result<Places, Error> {
-        let mut places = Vec::new();
-        for (contact, finger) in self.contacts.iter().enumerate() {
-            let place = |point| Place { contact, point, name: finger.contact.name.clone() };
-            match finger.soft {
-                None => places.push(place(None)),
-                Some(_) => places.extend((0..finger.count()?).map(Some).map(place)),
-            }
-        }
-        Ok(Places(places))
-    }
-
-    /// The answer to every question, in order.
-    ///
-    /// # Errors
-    /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
-    /// answer: a malformed question is an error, "no equilibrium" is an answer.
-    pub fn answers(&self) -> Result<Vec<Answer<D, C>>, Error> {
-        let (grasp, places) = (self.grasp()?, self.places()?);
-        self.questions.iter().map(|question| self.answer(&grasp, &places, question)).collect()
-    }
-
-    fn answer(
-        &self,
-        grasp: &Grasp<D, C>,
-        places: &Places,
-        question: &Question<D, C>,
-    ) -> Result<Answer<D, C>, Error> {
-        let settings = &self.settings;
-        Ok(match question {
-            Question::Solve { load } => {
-                Answer::Solve(places.solved(grasp, &grasp.solve_with(load, settings)?))
-            }
-            Question::Onset(asked) => {
-                let ramp = self.ramp(asked)?;
-                let onset = grasp.onset_with(&ramp, settings)?;
-                Answer::Onset(places.onset(grasp, settings, &onset))
-            }
-            Question::Follow { start, legs } => {
-                let mut path = grasp.follow_with(start, &self.legs(legs)?, settings)?;
-                let events = path.run();
-                Answer::Follow(places.path(&path, &events))
-            }
-        })
+    /// The index of a contact in a message is that of the scene, whatever number of points come before it.
+    fn in_the_scene(&self, error: Error) -> Error {
+        let Error::Contact { contact: ContactLabel { index, name }, field, value, allowed } = error else {
+            return error;
+        };
+        let mut behind = 0;
+        let entry = self.entries().position(|entry| {
+            behind += entry.count().unwrap_or(1);
+            index < behind
+        });
+        let contact = ContactLabel { index: entry.unwrap_or(index), name };
+        Error::Contact { contact, field, value, allowed }
     }
 }

@@ -1,7 +1,7 @@
 //! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
 
 use grasp_lcp::grasp::{Contact, Grasp, Twist, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Finger, Question, Scene, Setup, Space, Tip};
+use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, Space, Tip};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
@@ -72,7 +72,7 @@ where
     ]))
     .unwrap();
     let settings = Settings::default().with_step_error(1e-8).with_most_states(300);
-    let mut setup = Setup::new(contacts(drawn).into_iter().map(Finger::from)).with_settings(settings);
+    let mut setup = Setup::new(contacts(drawn).into_iter().map(Fingertip::from)).with_settings(settings);
     for question in asked {
         setup = setup.ask(question);
     }
@@ -214,9 +214,9 @@ fn stiffness_and_commands_are_said_in_several_ways() {
     for (said, expected) in cases {
         let mut entry = json!({ "point": [1, 0, 0], "normal": [-1, 0, 0] });
         entry.as_object_mut().unwrap().extend(said.as_object().unwrap().clone());
-        let finger: Finger<3> = serde_json::from_value(entry).unwrap();
+        let finger: Fingertip<3> = serde_json::from_value(entry).unwrap();
         assert_eq!(finger.contact, expected);
-        let back: Finger<3> = serde_json::from_value(serde_json::to_value(&finger).unwrap()).unwrap();
+        let back: Fingertip<3> = serde_json::from_value(serde_json::to_value(&finger).unwrap()).unwrap();
         assert_eq!(back, finger);
     }
 }
@@ -268,7 +268,7 @@ fn soft_fingertips_are_spread() {
     let tip = Tip::Disc { radius: 0.006, annuli: 1, points: 4, pressure: spatial::Pressure::Hertz };
     let squeeze = json!([{ "onset": { "direction": { "moment": [0.01, 0, 0] }, "command_change": [[0.001, 0, 0], [0, 0, 0]] } }]);
     let squeeze: Vec<Question<6, 3>> = serde_json::from_value(squeeze).unwrap();
-    let soft = Finger::from(finger(-0.03).name("thumb")).soft(tip);
+    let soft = Fingertip::from(finger(-0.03).name("thumb")).soft(tip);
     let setup = Setup::new([soft, finger(0.03).into()]).ask(squeeze[0].clone());
 
     let mut points = patch.contacts(&finger(-0.03).name("thumb")).unwrap();

@@ -7,6 +7,7 @@ mod stream;
 
 mod direction_pictures;
 mod format;
+mod hands;
 mod lines;
 mod messages;
 mod spatial_page;

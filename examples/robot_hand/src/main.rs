@@ -11,7 +11,6 @@ use std::process::ExitCode;
 
 use closing::{Ball, Touch, close, touches};
 use description::{Chain, fingers};
-use grasp_lcp::Limit;
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
@@ -113,7 +112,7 @@ fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp<COORD
             Joint::revolute(*point, **axis)
                 .name(&joint.name)
                 .stiffness(stiffness)
-                .limit(Limit::Saturates(joint.effort))
+                .limit(grasp_lcp::Limit::Saturates(joint.effort))
         });
         let mut built = Finger::new(joints);
         for (link, contact) in contacts(finger)? {
@@ -183,6 +182,7 @@ fn of_grasp(
         ("+z", [0.0, 0.0, 1.0]),
         ("-z", [0.0, 0.0, -1.0]),
     ];
+    let (mut most_stalled, mut shown) = (0, None);
     for (label, direction) in axes {
         let ramp = Ramp::load(Wrench::ZERO, pull(direction));
         let onset = grasp.onset(&ramp)?;
@@ -199,13 +199,17 @@ fn of_grasp(
         let told = springs
             .onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force_at(direction, at))?
             .factor();
-        let (limit, stalled) = limit(&grasp, &pull(direction))?;
+        let Reach { force, stalled, state } = limit(&grasp, &pull(direction))?;
+        if let Some(state) = state.filter(|_| stalled.len() > most_stalled) {
+            most_stalled = stalled.len();
+            shown = Some((format!("a pull along {label} at its limit"), state));
+        }
         let stalled: Vec<String> = stalled.iter().map(|part| grasp.label_of(*part)).collect();
         println!(
             "  {label:<6} {:>9}   {leaves:<38} {:>11} {:>11}   {}",
             newtons(onset.factor()),
             newtons(told),
-            newtons(Some(limit)),
+            newtons(Some(force)),
             stalled.join(", ")
         );
     }
@@ -225,8 +229,13 @@ fn of_grasp(
     for corners in circles(ball) {
         page = page.outline(corners);
     }
+    // The pull along which most motors stall, with those motors marked.
+    if let Some((label, state)) = &shown {
+        page = page.frame(label, state);
+    }
+    let last = page.answers() - 1;
     std::fs::write(format!("output/robot_hand_{name}.html"), page.to_html()?)?;
-    std::fs::write(format!("output/robot_hand_{name}_view.svg"), page.to_svg(Some(0), View::default())?)?;
+    std::fs::write(format!("output/robot_hand_{name}_view.svg"), page.to_svg(Some(last), View::default())?)?;
     println!("  wrote output/robot_hand_{name}.html and output/robot_hand_{name}_view.svg\n");
     Ok(())
 }
@@ -302,17 +311,27 @@ fn draw_map(
     Ok(())
 }
 
-/// Up to which pull the hand holds, N, and the motors that stall on the way.
-fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<(f64, Vec<HandPart>), Failure> {
+/// How far a pull goes.
+struct Reach {
+    /// Up to which pull the hand holds, N.
+    force: f64,
+    /// The motors that stall on the way.
+    stalled: Vec<HandPart>,
+    /// Where the path ends.
+    state: Option<spatial::Equilibrium<COORDINATES>>,
+}
+
+fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<Reach, Failure> {
     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
     let events = path.run();
     let yields = |(part, change): &(HandPart, DriveChange)| (*change == DriveChange::Yields).then_some(*part);
     let stalled = events.iter().flat_map(|event| event.drives.iter().filter_map(yields)).collect();
-    match path.end() {
-        Some(PathEnd::Completed) => Ok((f64::INFINITY, stalled)),
-        Some(PathEnd::Lost(loss)) => Ok((loss.fraction * MOST, stalled)),
-        end => Err(format!("the path cannot be followed: {end:?}").into()),
-    }
+    let force = match path.end() {
+        Some(PathEnd::Completed) => f64::INFINITY,
+        Some(PathEnd::Lost(loss)) => loss.fraction * MOST,
+        end => return Err(format!("the path cannot be followed: {end:?}").into()),
+    };
+    Ok(Reach { force, stalled, state: path.position().map(|(_, _, state)| state) })
 }
 
 /// Three circles about a ball.

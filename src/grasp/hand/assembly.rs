@@ -244,6 +244,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             drives: self.drives,
             held: self.held,
             bones: self.bones,
+            centres: self.joints.iter().map(|joint| joint.motion.centre()).collect(),
             commands,
         };
         Grasp::by_hand(self.contacts, linkage)

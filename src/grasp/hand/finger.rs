@@ -45,9 +45,9 @@ pub(super) struct Carried<const C: usize> {
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
     /// Stiffness besides the joints' own springs.
-    pub(super) coupling: Option<DMatrix<f64>>,
+    pub(crate) coupling: Option<DMatrix<f64>>,
     /// Compliance over the axes of all contacts, besides joints and pads.
-    pub(super) compliance: Option<DMatrix<f64>>,
+    pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<Carried<C>>,
 }
 

@@ -6,7 +6,7 @@ use crate::grasp::well_posed::{length_or_culprit, unit};
 
 /// How a joint moves what lies behind it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Motion<const C: usize> {
+pub(crate) enum JointMotion<const C: usize> {
     /// A turn about a point of the plane, or about a line of space.
     Revolute { point: SVector<f64, C>, axis: SVector<f64, C> },
     /// A slide along a direction.
@@ -17,6 +17,7 @@ pub(super) enum Motion<const C: usize> {
 
 /// The most that the motor or the clutch of a joint carries, N m or N, and what happens there.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Limit {
     /// A clutch, or friction in a gear: beyond this torque it slips, and keeps what it has slipped when the torque falls again.
@@ -48,18 +49,18 @@ impl Limit {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint<const C: usize> {
-    pub(super) name: Option<String>,
-    pub(super) motion: Motion<C>,
-    pub(super) stiffness: f64,
-    pub(super) command: f64,
-    pub(super) torque: f64,
-    pub(super) limit: Option<Limit>,
+    pub(crate) name: Option<String>,
+    pub(crate) motion: JointMotion<C>,
+    pub(crate) stiffness: f64,
+    pub(crate) command: f64,
+    pub(crate) torque: f64,
+    pub(crate) limit: Option<Limit>,
 }
 
 impl Joint<2> {
     /// A joint that turns about a point of the plane, m.
     pub fn revolute(point: impl Into<[f64; 2]>) -> Self {
-        Self::moving(Motion::Revolute { point: SVector::from(point.into()), axis: SVector::zeros() })
+        Self::moving(JointMotion::Revolute { point: SVector::from(point.into()), axis: SVector::zeros() })
     }
 }
 
@@ -67,24 +68,24 @@ impl Joint<3> {
     /// A joint that turns about the line through a point, m, along an axis of any length.
     pub fn revolute(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>) -> Self {
         let (point, axis) = (SVector::from(point.into()), SVector::from(axis.into()));
-        Self::moving(Motion::Revolute { point, axis })
+        Self::moving(JointMotion::Revolute { point, axis })
     }
 }
 
 impl<const C: usize> Joint<C> {
-    fn moving(motion: Motion<C>) -> Self {
+    fn moving(motion: JointMotion<C>) -> Self {
         Self { name: None, motion, stiffness: 0.0, command: 0.0, torque: 0.0, limit: None }
     }
 
     /// A joint that slides along a direction of any length; its displacement is in m along it.
     pub fn prismatic(direction: impl Into<[f64; C]>) -> Self {
-        Self::moving(Motion::Prismatic { direction: SVector::from(direction.into()) })
+        Self::moving(JointMotion::Prismatic { direction: SVector::from(direction.into()) })
     }
 
     /// A coordinate of any other kind: what it moves is said by [`Finger::contact_moved_by`](super::Finger::contact_moved_by) alone.
     #[must_use]
     pub fn given() -> Self {
-        Self::moving(Motion::Given)
+        Self::moving(JointMotion::Given)
     }
 
     /// A name for messages and tables.
@@ -124,7 +125,7 @@ impl<const C: usize> Joint<C> {
     }
 }
 
-impl<const C: usize> Motion<C> {
+impl<const C: usize> JointMotion<C> {
     /// The point that a revolute joint turns about.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }

@@ -20,6 +20,8 @@ pub(crate) struct Linkage<const D: usize, const C: usize> {
     pub(crate) held: SVector<f64, D>,
     /// Links, from joint to joint and on to the contacts: only drawn.
     pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
+    /// Where the joints that turn are, those of the plane and the axes of space: only drawn.
+    pub(crate) centres: Vec<Option<SVector<f64, C>>>,
     /// Commands of joints, then of tendons.
     pub(crate) commands: Vec<f64>,
 }
@@ -35,6 +37,7 @@ pub(crate) struct Named {
 
 /// A part of a hand that can give way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum HandPart {
     /// A joint, from 0, finger by finger.

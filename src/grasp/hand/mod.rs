@@ -33,6 +33,8 @@ mod tendon;
 pub(crate) use drive::{Drive, Owner, Role};
 pub use finger::Finger;
 pub use hand_builder::Hand;
+#[cfg(feature = "serde")]
+pub(crate) use joint::JointMotion;
 pub use joint::{Joint, Limit};
 pub use linkage::HandPart;
 pub(crate) use linkage::{Linkage, Named};

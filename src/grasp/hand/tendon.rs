@@ -8,13 +8,13 @@ use super::joint::Limit;
 /// and no stiffness it is a differential: equal to what the motor pulls with, whatever the joints do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tendon {
-    pub(super) name: Option<String>,
-    pub(super) arms: Vec<f64>,
-    pub(super) stiffness: f64,
-    pub(super) pull: f64,
-    pub(super) tension: f64,
-    pub(super) limit: Option<Limit>,
-    pub(super) pushes: bool,
+    pub(crate) name: Option<String>,
+    pub(crate) arms: Vec<f64>,
+    pub(crate) stiffness: f64,
+    pub(crate) pull: f64,
+    pub(crate) tension: f64,
+    pub(crate) limit: Option<Limit>,
+    pub(crate) pushes: bool,
 }
 
 impl Tendon {

@@ -70,9 +70,13 @@ impl Drawing<'_> {
             let (at, along) = (json_row(axis.at.as_slice())?, json_row(axis.along.as_slice())?);
             Ok(format!("{{\"at\":{at},\"along\":{along},\"turns\":{}}}", axis.turns))
         })?;
+        let at = self.page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?)));
+        let yields = list(at, |(name, at)| {
+            Ok(format!("{{\"name\":{},\"at\":{}}}", json_string(name), json_row(at.as_slice())?))
+        })?;
         let load = self.load(state);
         Ok(format!(
-            "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free}}}",
+            "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free},\"yields\":{yields}}}",
             json_row(state.twist.as_vector().as_slice())?,
             json_row(load.at.as_slice())?,
             json_row(load.force.as_slice())?,

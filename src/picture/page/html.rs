@@ -38,7 +38,7 @@ impl SpatialPage {
         write_buttons(&mut page, &self.frames);
         page += LEGEND;
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", html(&scales));
-        table::write(&mut page, &self.grasp, &self.frames)?;
+        table::write(&mut page, &self.grasp, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
         let _ = write!(page, "<script>\n{VIEW}</script>\n</body>\n</html>\n");
         Ok(page)

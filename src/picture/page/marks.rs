@@ -7,7 +7,7 @@ use plotters::style::{RGBColor, colors::BLACK};
 
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
 use crate::picture::contact_look::{ink, slope};
-use crate::picture::palette::{GREY, PALETTE};
+use crate::picture::palette::{GREY, PALETTE, VERMILION};
 use crate::spatial::{Contact, ContactAnswer, ContactState, Equilibrium};
 
 /// Displacements.
@@ -77,6 +77,10 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
     }
     if let Some(state) = state {
         draw_load(&mut marks, drawing, state);
+        for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
+            marks.push(Mark::Dot { at, ink: VERMILION, open: false });
+            marks.push(Mark::Name { at, words: format!("{name} yields") });
+        }
         for motion in &state.free_motions {
             let axis = drawing.axis(motion);
             let half = axis.along * (AXIS * drawing.span);

@@ -3,6 +3,7 @@
 use super::frame::Frame;
 use super::text::proof_in_words;
 use crate::equilibrium::{NoEquilibrium, Outcome};
+use crate::picture::actuators::Actuators;
 use crate::spatial::Grasp;
 
 /// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
@@ -20,7 +21,8 @@ use crate::spatial::Grasp;
 ///   heads;
 /// * displacements u_c of the object, magnified, the same for all answers; the factor is written
 ///   beside;
-/// * axes of the motions that no contact resists.
+/// * axes of the motions that no contact resists;
+/// * links of a [hand](crate::grasp::Hand) where they were before anything moved, and its joints that yield at their limit.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad.
 ///
@@ -56,6 +58,7 @@ pub struct SpatialPage {
     pub(super) outlines: Vec<Vec<[f64; 3]>>,
     pub(super) fixtures: Vec<Vec<[f64; 3]>>,
     pub(super) frames: Vec<Frame>,
+    pub(super) actuators: Actuators<3>,
 }
 
 impl SpatialPage {
@@ -68,6 +71,7 @@ impl SpatialPage {
             outlines: Vec::new(),
             fixtures: grasp.links().map(|bone| bone.map(Into::into).to_vec()).collect(),
             frames: Vec::new(),
+            actuators: Actuators::of(grasp),
         }
     }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::frame::Frame;
 use super::text::{html, short, vector};
 use crate::grasp::Hold;
+use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::{no_friction_left, word};
 use crate::picture::error::{Drawn, PictureError};
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
@@ -22,7 +23,7 @@ const COLUMNS: [(&str, &str); 9] = [
     ("|u_c| (m)", "displacement of the object at the contact"),
 ];
 
-pub(super) fn write(page: &mut String, grasp: &Grasp, frames: &[Frame]) -> Drawn {
+pub(super) fn write(page: &mut String, grasp: &Grasp, actuators: &Actuators<3>, frames: &[Frame]) -> Drawn {
     for (k, Frame { label, shown }) in frames.iter().enumerate() {
         let hidden = if k == 0 { "" } else { " hidden" };
         let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", html(label));
@@ -30,14 +31,14 @@ pub(super) fn write(page: &mut String, grasp: &Grasp, frames: &[Frame]) -> Drawn
             Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", html(why));
             }
-            Ok(state) => write_state(page, grasp, state)?,
+            Ok(state) => write_state(page, grasp, actuators, state)?,
         }
         page.push_str("</section>\n");
     }
     Ok(())
 }
 
-fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Drawn {
+fn write_state(page: &mut String, grasp: &Grasp, actuators: &Actuators<3>, state: &Equilibrium) -> Drawn {
     let (load, twist) = (state.load.as_vector().as_slice(), state.twist.as_vector().as_slice());
     let _ = writeln!(
         page,
@@ -56,6 +57,10 @@ fn write_state(page: &mut String, grasp: &Grasp, state: &Equilibrium) -> Drawn {
             "<p>Nothing resists the motion {} (translation, rotation about the origin): where the object goes is known up to it.</p>",
             vector(v)
         );
+    }
+    let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| html(name)).collect();
+    if !at_their_limit.is_empty() {
+        let _ = writeln!(page, "<p>At their limit, and yielding: {}.</p>", at_their_limit.join(", "));
     }
     page.push_str("<table>\n<thead><tr>");
     for (heading, meaning) in COLUMNS {

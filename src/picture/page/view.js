@@ -7,7 +7,7 @@
   const COLOURS = {
     "rolling": "#0072b2", "about-to-slide": "#e69f00", "sliding": "#d55e00", "separated": "#6e6e6e", "frictionless": "#009e73",
   };
-  const [BLACK, GREY, PINK, SKY] = ["#000", "#6e6e6e", "#cc79a7", "#3a8fc8"];
+  const [BLACK, GREY, PINK, SKY, VERMILION] = ["#000", "#6e6e6e", "#cc79a7", "#3a8fc8", "#d55e00"];
   const SIDES = 32;
   const START = { ...scene.view, zoom: 1 };
   let { yaw, pitch, zoom } = START;
@@ -180,6 +180,16 @@
       arrow(at, moment.map((m) => m * scene.moment), BLACK, 2, 2);
       const end = length(force) > 0 ? add(at, force, scene.force) : add(at, moment, scene.moment);
       if (layers.names && length(add(end, at, -1)) > 0) text(end, "load", BLACK, false, [8, 14]);
+    }
+    for (const { name, at } of frame ? frame.yields : []) {
+      const [x, y, depth] = project(at);
+      paint(depth + 1e-2, () => {
+        pen.beginPath();
+        pen.arc(x, y, 7, 0, 2 * Math.PI);
+        pen.fillStyle = VERMILION;
+        pen.fill();
+      });
+      if (layers.names) text(at, `${name} yields`, VERMILION, false);
     }
     if (frame && layers.free) {
       for (const { at, along, turns } of frame.free) {

@@ -1,0 +1,35 @@
+//! Joints and tendons of a hand, as far as pictures show them: those that yield at their limit.
+
+use nalgebra::SVector;
+
+use crate::equilibrium::{DriveState, Equilibrium};
+use crate::grasp::{Grasp, HandPart};
+
+/// Names of joints and tendons, and where the joints turn.
+#[derive(Debug, Clone)]
+pub(super) struct Actuators<const C: usize> {
+    pub(super) joints: Vec<(String, Option<SVector<f64, C>>)>,
+    tendons: Vec<String>,
+}
+
+impl<const C: usize> Actuators<C> {
+    pub(super) fn of<const D: usize>(grasp: &Grasp<D, C>) -> Self {
+        let joint = |(j, at)| (grasp.label_of(HandPart::Joint(j)), at);
+        let joints: Vec<_> = grasp.joint_centres().enumerate().map(joint).collect();
+        let tendons = grasp.joint_commands().len() - joints.len();
+        Self { joints, tendons: (0..tendons).map(|t| grasp.label_of(HandPart::Tendon(t))).collect() }
+    }
+
+    /// Those that stand at their limit, and where.
+    pub(super) fn that_yield<const D: usize>(
+        &self,
+        state: &Equilibrium<D, C>,
+    ) -> impl Iterator<Item = (&str, Option<SVector<f64, C>>)> {
+        let yields = |state: DriveState| state == DriveState::Yields;
+        let joints = self.joints.iter().zip(&state.joints).filter(move |(_, answer)| yields(answer.state));
+        let tendons = self.tendons.iter().zip(&state.tendons).filter(move |(_, answer)| yields(answer.state));
+        joints
+            .map(|((name, at), _)| (name.as_str(), *at))
+            .chain(tendons.map(|(name, _)| (name.as_str(), None)))
+    }
+}

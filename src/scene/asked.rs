@@ -1,0 +1,169 @@
+//! Questions of a scene, put to its grasp.
+
+use nalgebra::SVector;
+
+use super::answer::Answer;
+use super::finger::Finger;
+use super::place::{Place, Places};
+use super::question::{Commands, Goal, Leg, Question, RampAsked};
+use super::setup::Setup;
+use super::width::WithGrasp;
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+use crate::load_path::{self, Ramp};
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    /// A load as the grasp has it, whatever its number of coordinates.
+    #[must_use]
+    pub fn load<const W: usize>(&self, load: &Wrench<D, C>) -> Wrench<W, C> {
+        load.resized()
+    }
+
+    /// The ramp of a question as the grasp has it: with command changes for every point of a soft
+    /// fingertip.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the command changes are not one for each contact of the scene,
+    /// [`Error::JointCommands`] if those of joints are not one for each joint and each tendon.
+    pub fn ramp<const W: usize>(&self, asked: &RampAsked<D, C>) -> Result<Ramp<W, C>, Error> {
+        let mut ramp = Ramp::load(asked.base.resized(), asked.direction.resized());
+        if let Some(change) = &asked.command_change {
+            ramp = ramp.with_commands(self.spread(change, "command changes")?);
+        }
+        if let Some(change) = &asked.joint_change {
+            ramp = ramp.with_joint_commands(self.of_joints(change, "changes of joint commands")?);
+        }
+        Ok(ramp)
+    }
+
+    /// The legs of a load program as the grasp has them: with commands for every point of a soft
+    /// fingertip.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene,
+    /// [`Error::JointCommands`] if those of joints are not one for each joint and each tendon.
+    pub fn legs<const W: usize>(&self, legs: &[Leg<D, C>]) -> Result<Vec<load_path::Leg<W, C>>, Error> {
+        legs.iter().map(|leg| self.leg(leg)).collect()
+    }
+
+    fn leg<const W: usize>(&self, leg: &Leg<D, C>) -> Result<load_path::Leg<W, C>, Error> {
+        let mut out = load_path::Leg::load_by(Wrench::ZERO);
+        match &leg.load {
+            None => {}
+            Some(Goal::By(change)) => out = out.and_load_by(change.resized()),
+            Some(Goal::To(load)) => out = out.and_load_to(load.resized()),
+        }
+        match &leg.commands {
+            None => {}
+            Some(Goal::By(change)) => out = out.and_commands_by(self.spread(change, "commands of a leg")?),
+            Some(Goal::To(commands)) => {
+                out = out.and_commands_to(self.spread(commands, "commands of a leg")?);
+            }
+        }
+        Ok(match &leg.joints {
+            None => out,
+            Some(Goal::By(change)) => out.and_joints_by(self.of_joints(change, "joint commands of a leg")?),
+            Some(Goal::To(commands)) => {
+                out.and_joints_to(self.of_joints(commands, "joint commands of a leg")?)
+            }
+        })
+    }
+
+    /// Whether the lists of a question that have one entry a contact are as long as that.
+    pub(super) fn check(&self, question: &Question<D, C>) -> Result<(), Error> {
+        match question {
+            Question::Solve { .. } => Ok(()),
+            Question::Onset(asked) => self.ramp::<D>(asked).map(drop),
+            Question::Follow { legs, .. } => self.legs::<D>(legs).map(drop),
+        }
+    }
+
+    /// Commands of every point from those of the contacts.
+    fn spread(&self, commands: &Commands<C>, what: &'static str) -> Result<Vec<SVector<f64, C>>, Error> {
+        let (given, expected) = (commands.0.len(), self.entries().count());
+        if given != expected {
+            return Err(Error::Size { what, given, expected });
+        }
+        let mut all = Vec::with_capacity(expected);
+        for (entry, command) in self.entries().zip(&commands.0) {
+            all.resize(all.len() + entry.count()?, *command);
+        }
+        Ok(all)
+    }
+
+    /// Commands of joints and tendons, if there are as many.
+    fn of_joints(&self, commands: &[f64], what: &'static str) -> Result<Vec<f64>, Error> {
+        let (given, expected) = (commands.len(), self.joint_names().len() + self.tendons.len());
+        if given == expected {
+            Ok(commands.to_vec())
+        } else {
+            Err(Error::JointCommands { what, given, expected })
+        }
+    }
+
+    /// Names of all joints; a finger that presses with a force counts as one joint.
+    fn joint_names(&self) -> Vec<Option<String>> {
+        let of = |finger: &Finger<C>| match finger.presses {
+            Some(_) => vec![None],
+            None => finger.joints.iter().map(|joint| joint.name.clone()).collect(),
+        };
+        self.fingers.iter().flat_map(of).collect()
+    }
+
+    /// Where contacts, joints and tendons of the grasp stand in the scene.
+    fn places(&self) -> Result<Places, Error> {
+        let mut contacts = Vec::new();
+        for (contact, entry) in self.entries().enumerate() {
+            let place = |point| Place { contact, point, name: entry.contact.name.clone() };
+            match entry.soft {
+                None => contacts.push(place(None)),
+                Some(_) => contacts.extend((0..entry.count()?).map(Some).map(place)),
+            }
+        }
+        let tendons = self.tendons.iter().map(|tendon| tendon.name.clone()).collect();
+        Ok(Places { contacts, joints: self.joint_names(), tendons })
+    }
+
+    /// The answer to every question, in order.
+    ///
+    /// # Errors
+    /// As for [`Self::with_grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
+    /// answer: a malformed question is an error, "no equilibrium" is an answer.
+    pub fn answers(&self) -> Result<Vec<Answer<D, C>>, Error> {
+        self.with_grasp(Asked(self))?
+    }
+
+    fn answer<const W: usize>(
+        &self,
+        grasp: &Grasp<W, C>,
+        places: &Places,
+        question: &Question<D, C>,
+    ) -> Result<Answer<D, C>, Error> {
+        let settings = &self.settings;
+        Ok(match question {
+            Question::Solve { load } => {
+                Answer::Solve(places.solved(grasp, &grasp.solve_with(&load.resized(), settings)?))
+            }
+            Question::Onset(asked) => {
+                let onset = grasp.onset_with(&self.ramp(asked)?, settings)?;
+                Answer::Onset(places.onset(grasp, settings, &onset))
+            }
+            Question::Follow { start, legs } => {
+                let mut path = grasp.follow_with(&start.resized(), &self.legs(legs)?, settings)?;
+                let events = path.run();
+                Answer::Follow(places.path(&path, &events))
+            }
+        })
+    }
+}
+
+/// The questions of a setup.
+struct Asked<'a, const D: usize, const C: usize>(&'a Setup<D, C>);
+
+impl<const D: usize, const C: usize> WithGrasp<C> for Asked<'_, D, C> {
+    type Output = Result<Vec<Answer<D, C>>, Error>;
+    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
+        let places = self.0.places()?;
+        self.0.questions.iter().map(|question| self.0.answer(grasp, &places, question)).collect()
+    }
+}

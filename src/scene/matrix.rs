@@ -1,0 +1,27 @@
+//! Matrices as lists of rows.
+
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+
+use super::numbers::{Given, Number};
+
+/// The rows of a matrix.
+#[derive(Serialize, Deserialize)]
+#[serde(transparent)]
+pub(super) struct Rows(Vec<Vec<Number<Given>>>);
+
+impl Rows {
+    pub(super) fn of(matrix: &DMatrix<f64>) -> Self {
+        let row = |i: usize| matrix.row(i).iter().map(|x| Number::new(*x)).collect();
+        Self((0..matrix.nrows()).map(row).collect())
+    }
+
+    /// The matrix, `field` in messages.
+    pub(super) fn matrix(&self, field: &str) -> Result<DMatrix<f64>, String> {
+        let columns = self.0.first().map_or(0, Vec::len);
+        if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {
+            return Err(format!("{field}: row {i} has {} numbers, must be {columns} as in row 0", row.len()));
+        }
+        Ok(DMatrix::from_fn(self.0.len(), columns, |i, j| self.0[i][j].0))
+    }
+}

@@ -1,0 +1,71 @@
+//! Soft fingertips as they are written: which patch, how large, how fine.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::grasp::{Pressure, SoftFingertip};
+
+/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane.
+/// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[non_exhaustive]
+pub enum Tip {
+    /// [`SoftFingertip::ring`].
+    Ring {
+        /// Radius of the ring, m.
+        radius: f64,
+        /// Points on it.
+        points: usize,
+    },
+    /// [`SoftFingertip::disc`].
+    Disc {
+        /// Radius of the disc, m.
+        radius: f64,
+        /// Annuli of equal width, two rings of points each.
+        annuli: usize,
+        /// Points on a ring.
+        points: usize,
+        /// Its profile; uniform unless said otherwise.
+        #[serde(default)]
+        pressure: Pressure,
+    },
+    /// [`SoftFingertip::pair`].
+    Pair {
+        /// Width of the pad at whose edges the two points are, m.
+        width: f64,
+    },
+    /// [`SoftFingertip::pad`].
+    Pad {
+        /// Width of the pad from edge to edge, m.
+        width: f64,
+        /// Strips of equal width on either side of the middle, two points each.
+        strips: usize,
+        /// Its profile; uniform unless said otherwise.
+        #[serde(default)]
+        pressure: Pressure,
+    },
+}
+
+impl Tip {
+    /// The patch.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] if a number is out of range, or if the patch is not one for this many
+    /// axes.
+    pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
+        let patch = match *self {
+            Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),
+            Self::Disc { radius, annuli, points, pressure } => {
+                SoftFingertip::disc(radius, annuli, points, pressure)?.of_axes()
+            }
+            Self::Pair { width } => SoftFingertip::pair(width)?.of_axes(),
+            Self::Pad { width, strips, pressure } => SoftFingertip::pad(width, strips, pressure)?.of_axes(),
+        };
+        patch.ok_or(Error::Fingertip {
+            what: "number of axes of the patch",
+            value: if C == 2 { 3.0 } else { 2.0 },
+            allowed: if C == 2 { "2: a pair or a pad" } else { "3: a ring or a disc" },
+        })
+    }
+}
