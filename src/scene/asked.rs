@@ -19,8 +19,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         load.resized()
     }
 
-    /// The ramp of a question as the grasp has it: with command changes for every point of a soft
-    /// fingertip.
+    /// The ramp of a question as the grasp has it. Every point of a soft fingertip has the command changes of its
+    /// contact.
     ///
     /// # Errors
     /// [`Error::Size`] if the command changes are not one for each contact of the scene,
@@ -36,8 +36,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         Ok(ramp)
     }
 
-    /// The legs of a load program as the grasp has them: with commands for every point of a soft
-    /// fingertip.
+    /// The legs of a load program as the grasp has them. Every point of a soft fingertip has the commands of its
+    /// contact.
     ///
     /// # Errors
     /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene,

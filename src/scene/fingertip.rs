@@ -46,10 +46,10 @@ pub enum MovedBy {
     /// All joints of its finger: it sits on the last link.
     #[default]
     LastLink,
-    /// So many of its finger's joints, counted from the palm; written as `"link": 1`.
+    /// So many of its finger's joints, counted from the palm; written as `"moved_by": {"link": 1}`.
     Link(usize),
     /// All of them, by this Jacobian: motion of the contact along the coordinate axes for a unit of each joint. Written as
-    /// `"jacobian": [[…], …]`, one row an axis.
+    /// `"moved_by": {"jacobian": [[…], …]}`, one row an axis.
     Jacobian(DMatrix<f64>),
 }
 
@@ -125,9 +125,15 @@ struct Written<const C: usize> {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     soft: Option<Tip>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    link: Option<usize>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    jacobian: Option<Rows>,
+    moved_by: Option<WrittenMover>,
+}
+
+/// What moves a contact of a finger, if not all joints by what they are.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum WrittenMover {
+    Link(usize),
+    Jacobian(Rows),
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
@@ -192,11 +198,10 @@ impl<const C: usize> Serialize for Fingertip<C> {
             clearance: said(contact.clearance).then_some(contact.clearance),
             hold: contact.hold,
             soft: self.soft.clone(),
-            link: if let MovedBy::Link(joints) = self.moved_by { Some(joints) } else { None },
-            jacobian: if let MovedBy::Jacobian(matrix) = &self.moved_by {
-                Some(Rows::of(matrix))
-            } else {
-                None
+            moved_by: match &self.moved_by {
+                MovedBy::LastLink => None,
+                MovedBy::Link(joints) => Some(WrittenMover::Link(*joints)),
+                MovedBy::Jacobian(matrix) => Some(WrittenMover::Jacobian(Rows::of(matrix))),
             },
         }
         .serialize(serializer)
@@ -206,8 +211,8 @@ impl<const C: usize> Serialize for Fingertip<C> {
 impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a contact", |written: Written<C>| {
-            if written.link.is_some() || written.jacobian.is_some() {
-                return Err("link and jacobian are for the contacts of a finger".to_owned());
+            if written.moved_by.is_some() {
+                return Err("moved_by: of the contacts of a finger alone".to_owned());
             }
             let stiffness = written.stiffness()?.ok_or(NO_STIFFNESS)?;
             let entry = Self::of_written(written, stiffness)?;
@@ -247,11 +252,10 @@ impl<const C: usize> Fingertip<C> {
         contact.press = written.pressed_with;
         contact.clearance = written.clearance.unwrap_or(0.0);
         contact.hold = written.hold;
-        let moved_by = match (written.link, written.jacobian) {
-            (None, None) => MovedBy::LastLink,
-            (Some(joints), None) => MovedBy::Link(joints),
-            (None, Some(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
-            (Some(_), Some(_)) => return Err("link and jacobian: a contact has one of them".to_owned()),
+        let moved_by = match written.moved_by {
+            None => MovedBy::LastLink,
+            Some(WrittenMover::Link(joints)) => MovedBy::Link(joints),
+            Some(WrittenMover::Jacobian(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
         };
         Ok(Self { contact, soft: written.soft, comment: written.comment, moved_by })
     }

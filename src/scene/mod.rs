@@ -65,9 +65,9 @@
 //! | `presses_with` | a force with which its only contact is pressed on, wherever that goes; such a finger counts as one joint | N | not used |
 //! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
 //!
-//! Its contacts may say which joints move them: `"link": 1`, so many of the finger's joints counted from the palm, or
-//! `"jacobian"`, one row a coordinate axis and one column a joint. Without either all joints of the finger move them. Contacts of fingers
-//! are counted on behind those of the list `contacts`.
+//! Its contacts may say which joints move them: `"moved_by": {"link": 1}`, so many of the finger's joints counted from the palm, or
+//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Else all joints of the finger move them. Contacts of
+//! fingers are counted on behind those of the list `contacts`.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
 //! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:

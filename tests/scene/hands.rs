@@ -16,10 +16,10 @@ type Tested = Result<(), Box<dyn std::error::Error>>;
 fn planar_scene() -> Value {
     let pad = |point: Value, normal: Value| json!({ "point": point, "normal": normal, "series_stiffness": [2000.0, 1500.0], "friction": 0.6 });
     let mut first = pad(json!([-1.0, 0.3]), json!([1.0, 0.1]));
-    first["link"] = json!(1);
+    first["moved_by"] = json!({ "link": 1 });
     first["pressed_with"] = json!(3.0);
     let mut second = pad(json!([-1.0, -0.2]), json!([1.0, 0.0]));
-    second["jacobian"] = json!([[0.5, 0.1], [0.0, 0.7]]);
+    second["moved_by"] = json!({ "jacobian": [[0.5, 0.1], [0.0, 0.7]] });
     second["pressed_with"] = json!(2.0);
     json!({
         "format": "grasp-lcp/1",
@@ -242,14 +242,17 @@ fn what_is_wrong_with_a_hand_is_named() {
             "stiffness_matrix: row 1 has 1 numbers, must be 2",
         ),
         (
-            &|s| s["fingers"][0]["contacts"][1]["jacobian"] = json!([[1.0], [2.0]]),
+            &|s| s["fingers"][0]["contacts"][1]["moved_by"] = json!({ "jacobian": [[1.0], [2.0]] }),
             "2 x 1 given, must be 2 x 2",
         ),
         (
-            &|s| s["fingers"][0]["contacts"][1]["link"] = json!(1),
-            "link and jacobian: a contact has one of them",
+            &|s| s["fingers"][0]["contacts"][1]["moved_by"] = json!({ "joint": 1 }),
+            "unknown variant `joint`, expected `link` or `jacobian`",
         ),
-        (&|s| s["contacts"][0]["link"] = json!(1), "link and jacobian are for the contacts of a finger"),
+        (
+            &|s| s["contacts"][0]["moved_by"] = json!({ "link": 1 }),
+            "moved_by: of the contacts of a finger alone",
+        ),
         (
             &|s| s["fingers"][2]["joints"] = json!([{ "prismatic": [1.0, 0.0] }]),
             "presses_with: a finger that presses",
