@@ -36,6 +36,7 @@ mod rigid_motion;
 mod rotation;
 mod site;
 mod stiffness;
+mod support;
 mod well_posed;
 mod wrench;
 

@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::contact::{Contact, Hold};
 use super::rotation::{grasp_map_in_twice, of_the_object};
+use super::support::Support;
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
@@ -19,6 +20,8 @@ pub(crate) struct Site<const D: usize, const C: usize> {
     pub(crate) map_rest: SMatrix<f64, D, C>,
     /// Norm of G_i.
     size: f64,
+    /// Where G_i has entries.
+    pub(crate) support: Support<D>,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
     pub(crate) springs: Compliance<C>,
@@ -47,6 +50,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
             map,
             map_rest,
             size: map.norm(),
+            support: Support::of(&map, &map_rest),
             frame,
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
@@ -57,7 +61,8 @@ impl<const D: usize, const C: usize> Site<D, C> {
 
     /// This site with another map, exactly.
     pub(crate) fn with_map(&self, map: SMatrix<f64, D, C>) -> Self {
-        Self { map, map_rest: SMatrix::zeros(), size: map.norm(), ..self.clone() }
+        let map_rest = SMatrix::zeros();
+        Self { map, map_rest, size: map.norm(), support: Support::of(&map, &map_rest), ..self.clone() }
     }
 
     /// This site where no joint moves it.
@@ -68,6 +73,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
             map,
             map_rest: SMatrix::from_fn(|k, a| self.map_rest[(k, a)]),
             size: map.norm(),
+            support: Support::of(&map, &SMatrix::zeros()),
             frame: self.frame,
             springs: self.springs,
             friction: self.friction,
@@ -84,6 +90,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
             map,
             map_rest: SMatrix::zeros(),
             size: map.norm(),
+            support: Support::of(&map, &SMatrix::zeros()),
             frame: SMatrix::identity(),
             springs,
             friction: Coulomb::new(0.0),
@@ -108,6 +115,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
             }
         }
         self.size = self.map.norm();
+        self.support = Support::of(&self.map, &self.map_rest);
     }
 
     /// The law of the contact at rest.

@@ -26,10 +26,12 @@ impl<const D: usize> CompletePivoting<D> {
         while rank < rows.min(cols) {
             let k = rank;
             let (mut pi, mut pj, mut most) = (k, k, 0.0);
-            for i in k..rows {
-                for j in k..cols {
-                    if a[(i, j)].abs() > most {
-                        (pi, pj, most) = (i, j, a[(i, j)].abs());
+            for j in k..cols {
+                for i in k..rows {
+                    let size = a[(i, j)].abs();
+                    // Of equal ones the first row by row, whatever the order in which they are compared.
+                    if size > most || size == most && (i, j) < (pi, pj) {
+                        (pi, pj, most) = (i, j, size);
                     }
                 }
             }
@@ -41,11 +43,14 @@ impl<const D: usize> CompletePivoting<D> {
             a.swap_columns(k, pj);
             row_order.swap(k, pi);
             col_order.swap(k, pj);
+            let pivot = a[(k, k)];
             for i in k + 1..rows {
-                let factor = a[(i, k)] / a[(k, k)];
-                a[(i, k)] = factor;
-                for j in k + 1..cols {
-                    a[(i, j)] -= factor * a[(k, j)];
+                a[(i, k)] /= pivot;
+            }
+            for j in k + 1..cols {
+                let along = a[(k, j)];
+                for i in k + 1..rows {
+                    a[(i, j)] -= a[(i, k)] * along;
                 }
             }
             rank += 1;

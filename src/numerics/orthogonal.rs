@@ -4,6 +4,8 @@
 //! equations (G K Gᵀ)⁻¹ would lose the square of that; Gram–Schmidt with column pivoting, every column
 //! orthogonalised twice, keeps the columns of Q orthonormal to working precision whatever the grading.
 
+use std::ops::Range;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::pairwise::in_halves;
@@ -87,14 +89,7 @@ impl<const D: usize> Orthogonal<D> {
                     list.swap_rows(k, pivot);
                 }
             }
-            // Second pass against the finished columns: the first was their own step of elimination.
-            let again = masked(&products(rows, k), 0..k);
-            r.set_column(k, &(r.column(k) + again));
-            let mut square = 0.0;
-            for row in rows.iter_mut() {
-                row[k] -= again.dot(row);
-                square += row[k] * row[k];
-            }
+            let square = again_from_those_before(rows, &mut r, k);
             let norm = square.sqrt();
             if norm <= (DEPENDENT * full[k]).max(noise[k]) {
                 // What seemed to be left was noise after all: never a pivot again.
@@ -109,12 +104,7 @@ impl<const D: usize> Orthogonal<D> {
             if rank == D {
                 break;
             }
-            let along = masked(&products(rows, k), rank..D);
-            left.fill(0.0);
-            for row in rows.iter_mut() {
-                *row -= along * row[k];
-                left += row.component_mul(row);
-            }
+            let along = take_from_the_others(rows, k, &mut left);
             left.apply(|square| *square = square.sqrt());
             for j in rank..D {
                 r[(k, j)] = along[j];
@@ -228,13 +218,68 @@ fn lengths_and_noise<const D: usize>(rows: &[SVector<f64, D>]) -> (SVector<f64, 
     (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
 }
 
-/// Products of column k with every column.
-fn products<const D: usize>(rows: &[SVector<f64, D>], k: usize) -> SVector<f64, D> {
-    rows.iter().fold(SVector::zeros(), |sum, row| sum + row * row[k])
+/// The columns that a loop goes over which needs some of them. Of as few as an object has, all: one loop of fixed length is faster, and zeros
+/// stand where there is nothing to do.
+fn looped<const D: usize>(needed: Range<usize>) -> Range<usize> {
+    if D <= 6 { 0..D } else { needed }
+}
+
+/// Second pass of column k against the finished columns: the first was their own step of elimination. Returns the square of its length.
+fn again_from_those_before<const D: usize>(
+    rows: &mut [SVector<f64, D>],
+    r: &mut SMatrix<f64, D, D>,
+    k: usize,
+) -> f64 {
+    let again = products(rows, k, 0..k);
+    r.set_column(k, &(r.column(k) + again));
+    let finished = looped::<D>(0..k);
+    let mut square = 0.0;
+    for row in rows.iter_mut() {
+        let against = again.rows_range(finished.clone()).dot(&row.rows_range(finished.clone()));
+        row[k] -= against;
+        square += row[k] * row[k];
+    }
+    square
+}
+
+/// Takes the part along column k, a unit vector, from the columns behind it. Returns these parts, and leaves the squares of what remains in `left`.
+fn take_from_the_others<const D: usize>(
+    rows: &mut [SVector<f64, D>],
+    k: usize,
+    left: &mut SVector<f64, D>,
+) -> SVector<f64, D> {
+    let along = products(rows, k, k + 1..D);
+    left.fill(0.0);
+    let open = looped::<D>(k + 1..D);
+    for row in rows.iter_mut() {
+        let part = row[k];
+        let columns = row.as_mut_slice()[open.clone()].iter_mut();
+        for ((x, left), along) in
+            columns.zip(&mut left.as_mut_slice()[open.clone()]).zip(&along.as_slice()[open.clone()])
+        {
+            *x -= along * part;
+            *left += *x * *x;
+        }
+    }
+    along
+}
+
+/// Products of column k with some columns, zero beside them.
+fn products<const D: usize>(rows: &[SVector<f64, D>], k: usize, with: Range<usize>) -> SVector<f64, D> {
+    let mut sum = SVector::zeros();
+    let over = looped::<D>(with.clone());
+    for row in rows {
+        let part = row[k];
+        let sum = &mut SVector::<f64, D>::as_mut_slice(&mut sum)[over.clone()];
+        for (sum, x) in sum.iter_mut().zip(&row.as_slice()[over.clone()]) {
+            *sum += x * part;
+        }
+    }
+    masked(&sum, with)
 }
 
 /// Zeros beside these components: with all of them at once there is one loop over the rows.
-fn masked<const D: usize>(v: &SVector<f64, D>, keep: std::ops::Range<usize>) -> SVector<f64, D> {
+fn masked<const D: usize>(v: &SVector<f64, D>, keep: Range<usize>) -> SVector<f64, D> {
     SVector::from_fn(|j, _| if keep.contains(&j) { v[j] } else { 0.0 })
 }
 

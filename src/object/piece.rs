@@ -41,7 +41,6 @@ pub(crate) struct Piece<const D: usize, const C: usize> {
     free: Vec<SVector<f64, D>>,
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
     unbalanced: Vec<SVector<f64, D>>,
-    growth: f64,
 }
 
 /// Forces and a twist of one linear piece.
@@ -87,7 +86,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         let right = Orthogonal::new(rows(|s| &s.right));
         let free = right.null_space();
         if springs.iter().all(|spring| spring.left == spring.right) {
-            return Self { springs, first, right, left: None, unbalanced: free.clone(), free, growth: 1.0 };
+            return Self { springs, first, right, left: None, unbalanced: free.clone(), free };
         }
         let left = Orthogonal::new(rows(|s| &s.left));
         let unbalanced = left.null_space();
@@ -96,8 +95,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             coupling += left.row(i) * right.row(i).transpose();
         }
         let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
-        let growth = coupling.growth();
-        Self { springs, first, right, left: Some((left, coupling)), free, unbalanced, growth }
+        Self { springs, first, right, left: Some((left, coupling)), free, unbalanced }
     }
 
     /// The factors of K^{1/2}Gᵀ, row by row the springs of the contacts in order.
@@ -140,7 +138,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// How much relative rounding errors grow in this piece, at least 1.
     pub(crate) fn growth(&self) -> f64 {
-        self.growth
+        self.left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth())
     }
 
     /// Forces and the twist of least norm under these drives and this load. The sites are those the piece was made of.
@@ -163,7 +161,8 @@ impl<const D: usize, const C: usize> Piece<D, C> {
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(pushed + pulled));
                 // Near a solution the sum is a difference, known up to the rounding of its terms.
-                if unreached > NO_WORK * pushed.amax().max(pulled.amax()) * self.growth {
+                let known = NO_WORK * pushed.amax().max(pulled.amax());
+                if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
                 }
                 step

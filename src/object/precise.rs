@@ -39,19 +39,13 @@ impl<const D: usize> PreciseTwist<D> {
     /// `a - g·q` for column `axis` of the grasp map of a contact.
     pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> DoubleDouble {
         let mut v = DoubleDouble::new(drive);
-        for (k, q) in self.0.iter().enumerate() {
-            if is_sparse::<D>() && site.map[(k, axis)] == 0.0 {
-                continue;
+        for range in site.support.ranges::<C>() {
+            for k in range {
+                v.add_product_of_twice((-site.map[(k, axis)], -site.map_rest[(k, axis)]), self.0[k]);
             }
-            v.add_product_of_twice((-site.map[(k, axis)], -site.map_rest[(k, axis)]), *q);
         }
         v
     }
-}
-
-/// Whether most entries of a map are zero: those of joints of other fingers. Those of the object alone hardly ever are.
-const fn is_sparse<const D: usize>() -> bool {
-    D > 6
 }
 
 /// Forces and moments in twice the working precision.
@@ -64,11 +58,10 @@ impl<const D: usize> PreciseBalance<D> {
 
     /// Adds the wrench of a force along an axis of a contact.
     pub(super) fn add<const C: usize>(&mut self, site: &Site<D, C>, axis: usize, force: DoubleDouble) {
-        for (k, sum) in self.0.iter_mut().enumerate() {
-            if is_sparse::<D>() && site.map[(k, axis)] == 0.0 {
-                continue;
+        for range in site.support.ranges::<C>() {
+            for k in range {
+                self.0[k].add_product_of_twice((site.map[(k, axis)], site.map_rest[(k, axis)]), force);
             }
-            sum.add_product_of_twice((site.map[(k, axis)], site.map_rest[(k, axis)]), force);
         }
     }
 

@@ -41,14 +41,17 @@ fn add_tangent<const D: usize, const C: usize>(
     let g = &site.map.data.0;
     let pushed = (site.map * springs).data.0;
     let t = &mut t.data.0;
-    for j in 0..D {
-        let mut column = t[j];
-        for a in 0..C {
-            for i in 0..D {
-                column[i] += pushed[a][i] * g[a][j];
+    // A contact of one finger does not feel the joints of the others, a drive nothing but its own.
+    for columns in site.support.ranges::<C>() {
+        for j in columns {
+            let mut column = t[j];
+            for a in 0..C {
+                for i in 0..D {
+                    column[i] += pushed[a][i] * g[a][j];
+                }
             }
+            t[j] = column;
         }
-        t[j] = column;
     }
 }
 

@@ -57,8 +57,9 @@ pub(super) fn admit<const D: usize, const C: usize>(
     piece: &Piece<D, C>,
     mut state: PieceState<D, C>,
 ) -> Verdict<D, C> {
-    let rounding = (ROUNDING * piece.growth()).min(MOST_ROUNDING);
-    let doubtful = (DOUBTFUL * piece.growth()).min(MOST_ROUNDING);
+    let growth = piece.growth();
+    let rounding = (ROUNDING * growth).min(MOST_ROUNDING);
+    let doubtful = (DOUBTFUL * growth).min(MOST_ROUNDING);
     let (values, sizes) = slacks(problem, &states, &state.forces, &state.twist);
     let mut worst = violation(&values, &sizes);
     let free_motions = piece.free_motions().to_vec();
