@@ -107,7 +107,11 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
                 let near = stuck.twist + self.stuck.motion(&travelled);
                 Ok((self.faces_of(&solution.basis), solution.pivots, near))
             }
-            Some(Outcome::Ray(ray)) if matches!(ray.proof, Proof::Infeasible(_)) => Err(Failure::NoMinimum),
+            Some(Outcome::Ray(ray))
+                if matches!(ray.proof, Proof::Infeasible(_) | Proof::NearlyInfeasible(_)) =>
+            {
+                Err(Failure::NoMinimum)
+            }
             _ => Err(Failure::Unsolved),
         }
     }

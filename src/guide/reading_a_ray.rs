@@ -25,6 +25,10 @@
 //! # Ok::<(), grasp_lcp::lcp::LcpError>(())
 //! ```
 //!
+//! The check makes all sums without rounding. Data that were computed are infeasible but for rounding as a rule:
+//! [`Proof::NearlyInfeasible`](crate::lcp::Proof::NearlyInfeasible) has a y for M and q that differ from those given by rounding, and
+//! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
+//!
 //! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried.
 //!
 //! [`Proof::None`](crate::lcp::Proof::None): nothing is known. Raise

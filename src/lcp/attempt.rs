@@ -28,36 +28,37 @@ impl Workspace {
 
     /// Follows the path of a prepared problem with the covering vector of the settings.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
-        if let Err(cause) = self.cover(lcp, settings) {
-            return Some(Outcome::Breakdown { pivots: self.path.pivots, cause });
-        }
+        self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
     /// Follows that path alone, without the ladder, for a problem that is not prepared yet.
     pub(super) fn follow_once(&mut self, lcp: &Lcp, settings: &Settings) -> Outcome {
+        if let Some(refused) = self.refuse(lcp, settings) {
+            return refused;
+        }
         self.prepare(lcp);
         let failure = self.first_path(lcp, settings);
         self.answer(failure).into_outcome()
     }
 
+    /// Where the settings do not fit the problem: the end of the solve before it begins.
+    pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        self.residuals = None;
+        self.path.pivots = 0;
+        settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
+    }
+
     /// Puts the covering vector, in balanced rows, into the path.
-    fn cover(&mut self, lcp: &Lcp, settings: &Settings) -> Result<(), BreakdownCause> {
-        let Some(d) = &settings.covering else {
-            self.path.d.clone_from(&self.path.scaling.row_unit);
-            return Ok(());
-        };
-        if d.len() != lcp.len() {
-            return Err(BreakdownCause::CoveringLength { given: d.len(), needed: lcp.len() });
-        }
-        for (row, (d, q)) in d.iter().zip(&lcp.q).enumerate() {
-            if !(d.is_finite() && *d >= 0.0) || (*q < 0.0 && *d == 0.0) {
-                return Err(BreakdownCause::CoveringEntry { row, value: *d });
+    fn cover(&mut self, settings: &Settings) {
+        let path = &mut self.path;
+        match &settings.covering {
+            None => path.d.clone_from(&path.scaling.row_unit),
+            Some(d) => {
+                path.d.clear();
+                path.d.extend(d.iter().zip(&path.scaling.row).map(|(d, row)| d * row));
             }
         }
-        self.path.d.clear();
-        self.path.d.extend(d.iter().zip(&self.path.scaling.row).map(|(d, row)| d * row));
-        Ok(())
     }
 
     /// Follows Lemke's path from the slack basis and checks where it ends.

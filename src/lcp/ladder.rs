@@ -28,14 +28,11 @@ impl Workspace {
         match &first {
             Outcome::Ray(ray) if ray.proof != Proof::None => return Some(first),
             Outcome::PivotLimit { .. } if settings.max_pivots.is_some() => return Some(first),
-            Outcome::Breakdown {
-                cause: BreakdownCause::CoveringEntry { .. } | BreakdownCause::CoveringLength { .. },
-                ..
-            } => return Some(first),
+            Outcome::Breakdown { cause: BreakdownCause::CoveringEntry { .. }, .. } => return Some(first),
             _ => {}
         }
-        if let Some(y) = linear_program::farkas_vector(lcp, &self.path.scaling, settings) {
-            return Some(self.proven(lcp, first, Proof::Infeasible(y)));
+        if let Some(proof) = linear_program::proof(lcp, &self.path.scaling, settings) {
+            return Some(self.proven(lcp, first, proof));
         }
         for attempt in 1..=settings.retries {
             self.retry(lcp, settings, attempt)?;

@@ -3,19 +3,19 @@
 //! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
 //! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
 
-use super::outcome::Outcome;
+use super::outcome::{Outcome, Proof};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
-/// A Farkas vector from the linear program, if the constraints cannot be met.
-pub(super) fn farkas_vector(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<DVector<f64>> {
+/// A proof from the linear program, if the constraints cannot be met.
+pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Proof> {
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
     let program = least_violation(&a, &b, settings)?;
     let y = DVector::from_fn(lcp.len(), |i, _| program.y[i] * scaling.row[i]);
-    lcp.proves_infeasible(&y).then_some(y)
+    lcp.farkas_proof(y)
 }
 
 /// The solution of min { t : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ 0,

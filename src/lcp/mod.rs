@@ -72,6 +72,7 @@ mod conclusion;
 mod dictionary;
 mod enumerate;
 mod error;
+mod farkas;
 mod kernel;
 mod ladder;
 mod lemke;

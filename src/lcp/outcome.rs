@@ -85,11 +85,16 @@ pub struct Ray {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Proof {
-    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma.
+    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma, for the M and q given.
     ///
     /// The vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0. But z ≥ 0 and M z + q ≥ 0 imply
-    /// yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y.
+    /// yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y without rounding.
     Infeasible(DVector<f64>),
+    /// Some M and q that differ from those given by rounding are infeasible, by the Farkas vector y (n entries).
+    ///
+    /// Those given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
+    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Data that were computed say no more as a rule.
+    NearlyInfeasible(DVector<f64>),
     /// None of the 2ⁿ complementary bases stands for a solution, up to rounding. No Farkas vector
     /// was found either, so z ≥ 0 with M z + q ≥ 0 should exist.
     NoComplementaryBasis,
@@ -97,8 +102,7 @@ pub enum Proof {
     None,
 }
 
-/// Why a solve broke down. The first two causes are covering vectors of the settings that do not
-/// fit, the others lie in the arithmetic.
+/// Why a solve broke down. The first three causes are settings that do not fit, the others lie in the arithmetic.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum BreakdownCause {
@@ -114,6 +118,13 @@ pub enum BreakdownCause {
         /// Row of the entry.
         row: usize,
         /// The entry.
+        value: f64,
+    },
+    /// A tolerance of the settings is negative, infinite or not a number.
+    Tolerance {
+        /// Which.
+        name: &'static str,
+        /// Its value.
         value: f64,
     },
     /// A number left the range of double precision.

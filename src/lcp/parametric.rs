@@ -49,6 +49,11 @@ pub enum PathEnd {
     /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
     /// (still).
     Unbounded(Trend),
+    /// The path has come back to the piece on which it began: it is a closed loop, and would go round for ever. The last breakpoint is the one
+    /// that leads back.
+    ///
+    /// There are solutions for no τ beyond the largest of its breakpoints on this path; others may lie on other paths.
+    Loop,
     /// There were as many breakpoints as the settings allow pivots.
     PivotLimit,
     /// The path could not be followed further in double precision.
@@ -93,6 +98,8 @@ pub struct Parametric<'a> {
     entering: Unknown,
     trend: Trend,
     breakpoints: usize,
+    /// Whether the path is back on the piece on which it began.
+    closed: bool,
     end: Option<PathEnd>,
 }
 
@@ -137,6 +144,7 @@ impl<'a> Parametric<'a> {
             entering: Unknown::Covering,
             trend: Trend::Forward,
             breakpoints: 0,
+            closed: false,
             end: None,
         };
         path.end = path.begin(dq).err();
@@ -190,6 +198,9 @@ impl<'a> Parametric<'a> {
 
     /// Follows one piece to the breakpoint at its end.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
+        if self.closed {
+            return Err(PathEnd::Loop);
+        }
         if self.breakpoints >= self.settings.pivot_limit(self.lcp.len()) {
             return Err(PathEnd::PivotLimit);
         }
@@ -223,6 +234,8 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
+        // A basis stands for one piece of the path, and no path runs into itself but where it began.
+        self.closed = self.start.solution().is_some_and(|start| start.basis == self.basis);
         let mut z = Vec::new();
         let tau = self.workspace.path.read_point(&mut z).unwrap_or(0.0);
         Breakpoint {

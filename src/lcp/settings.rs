@@ -1,5 +1,6 @@
 //! Limits, tolerances and the covering vector of a solve.
 
+use super::outcome::BreakdownCause;
 use nalgebra::DVector;
 
 /// Limits, tolerances and the covering vector of a solve. [`Settings::default`] is right for almost
@@ -132,6 +133,28 @@ impl Settings {
     pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
         self.enumerate_up_to = enumerate_up_to;
         self
+    }
+
+    /// Refuses a covering vector that does not fit a problem with this q, and tolerances that are none.
+    pub(super) fn check(&self, q: &DVector<f64>) -> Result<(), BreakdownCause> {
+        for (name, value) in [
+            ("pivot_tolerance", self.pivot_tolerance),
+            ("tie_tolerance", self.tie_tolerance),
+            ("residual_tolerance", self.residual_tolerance),
+        ] {
+            if !(value.is_finite() && value >= 0.0) {
+                return Err(BreakdownCause::Tolerance { name, value });
+            }
+        }
+        let Some(d) = &self.covering else { return Ok(()) };
+        if d.len() != q.len() {
+            return Err(BreakdownCause::CoveringLength { given: d.len(), needed: q.len() });
+        }
+        let fits = |d: f64, q: f64| d.is_finite() && d >= 0.0 && !(q < 0.0 && d == 0.0);
+        match d.iter().zip(q).position(|(d, q)| !fits(*d, *q)) {
+            Some(row) => Err(BreakdownCause::CoveringEntry { row, value: d[row] }),
+            None => Ok(()),
+        }
     }
 
     /// For problems on which Lemke's method cannot fail, positive semidefinite and solvable: one path, nothing after it.

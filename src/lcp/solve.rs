@@ -79,18 +79,19 @@ impl Lcp {
 impl Workspace {
     /// Solves a problem like [`Lcp::solve_with`].
     pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> Answer<'_> {
-        let failure = if lcp.q.iter().all(|q| *q >= 0.0) {
-            self.residuals = None;
-            self.path.pivots = 0;
-            self.accept_slack_basis(lcp, settings)
-        } else {
-            self.solve_first(lcp, settings)
+        let failure = match self.refuse(lcp, settings) {
+            Some(refused) => Some(refused),
+            None if lcp.q.iter().all(|q| *q >= 0.0) => self.accept_slack_basis(lcp, settings),
+            None => self.solve_first(lcp, settings),
         };
         self.answer(failure)
     }
 
     /// Solves a problem like [`Lcp::solve_from`].
     pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
+        if let Some(refused) = self.refuse(lcp, settings) {
+            return self.answer(Some(refused));
+        }
         self.prepare(lcp);
         refill(&mut self.path.d, lcp.len(), 0.0);
         let fits = basis.len() == lcp.len()
@@ -101,14 +102,18 @@ impl Workspace {
 
     /// Solves a problem and leaves the dictionary of its basis, even if that is the slack basis.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+        if let Some(refused) = self.refuse(lcp, settings) {
+            return Some(refused);
+        }
         self.prepare(lcp);
         self.climb(lcp, settings)
     }
 
     /// Solves for a right-hand side that belongs to the matrix whose dictionary the path holds.
     pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
-        self.residuals = None;
-        self.path.pivots = 0;
+        if let Some(refused) = self.refuse(lcp, settings) {
+            return Some(refused);
+        }
         self.path.set_right_hand_side(lcp.q.as_slice());
         self.path.recompute_values();
         self.resume(lcp, settings)

@@ -130,13 +130,15 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
     }
 }
 
-/// Whether Farkas' lemma proves that no slips and gaps make the rates possible: then there are no rates at all.
+/// Whether Farkas' lemma says that no slips and gaps make the rates possible: then there are no rates at all. The form is computed, and its proof
+/// good to the rounding of that.
 pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
     let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| {
-        matches!(form.lcp.solve_with(&settings), lcp::Outcome::Ray(ray) if matches!(ray.proof, lcp::Proof::Infeasible(_)))
+        let lcp::Outcome::Ray(ray) = form.lcp.solve_with(&settings) else { return false };
+        matches!(ray.proof, lcp::Proof::Infeasible(_) | lcp::Proof::NearlyInfeasible(_))
     })
 }
 

@@ -11,6 +11,7 @@
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `dormand_prince` | one step of a differential equation |
 //! | `double_double` | sums in twice the working precision |
+//! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
 //! | `waiting_line` | numbered things that wait for their time |
@@ -21,6 +22,7 @@ mod bordered;
 mod complete_pivoting;
 mod dormand_prince;
 mod double_double;
+mod exact_sum;
 mod factors;
 mod linearly_implicit;
 mod nearest_point;
@@ -36,6 +38,7 @@ pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
+pub(crate) use exact_sum::ExactSum;
 pub(crate) use factors::Factors;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;

@@ -3,6 +3,7 @@
 mod allocation;
 mod common;
 mod exact;
+mod farkas;
 mod fuzz;
 mod guaranteed;
 mod matrix_class;
@@ -11,3 +12,4 @@ mod near_singular;
 mod parametric;
 mod published;
 mod scaling;
+mod settings;

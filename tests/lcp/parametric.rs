@@ -148,3 +148,25 @@ fn a_workspace_gives_the_same_answers_as_fresh_memory() {
         assert_eq!(workspace.solve(&lcp, &Settings::default()).into_outcome(), lcp.solve());
     }
 }
+
+/// A path that closes is named as such: τ turns back at 0, -4/3, -2/3 and -1, where it comes back to the piece on which it began.
+#[test]
+fn a_closed_loop_is_an_end_of_its_own() {
+    let m = DMatrix::from_row_slice(2, 2, &[-1.0, 1.0, -1.0, -2.0]);
+    let lcp = Lcp::new(m.clone(), DVector::from_vec(vec![2.0, 0.0])).unwrap();
+    let dq = DVector::from_vec(vec![2.0, -1.0]);
+    let mut path = Parametric::new(&lcp, &dq, Settings::default()).unwrap();
+    let start = path.start().solution().unwrap().basis.clone();
+    let breakpoints: Vec<_> = path.by_ref().collect();
+    assert_eq!(path.end(), Some(&PathEnd::Loop));
+    assert_eq!(breakpoints.len(), 4);
+    for (breakpoint, tau) in breakpoints.iter().zip([0.0, -4.0 / 3.0, -2.0 / 3.0, -1.0]) {
+        assert!((breakpoint.tau - tau).abs() < 1e-15, "{breakpoints:?}");
+    }
+    assert_eq!(breakpoints.last().unwrap().basis, start);
+    // Every breakpoint solves its problem.
+    for breakpoint in &breakpoints {
+        let at = Lcp::new(m.clone(), lcp.vector() + &dq * breakpoint.tau).unwrap();
+        assert!(at.residuals(&breakpoint.z).within(1e-13), "{breakpoint:?}");
+    }
+}

@@ -1,0 +1,161 @@
+//! Proofs that no z ≥ 0 has M z + q ≥ 0, by Farkas' lemma, without rounding.
+//!
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. A path or a linear program
+//! ends in a y with rounding, and where (Mᵀy)_j must vanish, rounding spoils it. Its ratios are then those of small whole numbers as a rule,
+//! which are tried in its place.
+
+use std::cmp::Ordering;
+
+use super::outcome::Proof;
+use super::problem::Lcp;
+use super::tolerances::{ZERO, sum_rounding};
+use crate::numerics::ExactSum;
+use nalgebra::DVector;
+
+/// Whole numbers beyond this, 2⁵³, are no longer all doubles.
+const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
+/// A number is whole if it differs from one by such a part of itself, the rounding of the path that it comes from. It is not known beforehand: the
+/// least that leads to a proof is taken.
+const WHOLE: [f64; 3] = [1e-14, 1e-11, 1e-8];
+/// Bounds are drawn in by this part, for the rounding with which they are written down.
+const ROUNDED: f64 = 1e-14;
+
+impl Lcp {
+    /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
+    ///
+    /// All sums are made without rounding: what is true here is true of the M and q given, to the last bit.
+    ///
+    /// A y of another length than n proves nothing, nor does one with a negative entry or one that
+    /// is not finite.
+    #[must_use]
+    pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
+        self.may_prove(y)
+            && self.q_times(y).sign() == Ordering::Less
+            && self.columns().all(|column| times(column, y).sign() != Ordering::Greater)
+    }
+
+    /// How large the entries of every z ≥ 0 with M z + q ≥ 0 are together at least, as y shows:
+    ///
+    /// ```text
+    /// Σ z_j ≥ −qᵀy / max_j (Mᵀy)_j
+    /// ```
+    ///
+    /// Infinite where y proves that there is no such z, zero where it shows nothing. All sums are made without rounding; the bound is
+    /// rounded downwards.
+    ///
+    /// ```
+    /// use grasp_lcp::lcp::Lcp;
+    /// use nalgebra::{DMatrix, DVector};
+    ///
+    /// // w = 1e-15 z - 1: feasible, for z from 1e15 on.
+    /// let problem = Lcp::new(DMatrix::from_element(1, 1, 1e-15), DVector::from_element(1, -1.0))?;
+    /// let y = DVector::from_element(1, 1.0);
+    /// assert!(!problem.proves_infeasible(&y));
+    /// let least = problem.least_feasible(&y);
+    /// assert!(least <= 1e15 && least > 0.999e15);
+    /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
+    /// ```
+    #[must_use]
+    pub fn least_feasible(&self, y: &DVector<f64>) -> f64 {
+        let (descent, k) = self.q_times(y).leading();
+        if !self.may_prove(y) || descent >= 0.0 {
+            return 0.0;
+        }
+        let against = |column| {
+            let (sum, l) = times(column, y).leading();
+            if sum <= 0.0 { f64::INFINITY } else { times_power_of_two(-descent / sum, k - l) }
+        };
+        self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - ROUNDED)
+    }
+
+    /// What a vector proves that rounding may have touched, by itself or by whole numbers of its ratios.
+    pub(super) fn farkas_proof(&self, y: DVector<f64>) -> Option<Proof> {
+        if self.proves_infeasible(&y) {
+            return Some(Proof::Infeasible(y));
+        }
+        if !self.nearly_proves(&y) {
+            return None;
+        }
+        let mut whole = WHOLE.iter().filter_map(|rounding| whole_ratios(&y, *rounding));
+        let exact = whole.find(|y| self.proves_infeasible(y));
+        Some(exact.map_or(Proof::NearlyInfeasible(y), Proof::Infeasible))
+    }
+
+    /// Whether y is a Farkas vector but for rounding: (Mᵀy)_j at most 8 (n + 2) ε times the sizes of its terms, ε = 2⁻⁵².
+    fn nearly_proves(&self, y: &DVector<f64>) -> bool {
+        let rounding = sum_rounding(self.len());
+        let sums = |column: &[f64]| {
+            let mut sums = (0.0, 0.0, true);
+            for (m, y) in column.iter().zip(y) {
+                let term: f64 = m * y;
+                // A product that underflows has lost more than rounding.
+                let kept = *m == 0.0 || *y == 0.0 || term.is_normal();
+                sums = (sums.0 + term, sums.1 + term.abs(), sums.2 && kept);
+            }
+            sums
+        };
+        let (sum, terms, kept) = sums(self.q.as_slice());
+        self.may_prove(y)
+            && kept
+            && terms.is_finite()
+            && sum < -rounding * terms
+            && self.columns().all(|column| {
+                let (sum, terms, kept) = sums(column);
+                kept && terms.is_finite() && sum <= rounding * terms
+            })
+    }
+
+    fn may_prove(&self, y: &DVector<f64>) -> bool {
+        y.len() == self.len() && y.iter().all(|y| y.is_finite() && *y >= 0.0)
+    }
+
+    fn columns(&self) -> impl Iterator<Item = &[f64]> {
+        self.m.as_slice().chunks_exact(self.len().max(1))
+    }
+
+    fn q_times(&self, y: &DVector<f64>) -> ExactSum {
+        times(self.q.as_slice(), y)
+    }
+}
+
+fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
+    ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
+}
+
+/// x 2ᵏ, without leaving the range on the way to a number within it.
+fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
+    while k != 0 && x != 0.0 && x.is_finite() {
+        let step = k.clamp(-1000, 1000);
+        x *= f64::from(step).exp2();
+        k -= step;
+    }
+    x
+}
+
+/// The vector of small whole numbers that has these ratios, if there is one: entries are made whole one after the other, by the least
+/// common denominator so far.
+fn whole_ratios(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
+    let largest = y.amax();
+    let mut denominator = 1.0;
+    for y in y.iter().filter(|y| **y > ZERO * largest) {
+        denominator *= denominator_of(y / largest * denominator, rounding)?;
+        if denominator > LARGEST_WHOLE {
+            return None;
+        }
+    }
+    Some(y.map(|y| (y / largest * denominator).round()))
+}
+
+/// The denominator of the fraction, in lowest terms, that a number is but for rounding: by its continued fraction.
+fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
+    let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
+    while denominator <= LARGEST_WHOLE {
+        let scaled = x * denominator;
+        if (scaled - scaled.round()).abs() <= rounding * scaled {
+            return Some(denominator);
+        }
+        rest = 1.0 / (rest - rest.floor());
+        (before, denominator) = (denominator, rest.floor() * denominator + before);
+    }
+    None
+}

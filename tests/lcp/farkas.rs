@@ -1,0 +1,117 @@
+//! Farkas vectors are checked without rounding: as rational arithmetic on the doubles given says.
+#![allow(clippy::doc_markdown)]
+
+use crate::common::Random;
+use grasp_lcp::lcp::{Lcp, Outcome, Proof};
+use nalgebra::{DMatrix, DVector};
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_f64(x).expect("finite")
+}
+
+fn times(column: impl Iterator<Item = f64>, y: &DVector<f64>) -> BigRational {
+    column.zip(y).fold(BigRational::zero(), |sum, (m, y)| sum + exact(m) * exact(*y))
+}
+
+/// What y proves, in rationals: infeasible, or a bound on the sum of z.
+fn shown(m: &DMatrix<f64>, q: &DVector<f64>, y: &DVector<f64>) -> (bool, f64) {
+    let descent = times(q.iter().copied(), y);
+    if !descent.is_negative() {
+        return (false, 0.0);
+    }
+    let worst = (0..q.len()).map(|j| times(m.column(j).iter().copied(), y)).max().expect("not empty");
+    if !worst.is_positive() {
+        return (true, f64::INFINITY);
+    }
+    (false, (-descent / worst).to_f64().unwrap_or(f64::INFINITY))
+}
+
+/// A number of any size, zero now and then.
+fn wild(random: &mut Random, decades: i64) -> f64 {
+    match random.integer(0, 5) {
+        0 => 0.0,
+        1 => random.integer(-3, 3) as f64,
+        _ => random.normal() * 10f64.powi(i32::try_from(random.integer(-decades, decades)).expect("small")),
+    }
+}
+
+#[test]
+fn a_vector_proves_what_rationals_say() {
+    let mut random = Random(131);
+    let (mut proofs, mut bounds) = (0, 0);
+    for trial in 0..6000 {
+        let decades = [0, 3, 20, 150, 300][trial % 5];
+        let n = 1 + trial % 4;
+        let mut m = DMatrix::from_fn(n, n, |_, _| wild(&mut random, decades));
+        let y = DVector::from_fn(n, |_, _| wild(&mut random, decades).abs());
+        let mut q = DVector::from_fn(n, |_, _| wild(&mut random, decades));
+        if trial % 3 == 0 {
+            // Columns that are orthogonal to y, or miss it by a rounding.
+            for j in 0..n {
+                let rest: f64 = (1..n).map(|i| m[(i, j)] * y[i]).sum();
+                let balanced = -rest / y[0];
+                m[(0, j)] = if balanced.is_finite() { balanced } else { -1.0 };
+            }
+            q[0] = -q[0].abs();
+        }
+        let lcp = Lcp::new(m.clone(), q.clone()).expect("finite");
+        let (proved, least) = shown(&m, &q, &y);
+        assert_eq!(lcp.proves_infeasible(&y), proved, "{m} {q} {y}");
+        let told = lcp.least_feasible(&y);
+        assert!(told <= least, "{told} {least}");
+        assert!(least > f64::MAX || told >= least * (1.0 - 1e-13), "{told} {least}");
+        proofs += usize::from(proved);
+        bounds += usize::from(!proved && least > 0.0);
+    }
+    assert!(proofs > 300 && bounds > 1000, "{proofs} {bounds}");
+}
+
+/// On problems with any data whatever is called infeasible is so in rationals; what is nearly so has no small z.
+#[test]
+fn no_proof_is_false() {
+    let mut random = Random(137);
+    let (mut proofs, mut nearly) = (0, 0);
+    for trial in 0..4000 {
+        let n = 1 + trial % 5;
+        let decades = [0, 2, 32, 200][trial % 4];
+        let rank = usize::try_from(random.integer(0, i64::try_from(n).expect("small"))).expect("positive");
+        let a = DMatrix::from_fn(n, rank, |_, _| wild(&mut random, decades / 2));
+        let m = if trial % 2 == 0 {
+            &a * a.transpose()
+        } else {
+            DMatrix::from_fn(n, n, |_, _| wild(&mut random, decades))
+        };
+        let q = DVector::from_fn(n, |_, _| wild(&mut random, decades));
+        if !m.iter().chain(&q).all(|x| x.is_finite()) {
+            continue;
+        }
+        let lcp = Lcp::new(m.clone(), q.clone()).expect("finite");
+        let Outcome::Ray(ray) = lcp.solve() else { continue };
+        match &ray.proof {
+            Proof::Infeasible(y) => {
+                assert!(shown(&m, &q, y).0, "{m} {q} {y}");
+                proofs += 1;
+            }
+            Proof::NearlyInfeasible(y) => {
+                let (proved, least) = shown(&m, &q, y);
+                assert!(!proved && lcp.least_feasible(y) <= least && least > 0.0, "{m} {q} {y}");
+                nearly += 1;
+            }
+            _ => {}
+        }
+    }
+    assert!(proofs > 400 && nearly > 50, "{proofs} {nearly}");
+}
+
+/// Where a product underflows rounding would call a feasible problem infeasible: z = (1e631, …) is a solution of the constraints.
+#[test]
+fn underflow_proves_nothing() {
+    let m = DMatrix::from_row_slice(2, 2, &[-2.0, 1.0, 1.5e-323, 0.0]);
+    let lcp = Lcp::new(m, DVector::from_vec(vec![-1.0, -1.7e308])).expect("finite");
+    if let Outcome::Ray(ray) = lcp.solve() {
+        assert!(!matches!(ray.proof, Proof::Infeasible(_)), "{ray:?}");
+    }
+    assert!(!lcp.proves_infeasible(&DVector::from_vec(vec![0.0, 1.0])));
+}
