@@ -31,7 +31,7 @@ pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
     let mut direction = in_units_of(&path.scaling.column);
     // A Farkas vector weighs rows, so it is read in the units of rows.
     let y = in_units_of(&path.scaling.row);
-    let proof = lcp.farkas_proof(y).unwrap_or(Proof::None);
+    let proof = lcp.farkas_proof(&y).unwrap_or(Proof::None);
     let size = direction.amax();
     if direction.iter().any(|x| !x.is_finite()) {
         return None;

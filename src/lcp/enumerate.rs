@@ -169,7 +169,7 @@ impl Search<'_> {
         let load = (0..n).fold(0.0_f64, |load, i| load.max((lcp.q[i] * balanced_row(i)).abs()));
         let load = if load > 0.0 { load } else { 1.0 };
         let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0] / load);
-        let program = least_violation(&a, &b, self.settings)?;
+        let program = least_violation(&a, &b, 0.0, self.settings)?;
         Some(DVector::from_fn(k, |j, _| program.x[j] * column(j) * load))
     }
 }

@@ -17,6 +17,8 @@ const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 /// A number is whole if it differs from one by such a part of itself, the rounding of the path that it comes from. It is not known beforehand: the
 /// least that leads to a proof is taken.
 const WHOLE: [f64; 3] = [1e-14, 1e-11, 1e-8];
+/// The first so many of the cleaned vectors are those that were computed.
+const AS_COMPUTED: usize = 2;
 /// Bounds are drawn in by this part, for the rounding with which they are written down.
 const ROUNDED: f64 = 1e-14;
 
@@ -68,17 +70,12 @@ impl Lcp {
         self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - ROUNDED)
     }
 
-    /// What a vector proves that rounding may have touched, by itself or by whole numbers of its ratios.
-    pub(super) fn farkas_proof(&self, y: DVector<f64>) -> Option<Proof> {
-        if self.proves_infeasible(&y) {
+    /// What a vector proves that rounding may have touched, by itself or [cleaned](cleaned).
+    pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Proof> {
+        if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Proof::Infeasible(y));
         }
-        if !self.nearly_proves(&y) {
-            return None;
-        }
-        let mut whole = WHOLE.iter().filter_map(|rounding| whole_ratios(&y, *rounding));
-        let exact = whole.find(|y| self.proves_infeasible(y));
-        Some(exact.map_or(Proof::NearlyInfeasible(y), Proof::Infeasible))
+        cleaned(y).take(AS_COMPUTED).find(|y| self.nearly_proves(y)).map(Proof::NearlyInfeasible)
     }
 
     /// Whether y is a Farkas vector but for rounding: (Mᵀy)_j at most 8 (n + 2) ε times the sizes of its terms, ε = 2⁻⁵².
@@ -118,7 +115,7 @@ impl Lcp {
     }
 }
 
-fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
+pub(super) fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
@@ -132,12 +129,21 @@ fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
     x
 }
 
-/// The vector of small whole numbers that has these ratios, if there is one: entries are made whole one after the other, by the least
+/// A vector as it was computed; without the entries that are noise beside the largest; and the vectors of whole numbers that have its ratios but for
+/// more and more rounding.
+pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
+    let noise = ZERO * y.amax();
+    let without_noise = y.map(|y| if y.abs() <= noise { 0.0 } else { y });
+    let whole = WHOLE.iter().filter_map(|rounding| whole_within(y, *rounding));
+    [y.clone(), without_noise].into_iter().chain(whole)
+}
+
+/// The vector of whole numbers with these ratios, if there is one: entries are made whole one after the other, by the least
 /// common denominator so far.
-fn whole_ratios(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
+fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
-    for y in y.iter().filter(|y| **y > ZERO * largest) {
+    for y in y.iter().map(|y| y.abs()).filter(|y| *y > ZERO * largest) {
         denominator *= denominator_of(y / largest * denominator, rounding)?;
         if denominator > LARGEST_WHOLE {
             return None;

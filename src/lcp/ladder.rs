@@ -4,6 +4,7 @@
 //! all complementary bases. [`Lcp::solve_with`] says when each is climbed.
 
 use super::enumerate;
+use super::exclusion;
 use super::linear_program;
 use super::outcome::{BreakdownCause, Outcome, Proof, Ray};
 use super::problem::Lcp;
@@ -39,7 +40,9 @@ impl Workspace {
         }
         if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
             self.take_enumerated(lcp, settings)?;
-            return Some(self.proven(lcp, first, Proof::NoComplementaryBasis));
+            if exclusion::every_basis(lcp, &self.path.scaling, settings) {
+                return Some(self.proven(lcp, first, Proof::NoComplementaryBasis));
+            }
         }
         let made = self.path.pivots;
         Some(match first {

@@ -72,6 +72,7 @@ mod conclusion;
 mod dictionary;
 mod enumerate;
 mod error;
+mod exclusion;
 mod farkas;
 mod kernel;
 mod ladder;

@@ -95,8 +95,8 @@ pub enum Proof {
     /// Those given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
     /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Data that were computed say no more as a rule.
     NearlyInfeasible(DVector<f64>),
-    /// None of the 2ⁿ complementary bases stands for a solution, up to rounding. No Farkas vector
-    /// was found either, so z ≥ 0 with M z + q ≥ 0 should exist.
+    /// None of the 2ⁿ complementary bases stands for a solution, for the M and q given: each was excluded by a vector that was
+    /// checked without rounding. No Farkas vector of the whole was found, so z ≥ 0 with M z + q ≥ 0 should exist.
     NoComplementaryBasis,
     /// Nothing is proved.
     None,

@@ -25,7 +25,8 @@ pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let mut block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
     let rhs = DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]);
     let mut scaling = Scaling::default();
-    scaling.balance(size, block.as_slice(), rhs.as_slice());
+    // By itself: where the right-hand side took part its zeros and small entries would pull regular blocks away from one.
+    scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {
             block[(i, j)] *= scaling.row[i] * scaling.column[j];

@@ -4,8 +4,9 @@
 //! whose determinants come out as 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small part of
 //! its terms. The data as given may even be solved by it: what the solver calls solved is held against rational arithmetic.
 
-use grasp_lcp::lcp::{Basis, Lcp, Outcome};
+use grasp_lcp::lcp::{Basis, Lcp, Outcome, Proof};
 use grasp_lcp::{PolygonCone, planar};
+use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use support::numbers::Numbers;
@@ -79,4 +80,42 @@ fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
     assert!(without > 1000, "{without} scenes without an equilibrium");
     assert!(solved < without / 50, "{solved} of {without} solved by the rounding of their data");
     assert_eq!(missed, 0, "scenes with an equilibrium whose kinematic form is not solved");
+}
+
+/// Where M has zeros and entries of q or M lie far apart, regular blocks are not called singular: each of these has one solution, in closed form.
+#[test]
+fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
+    let rows = |n: usize, m: &[f64], q: &[f64]| {
+        Lcp::new(DMatrix::from_row_slice(n, n, m), DVector::from_row_slice(q)).expect("finite")
+    };
+    let mut solved = 0;
+    let mut all = 0;
+    let mut judge = |lcp: &Lcp, z: &[f64]| {
+        all += 1;
+        match lcp.solve() {
+            Outcome::Solved(solution) => {
+                solved += 1;
+                for (found, z) in solution.z.iter().zip(z) {
+                    assert!((found - z).abs() <= 1e-9 * z.abs().max(1e-300), "{:?} {z:?}", solution.z);
+                }
+            }
+            Outcome::Ray(ray) => assert_eq!(ray.proof, Proof::None, "{lcp:?}"),
+            _ => {}
+        }
+        let listed = lcp.all_solutions().expect("small").solutions;
+        assert_eq!(listed.len(), 1);
+    };
+    for exponent in [-30, -32, -60, -120, -250] {
+        let tiny = 10f64.powi(exponent);
+        judge(&rows(2, &[1.0, -1.0, 0.0, 1.0], &[tiny, -1.0]), &[1.0, 1.0]);
+    }
+    judge(
+        &rows(3, &[2.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0], &[-1.0, 1e-60, 1e-60]),
+        &[0.75, 0.5, 0.25],
+    );
+    judge(
+        &rows(3, &[1e-8, 0.0, -1.0, 0.0, -1e8, 1e-8, 0.0, 1.0, 0.0], &[1e-8, 1e-8, -1.0]),
+        &[1e24, 1.0, 1e16],
+    );
+    assert_eq!(solved, all);
 }

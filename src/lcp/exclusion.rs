@@ -1,0 +1,140 @@
+//! Which complementary bases can have no solution, without rounding.
+//!
+//! A basis α stands for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma it is empty if there is a v with
+//!
+//! ```text
+//! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
+//! ```
+//!
+//! A regular block has one where its point breaks a condition: a row of the inverse. The sums (Mᵀv)_j that would vanish are pushed
+//! a little below zero, so that rounding does not matter. Of singular blocks v comes from a linear program. Whatever v is, it is checked
+//! by sums without rounding: a basis that cannot be judged is not excluded.
+
+use std::cmp::Ordering;
+
+use super::farkas::{cleaned, times};
+use super::linear_program::{MARGINS, least_violation};
+use super::problem::Lcp;
+use super::scaling::Scaling;
+use super::settings::Settings;
+use nalgebra::{DMatrix, DVector};
+
+/// Of the conditions that a point breaks so many are tried, the most broken first.
+const TRIED: usize = 3;
+/// Sums are pushed below zero until this part of what is broken is used up.
+const USED_UP: f64 = 0.25;
+
+/// Whether no complementary basis has a solution, beyond any rounding; n is small.
+pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
+    let n = lcp.len();
+    let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
+    let judge = Judge { lcp, scaling, settings, m, q };
+    (0..1_u32 << n).all(|bits| {
+        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
+        judge.excludes(&alpha)
+    })
+}
+
+struct Judge<'a> {
+    lcp: &'a Lcp,
+    scaling: &'a Scaling,
+    settings: &'a Settings,
+    /// Balanced data.
+    m: DMatrix<f64>,
+    q: DVector<f64>,
+}
+
+impl Judge<'_> {
+    fn excludes(&self, alpha: &[usize]) -> bool {
+        self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
+    }
+
+    /// A row that no z of the piece can make what it must be: q_i < 0 without a positive entry, or of α the other way round.
+    fn by_one_row(&self, alpha: &[usize]) -> bool {
+        let Lcp { m, q } = self.lcp;
+        let misses =
+            |i: usize, sign: f64| sign * q[i] < 0.0 && alpha.iter().all(|j| sign * m[(i, *j)] <= 0.0);
+        (0..q.len()).any(|i| misses(i, 1.0)) || alpha.iter().any(|i| misses(*i, -1.0))
+    }
+
+    /// Rows of the inverse of a block, for the conditions that its point breaks most.
+    fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
+        let (n, k) = (self.q.len(), alpha.len());
+        let block = DMatrix::from_fn(k, k, |i, j| self.m[(alpha[i], alpha[j])]);
+        let rhs = DVector::from_fn(k, |i, _| -self.q[alpha[i]]);
+        let Some(z) = solved(&block, &rhs) else { return false };
+        let transposed = block.transpose();
+        let row = |i: usize| DVector::from_fn(k, |j, _| self.m[(i, alpha[j])]);
+        let w = |i: usize| self.q[i] + row(i).dot(&z);
+        let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
+        let mut broken: Vec<_> = (0..k).map(|j| (z[j], Broken::Unknown(j))).chain(outside).collect();
+        broken.retain(|(value, _)| *value < 0.0);
+        broken.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let reach = z.iter().map(|z| z.abs()).sum::<f64>();
+        broken.into_iter().take(TRIED).any(|(value, which)| {
+            let push = if reach > 0.0 { USED_UP * -value / reach } else { USED_UP };
+            let mut target = DVector::from_element(k, -push);
+            let mut v = DVector::zeros(n);
+            match which {
+                Broken::Unknown(j) => target[j] -= 1.0,
+                Broken::Slack(i) => {
+                    target -= row(i);
+                    v[i] = 1.0;
+                }
+            }
+            let Some(within) = solved(&transposed, &target) else { return false };
+            for (i, within) in alpha.iter().zip(&within) {
+                v[*i] = *within;
+            }
+            self.proves(alpha, &v)
+        })
+    }
+
+    /// The dual of { min t : the piece violated by at most t }.
+    fn by_linear_program(&self, alpha: &[usize]) -> bool {
+        let (n, k) = (self.q.len(), alpha.len());
+        let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
+        let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * self.m[(row(i).0, alpha[j])]);
+        let load = self.q.amax();
+        let load = if load > 0.0 { load } else { 1.0 };
+        let b = DVector::from_fn(n + k, |i, _| row(i).1 * self.q[row(i).0] / load);
+        [0.0].iter().chain(&MARGINS).any(|margin| {
+            let Some(program) = least_violation(&a, &b, *margin, self.settings) else { return false };
+            let mut v = program.y.rows(0, n).into_owned();
+            for (i, back) in alpha.iter().zip(program.y.iter().skip(n)) {
+                v[*i] -= back;
+            }
+            self.proves(alpha, &v)
+        })
+    }
+
+    /// Whether a v in balanced rows excludes a basis, by itself or cleaned.
+    fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
+        let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
+        cleaned(&y).any(|y| self.is_proof(alpha, &y))
+    }
+
+    /// Farkas' lemma on the data given.
+    fn is_proof(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
+        let n = v.len();
+        v.iter().all(|v| v.is_finite())
+            && (0..n).all(|i| v[i] >= 0.0 || alpha.contains(&i))
+            && times(self.lcp.q.as_slice(), v).sign() == Ordering::Less
+            && alpha
+                .iter()
+                .all(|j| times(&self.lcp.m.as_slice()[j * n..(j + 1) * n], v).sign() != Ordering::Greater)
+    }
+}
+
+/// The solution of a square system, if it is regular; of none the empty one.
+fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+    if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
+}
+
+/// A condition of a basis that its point breaks.
+enum Broken {
+    /// z_α ≥ 0, by its place in α.
+    Unknown(usize),
+    /// w_i ≥ 0.
+    Slack(usize),
+}
