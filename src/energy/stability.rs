@@ -34,8 +34,8 @@ const ZERO: f64 = 1e-12;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Stability<const D: usize, const C: usize> {
-    /// `Σ G_i K_i G_iᵀ` over the springs that hold, those of joints included (with rows and columns for their displacements), about the origin of the coordinates, N/m, N and N m: the stiffness that the
-    /// object feels.
+    /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that
+    /// the object feels. Springs of joints are included, with rows and columns for their displacements.
     pub elastic: SMatrix<f64, D, D>,
     /// What the contact forces add as their arms turn, on the rotations alone, same units.
     pub geometric: SMatrix<f64, D, D>,

@@ -1,7 +1,7 @@
 //! All solutions of a small problem.
 
 use super::basis::Basis;
-use super::linear_program::least_violation;
+use super::linear_program;
 use super::outcome::Solution;
 use super::point::Point;
 use super::principal;
@@ -156,21 +156,13 @@ impl Search<'_> {
     /// face.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
         let Self { lcp, scaling, .. } = self;
-        let (n, k) = (lcp.len(), alpha.len());
-        let balanced_row = |i: usize| scaling.row[i] / scaling.row_unit[i];
-        let column = |j: usize| scaling.column[alpha[j]] * scaling.column_unit(alpha[j]);
-        let row = |i: usize| {
-            if i < n { (i, balanced_row(i)) } else { (alpha[i - n], -balanced_row(alpha[i - n])) }
-        };
-        let a = DMatrix::from_fn(n + k, k, |i, j| {
-            let (i, factor) = row(i);
-            factor * lcp.m[(i, alpha[j])] * column(j)
-        });
-        let load = (0..n).fold(0.0_f64, |load, i| load.max((lcp.q[i] * balanced_row(i)).abs()));
-        let load = if load > 0.0 { load } else { 1.0 };
-        let b = DVector::from_fn(n + k, |i, _| row(i).1 * lcp.q[row(i).0] / load);
-        let program = least_violation(&a, &b, 0.0, self.settings)?;
-        Some(DVector::from_fn(k, |j, _| program.x[j] * column(j) * load))
+        let n = lcp.len();
+        let row = |i: usize| scaling.row[i] / scaling.row_unit[i];
+        let column = |j: usize| scaling.column[j] * scaling.column_unit(j);
+        let m = DMatrix::from_fn(n, n, |i, j| row(i) * lcp.m[(i, j)] * column(j));
+        let q = DVector::from_fn(n, |i, _| row(i) * lcp.q[i]);
+        let program = linear_program::of_piece((&m, &q), alpha, 0.0, self.settings)?;
+        Some(DVector::from_fn(alpha.len(), |j, _| program.x[j] * column(alpha[j])))
     }
 }
 

@@ -13,13 +13,13 @@
 use std::cmp::Ordering;
 
 use super::farkas::{cleaned, times};
-use super::linear_program::{MARGINS, least_violation};
+use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use nalgebra::{DMatrix, DVector};
 
-/// Of the conditions that a point breaks so many are tried, the most broken first.
+/// So many of the conditions that a point breaks are tried, the most broken first.
 const TRIED: usize = 3;
 /// Sums are pushed below zero until this part of what is broken is used up.
 const USED_UP: f64 = 0.25;
@@ -51,10 +51,8 @@ impl Judge<'_> {
 
     /// A row that no z of the piece can make what it must be: q_i < 0 without a positive entry, or of α the other way round.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
-        let Lcp { m, q } = self.lcp;
-        let misses =
-            |i: usize, sign: f64| sign * q[i] < 0.0 && alpha.iter().all(|j| sign * m[(i, *j)] <= 0.0);
-        (0..q.len()).any(|i| misses(i, 1.0)) || alpha.iter().any(|i| misses(*i, -1.0))
+        let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
+        (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
     /// Rows of the inverse of a block, for the conditions that its point breaks most.
@@ -92,20 +90,8 @@ impl Judge<'_> {
 
     /// The dual of { min t : the piece violated by at most t }.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
-        let (n, k) = (self.q.len(), alpha.len());
-        let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
-        let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * self.m[(row(i).0, alpha[j])]);
-        let load = self.q.amax();
-        let load = if load > 0.0 { load } else { 1.0 };
-        let b = DVector::from_fn(n + k, |i, _| row(i).1 * self.q[row(i).0] / load);
-        [0.0].iter().chain(&MARGINS).any(|margin| {
-            let Some(program) = least_violation(&a, &b, *margin, self.settings) else { return false };
-            let mut v = program.y.rows(0, n).into_owned();
-            for (i, back) in alpha.iter().zip(program.y.iter().skip(n)) {
-                v[*i] -= back;
-            }
-            self.proves(alpha, &v)
-        })
+        let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
+        MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
     /// Whether a v in balanced rows excludes a basis, by itself or cleaned.

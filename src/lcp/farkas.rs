@@ -2,7 +2,7 @@
 //!
 //! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. A path or a linear program
 //! ends in a y with rounding, and where (Mᵀy)_j must vanish, rounding spoils it. Its ratios are then those of small whole numbers as a rule,
-//! which are tried in its place.
+//! which are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin keeps it so.
 
 use std::cmp::Ordering;
 
@@ -14,8 +14,8 @@ use nalgebra::DVector;
 
 /// Whole numbers beyond this, 2⁵³, are no longer all doubles.
 const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
-/// A number is whole if it differs from one by such a part of itself, the rounding of the path that it comes from. It is not known beforehand: the
-/// least that leads to a proof is taken.
+/// A number is whole if it differs from a whole one by such a part of itself, the rounding of the path that it comes from.
+/// That rounding is not known beforehand: the least that leads to a proof is taken.
 const WHOLE: [f64; 3] = [1e-14, 1e-11, 1e-8];
 /// The first so many of the cleaned vectors are those that were computed.
 const AS_COMPUTED: usize = 2;
@@ -100,6 +100,17 @@ impl Lcp {
                 let (sum, terms, kept) = sums(column);
                 kept && terms.is_finite() && sum <= rounding * terms
             })
+    }
+
+    /// Whether no z with entries in these columns alone keeps a row from being negative (or, with sign -1, positive): q_i has
+    /// that sign, and no entry of the row the other one.
+    pub(super) fn is_hopeless(
+        &self,
+        row: usize,
+        sign: f64,
+        mut columns: impl Iterator<Item = usize>,
+    ) -> bool {
+        sign * self.q[row] < 0.0 && columns.all(|j| sign * self.m[(row, j)] <= 0.0)
     }
 
     fn may_prove(&self, y: &DVector<f64>) -> bool {

@@ -12,28 +12,52 @@ use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints cannot be met: one row of them, or the dual solution of the linear program.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Proof> {
-    let hopeless = |i: &usize| lcp.q[*i] < 0.0 && lcp.m.row(*i).iter().all(|m| *m <= 0.0);
-    if let Some(row) = (0..lcp.len()).find(hopeless) {
-        return Some(Proof::Infeasible(DVector::from_fn(lcp.len(), |i, _| if i == row { 1.0 } else { 0.0 })));
+    let n = lcp.len();
+    if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
+        return Some(Proof::Infeasible(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 })));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    let proof = |margin| {
-        let program = least_violation(&a, &b, margin, settings)?;
-        lcp.farkas_proof(&DVector::from_fn(lcp.len(), |i, _| program.y[i] * scaling.row[i]))
-    };
-    let nearly = proof(0.0)?;
-    if matches!(nearly, Proof::Infeasible(_)) {
-        return Some(nearly);
+    let mut nearly = None;
+    for margin in MARGINS {
+        let Some(program) = least_violation(&a, &b, margin, settings) else { continue };
+        if program.y.dot(&b) >= 0.0 {
+            // The constraints can be met.
+            return None;
+        }
+        let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| program.y[i] * scaling.row[i]));
+        if let Some(Proof::Infeasible(_)) = proof {
+            return proof;
+        }
+        nearly = nearly.or(proof);
     }
-    let exact = MARGINS
-        .iter()
-        .filter_map(|margin| proof(*margin))
-        .find(|proof| matches!(proof, Proof::Infeasible(_)));
-    Some(exact.unwrap_or(nearly))
+    nearly
 }
 
-/// A vertex of the dual program lies on its constraints, and rounding puts it beyond them. By these margins it is kept inside, where there is room.
-pub(super) const MARGINS: [f64; 3] = [1e-3, 1e-6, 1e-9];
+/// A vertex of the dual program lies on its constraints, and rounding may put it beyond them. By a margin it is kept inside, where there is room.
+pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
+
+/// The program of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. Its x are the z_α, and its y
+/// has one entry for each row, of either sign where the row must vanish.
+pub(super) fn of_piece(
+    (m, q): (&DMatrix<f64>, &DVector<f64>),
+    alpha: &[usize],
+    margin: f64,
+    settings: &Settings,
+) -> Option<Program> {
+    let (n, k) = (q.len(), alpha.len());
+    // Rows that must vanish are there a second time, with the other sign.
+    let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
+    let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * m[(row(i).0, alpha[j])]);
+    let load = q.amax();
+    let load = if load > 0.0 { load } else { 1.0 };
+    let b = DVector::from_fn(n + k, |i, _| row(i).1 * q[row(i).0] / load);
+    let Program { x, y } = least_violation(&a, &b, margin, settings)?;
+    let mut folded = y.rows(0, n).into_owned();
+    for (i, back) in alpha.iter().zip(y.iter().skip(n)) {
+        folded[*i] -= back;
+    }
+    Some(Program { x: x * load, y: folded })
+}
 
 /// The solution of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1,
 /// 1ᵀy ≤ 1, y ≥ 0 }, with a margin δ.
@@ -46,12 +70,7 @@ pub(super) struct Program {
 /// column of A) is copositive-plus.
 ///
 /// Lemke's method is guaranteed to solve it, since the program is feasible and bounded.
-pub(super) fn least_violation(
-    a: &DMatrix<f64>,
-    b: &DVector<f64>,
-    margin: f64,
-    settings: &Settings,
-) -> Option<Program> {
+fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, margin: f64, settings: &Settings) -> Option<Program> {
     let (rows, columns) = a.shape();
     let size = columns + 1 + rows;
     let mut m = DMatrix::zeros(size, size);

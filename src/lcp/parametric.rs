@@ -49,10 +49,10 @@ pub enum PathEnd {
     /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
     /// (still).
     Unbounded(Trend),
-    /// The path has come back to the piece on which it began: it is a closed loop, and would go round for ever. The last breakpoint is the one
-    /// that leads back.
+    /// The path has come back to the piece on which it began: it is a closed loop, and would go round for ever. The last
+    /// breakpoint is the one that leads back.
     ///
-    /// There are solutions for no τ beyond the largest of its breakpoints on this path; others may lie on other paths.
+    /// The loop has solutions up to the largest τ of its breakpoints. Beyond it there may be others, on other paths.
     Loop,
     /// There were as many breakpoints as the settings allow pivots.
     PivotLimit,

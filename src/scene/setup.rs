@@ -171,7 +171,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
     }
 
-    /// Whether the grasp has coordinates beside those of the object.
+    /// Whether there are fingers or tendons: the grasp is then that of a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
         !self.fingers.is_empty() || !self.tendons.is_empty()
