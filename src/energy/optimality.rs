@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, rows, values};
 use crate::Settings;
-use crate::lcp::{Basis, Outcome, Proof};
+use crate::lcp::{Basis, Outcome};
 use crate::object::{Piece, PieceState, Problem};
 
 /// Gaps that may open, rows that may bind, and the springs when all of them hold.
@@ -107,11 +107,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
                 let near = stuck.twist + self.stuck.motion(&travelled);
                 Ok((self.faces_of(&solution.basis), solution.pivots, near))
             }
-            Some(Outcome::Ray(ray))
-                if matches!(ray.proof, Proof::Infeasible(_) | Proof::NearlyInfeasible(_)) =>
-            {
-                Err(Failure::NoMinimum)
-            }
+            Some(outcome) if outcome.is_infeasible() => Err(Failure::NoMinimum),
             _ => Err(Failure::Unsolved),
         }
     }

@@ -13,7 +13,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::lcp::{LcpError, MixedLcp, MixedOutcome, MixedResiduals, MixedSolution};
+use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
 
 /// Steps of iterative refinement: two settle what a factorisation leaves, one more costs nothing.
 const REFINEMENTS: usize = 3;
@@ -46,9 +46,9 @@ pub struct QuadraticProgram {
 pub enum QpOutcome {
     /// A minimum.
     Minimum(QpMinimum),
-    /// The optimality conditions were not solved. With a positive semidefinite H a
-    /// [`Ray`](crate::lcp::Outcome::Ray) means that the constraints contradict each other or that the cost falls for ever.
-    NoMinimum(Box<MixedOutcome>),
+    /// The optimality conditions were not solved. With a positive semidefinite H [`Infeasible`](Outcome::Infeasible) means that the
+    /// constraints contradict each other or that the cost falls for ever.
+    NoMinimum(Box<Outcome<MixedSolution>>),
 }
 
 impl QpOutcome {
@@ -77,7 +77,7 @@ pub struct QpMinimum {
     /// `Gᵀx + ½ xᵀH x` at x.
     pub value: f64,
     /// How well the optimality conditions are satisfied, relative to the sizes of their terms.
-    pub residuals: MixedResiduals,
+    pub residuals: Residuals,
     /// Pivots of Lemke's method.
     pub pivots: usize,
 }
@@ -146,7 +146,7 @@ impl QuadraticProgram {
         let n = self.g.len();
         let conditions = self.optimality_conditions()?;
         Ok(match conditions.solve() {
-            MixedOutcome::Solved(mut solution) => {
+            Outcome::Solved(mut solution) => {
                 let determined = solution.undetermined.is_empty() && solution.dependent.is_empty();
                 if let Some((u, z)) = self.refined(&solution).filter(|_| determined) {
                     let residuals = conditions.residuals(&u, &z);

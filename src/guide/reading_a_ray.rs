@@ -7,31 +7,31 @@
 //!
 //! # On a linear complementarity problem
 //!
-//! [`lcp::Ray`](crate::lcp::Ray) carries what is known: [`Proof::Infeasible`](crate::lcp::Proof::Infeasible) a vector y with `y ≥ 0`,
+//! [`lcp::Outcome`](crate::lcp::Outcome) says what is known. [`Infeasible`](crate::lcp::Outcome::Infeasible) has a vector y with `y ≥ 0`,
 //! `Mᵀy ≤ 0`, `qᵀy < 0`, which nobody has to believe:
 //!
 //! ```
-//! use grasp_lcp::lcp::{Lcp, Outcome, Proof};
+//! use grasp_lcp::lcp::{Lcp, Outcome};
 //! use nalgebra::{DMatrix, DVector};
 //!
 //! // w₁ = z₁ - z₂ - 1 and w₂ = z₂ - z₁ add up to -1: they cannot both be >= 0.
 //! let m = DMatrix::from_row_slice(2, 2, &[1.0, -1.0, -1.0, 1.0]);
 //! let q = DVector::from_vec(vec![-1.0, 0.0]);
 //! let problem = Lcp::new(m.clone(), q.clone())?;
-//! let Outcome::Ray(ray) = problem.solve() else { panic!("no solution exists") };
-//! let Proof::Infeasible(y) = ray.proof else { panic!("M is positive semidefinite") };
+//! let Outcome::Infeasible(certificate) = problem.solve() else { panic!("no solution exists") };
+//! let y = certificate.y;
 //! assert!(y.iter().all(|y| *y >= 0.0) && m.tr_mul(&y).amax() < 1e-15 && q.dot(&y) < 0.0);
 //! assert!(problem.proves_infeasible(&y));
 //! # Ok::<(), grasp_lcp::lcp::LcpError>(())
 //! ```
 //!
 //! The check makes all sums without rounding. Data that were computed are infeasible but for rounding as a rule:
-//! [`Proof::NearlyInfeasible`](crate::lcp::Proof::NearlyInfeasible) has a y for M and q that differ from those given by rounding, and
+//! [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for M and q that differ from those given by rounding, and
 //! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
 //!
-//! [`Proof::NoComplementaryBasis`](crate::lcp::Proof::NoComplementaryBasis): all 2ⁿ bases were tried.
+//! [`NoBasis`](crate::lcp::Outcome::NoBasis): each of the 2ⁿ bases is excluded.
 //!
-//! [`Proof::None`](crate::lcp::Proof::None): nothing is known. Raise
+//! [`Ray`](crate::lcp::Outcome::Ray): nothing is known. Raise
 //! [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or pose the problem otherwise.
 //!
 //! # On a grasp

@@ -6,7 +6,7 @@
 use super::certificate;
 use super::dictionary::Unknown;
 use super::lemke::End;
-use super::outcome::{BreakdownCause, Outcome};
+use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;
@@ -27,7 +27,7 @@ impl Workspace {
     }
 
     /// Follows the path of a prepared problem with the covering vector of the settings.
-    pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
@@ -35,7 +35,7 @@ impl Workspace {
     /// Follows that path alone, without the ladder, for a problem that is not prepared yet.
     pub(super) fn follow_once(&mut self, lcp: &Lcp, settings: &Settings) -> Outcome {
         if let Some(refused) = self.refuse(lcp, settings) {
-            return refused;
+            return refused.into();
         }
         self.prepare(lcp);
         let failure = self.first_path(lcp, settings);
@@ -43,7 +43,7 @@ impl Workspace {
     }
 
     /// Where the settings do not fit the problem: the end of the solve before it begins.
-    pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
@@ -62,7 +62,7 @@ impl Workspace {
     }
 
     /// Follows Lemke's path from the slack basis and checks where it ends.
-    pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Outcome> {
+    pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
         self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
@@ -71,7 +71,7 @@ impl Workspace {
         Some(match end {
             End::Complementary => return self.finish_or_resume(lcp, settings, limit),
             End::Ray(entering) => match certificate::ray(lcp, &self.path, entering) {
-                Some(ray) => Outcome::Ray(ray),
+                Some(outcome) => outcome,
                 None => Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow },
             },
             End::PivotLimit => Outcome::PivotLimit { pivots },
@@ -86,7 +86,7 @@ impl Workspace {
         lcp: &Lcp,
         settings: &Settings,
         limit: usize,
-    ) -> Option<Outcome> {
+    ) -> Option<Unsolved> {
         for _ in 0..RESUMPTIONS {
             let failure = self.finish(lcp, settings)?;
             let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();

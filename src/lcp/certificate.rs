@@ -5,15 +5,15 @@
 //! Farkas vector. Whether ẑ is one can be checked without knowing the class of M.
 
 use super::dictionary::{Unknown, largest};
-use super::outcome::{Proof, Ray};
+use super::outcome::{Outcome, Ray, Unsolved};
 use super::path::Path;
 use super::problem::Lcp;
 use super::tolerances::RAY_NOISE;
 use nalgebra::DVector;
 
-/// The ray along which the entering variable grows for ever, in the caller's units and with largest
-/// entry 1. `None` if the ray leaves the range of double precision there.
-pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
+/// What the ray says along which the entering variable grows for ever. It is in the caller's units and with largest entry 1.
+/// `None` if the ray leaves the range of double precision there.
+pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
     if let Unknown::Z(e) = entering {
@@ -31,7 +31,9 @@ pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
     let mut direction = in_units_of(&path.scaling.column);
     // A Farkas vector weighs rows, so it is read in the units of rows.
     let y = in_units_of(&path.scaling.row);
-    let proof = lcp.farkas_proof(&y).unwrap_or(Proof::None);
+    if let Some(infeasible) = lcp.farkas_proof(&y) {
+        return Some(infeasible.after(path.pivots));
+    }
     let size = direction.amax();
     if direction.iter().any(|x| !x.is_finite()) {
         return None;
@@ -40,5 +42,6 @@ pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Ray> {
         direction /= size;
         covering_rate /= size;
     }
-    covering_rate.is_finite().then_some(Ray { direction, covering_rate, proof, pivots: path.pivots })
+    let ray = Ray { direction, covering_rate, pivots: path.pivots };
+    covering_rate.is_finite().then_some(Outcome::Ray(ray))
 }

@@ -2,7 +2,7 @@
 
 use super::dictionary::Unknown;
 use super::memory::refill;
-use super::outcome::{BreakdownCause, Outcome};
+use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::path::Path;
 use super::principal;
 use super::problem::Lcp;
@@ -20,7 +20,7 @@ const WORTHWHILE: f64 = 0.5;
 
 impl Workspace {
     /// Takes the point z = 0 of a problem with q ≥ 0.
-    pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
         refill(&mut self.vanishing, n, false);
@@ -31,7 +31,7 @@ impl Workspace {
 
     /// Takes the point of the complementary basis in the dictionary, refined against the M and q
     /// given. `None` if that point solves the problem.
-    pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
@@ -190,7 +190,7 @@ impl Workspace {
     }
 
     /// Says "solved" (`None`) only if the residuals say so.
-    fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Outcome> {
+    fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow
         } else if !residuals.within(settings.residual_tolerance) {

@@ -2,13 +2,13 @@
 
 use super::basis::Basis;
 use super::linear_program;
-use super::outcome::Solution;
 use super::point::Point;
 use super::principal;
 use super::problem::Lcp;
 use super::residuals::ignores_q;
 use super::scaling::Scaling;
 use super::settings::Settings;
+use super::solution::Solution;
 use super::tolerances::{SAME_ENTRY, SAME_POINT, ZERO};
 use nalgebra::{DMatrix, DVector};
 

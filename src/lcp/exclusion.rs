@@ -10,9 +10,7 @@
 //! a little below zero, so that rounding does not matter. Of singular blocks v comes from a linear program. Whatever v is, it is checked
 //! by sums without rounding: a basis that cannot be judged is not excluded.
 
-use std::cmp::Ordering;
-
-use super::farkas::{cleaned, times};
+use super::farkas::{Unknown, cleaned};
 use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
@@ -97,18 +95,9 @@ impl Judge<'_> {
     /// Whether a v in balanced rows excludes a basis, by itself or cleaned.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
-        cleaned(&y).any(|y| self.is_proof(alpha, &y))
-    }
-
-    /// Farkas' lemma on the data given.
-    fn is_proof(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
-        let n = v.len();
-        v.iter().all(|v| v.is_finite())
-            && (0..n).all(|i| v[i] >= 0.0 || alpha.contains(&i))
-            && times(self.lcp.q.as_slice(), v).sign() == Ordering::Less
-            && alpha
-                .iter()
-                .all(|j| times(&self.lcp.m.as_slice()[j * n..(j + 1) * n], v).sign() != Ordering::Greater)
+        let basic = |i: usize| alpha.contains(&i);
+        let unknown = |j| if basic(j) { Unknown::NotNegative } else { Unknown::Zero };
+        cleaned(&y).any(|y| self.lcp.contradicts(&y, basic, unknown))
     }
 }
 

@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use super::outcome::Proof;
+use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::tolerances::{ZERO, sum_rounding};
 use crate::numerics::ExactSum;
@@ -31,9 +31,25 @@ impl Lcp {
     /// is not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
-        self.may_prove(y)
+        self.contradicts(y, |_| false, |_| Unknown::NotNegative)
+    }
+
+    /// Whether y proves that some constraints contradict each other: rows of M z + q that vanish or are not negative, and unknowns
+    /// of three kinds. Then y_i ≥ 0 in rows of the second kind, (Mᵀy)_j ≤ 0 or = 0 as the unknown has it, and qᵀy < 0.
+    pub(super) fn contradicts(
+        &self,
+        y: &DVector<f64>,
+        vanishes: impl Fn(usize) -> bool,
+        unknown: impl Fn(usize) -> Unknown,
+    ) -> bool {
+        y.len() == self.len()
+            && y.iter().enumerate().all(|(i, y)| y.is_finite() && (*y >= 0.0 || vanishes(i)))
             && self.q_times(y).sign() == Ordering::Less
-            && self.columns().all(|column| times(column, y).sign() != Ordering::Greater)
+            && self.columns().enumerate().all(|(j, column)| match unknown(j) {
+                Unknown::Zero => true,
+                Unknown::NotNegative => times(column, y).sign() != Ordering::Greater,
+                Unknown::Free => times(column, y).sign() == Ordering::Equal,
+            })
     }
 
     /// How large the entries of every z ≥ 0 with M z + q ≥ 0 are together at least, as y shows:
@@ -71,11 +87,13 @@ impl Lcp {
     }
 
     /// What a vector proves that rounding may have touched, by itself or [cleaned](cleaned).
-    pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Proof> {
+    pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
+        let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
-            return Some(Proof::Infeasible(y));
+            return Some(Outcome::Infeasible(certificate(y)));
         }
-        cleaned(y).take(AS_COMPUTED).find(|y| self.nearly_proves(y)).map(Proof::NearlyInfeasible)
+        let nearly = cleaned(y).take(AS_COMPUTED).find(|y| self.nearly_proves(y));
+        nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
     /// Whether y is a Farkas vector but for rounding: (Mᵀy)_j at most 8 (n + 2) ε times the sizes of its terms, ε = 2⁻⁵².
@@ -126,7 +144,18 @@ impl Lcp {
     }
 }
 
-pub(super) fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
+/// What is asked of an unknown.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Unknown {
+    /// Nothing.
+    Free,
+    /// z_j ≥ 0.
+    NotNegative,
+    /// z_j = 0.
+    Zero,
+}
+
+fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 

@@ -6,12 +6,11 @@
 use super::enumerate;
 use super::exclusion;
 use super::linear_program;
-use super::outcome::{BreakdownCause, Outcome, Proof, Ray};
+use super::outcome::{Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;
 use crate::numerics::generic;
-use nalgebra::DVector;
 
 /// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and
 /// 3, a range of so many octaves.
@@ -24,16 +23,15 @@ const ENTRIES_APART: usize = 1_000_003;
 
 impl Workspace {
     /// Climbs the ladder for a prepared problem, until it is solved (`None`) or settled otherwise.
-    pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match &first {
-            Outcome::Ray(ray) if ray.proof != Proof::None => return Some(first),
+            infeasible if infeasible.is_infeasible() => return Some(first),
             Outcome::PivotLimit { .. } if settings.max_pivots.is_some() => return Some(first),
-            Outcome::Breakdown { cause: BreakdownCause::CoveringEntry { .. }, .. } => return Some(first),
             _ => {}
         }
-        if let Some(proof) = linear_program::proof(lcp, &self.path.scaling, settings) {
-            return Some(self.proven(lcp, first, proof));
+        if let Some(infeasible) = linear_program::proof(lcp, &self.path.scaling, settings) {
+            return Some(infeasible.after(self.path.pivots));
         }
         for attempt in 1..=settings.retries {
             self.retry(lcp, settings, attempt)?;
@@ -41,28 +39,14 @@ impl Workspace {
         if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
             self.take_enumerated(lcp, settings)?;
             if exclusion::every_basis(lcp, &self.path.scaling, settings) {
-                return Some(self.proven(lcp, first, Proof::NoComplementaryBasis));
+                return Some(Outcome::NoBasis { pivots: self.path.pivots });
             }
         }
-        let made = self.path.pivots;
-        Some(match first {
-            Outcome::Ray(ray) => Outcome::Ray(Ray { pivots: made, ..ray }),
-            Outcome::Breakdown { cause, .. } => Outcome::Breakdown { pivots: made, cause },
-            other => other,
-        })
-    }
-
-    /// The outcome of the first path with a proof that was found after it.
-    fn proven(&self, lcp: &Lcp, first: Outcome, proof: Proof) -> Outcome {
-        let (direction, covering_rate) = match first {
-            Outcome::Ray(ray) => (ray.direction, ray.covering_rate),
-            _ => (DVector::zeros(lcp.len()), 0.0),
-        };
-        Outcome::Ray(Ray { direction, covering_rate, proof, pivots: self.path.pivots })
+        Some(first.after(self.path.pivots))
     }
 
     /// Follows a path with another covering vector, then one from a basis of one or two z's.
-    fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Outcome> {
+    fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(

@@ -3,7 +3,7 @@
 //! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
 //! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
 
-use super::outcome::{Outcome, Proof};
+use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
@@ -11,10 +11,11 @@ use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints cannot be met: one row of them, or the dual solution of the linear program.
-pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Proof> {
+pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
-        return Some(Proof::Infeasible(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 })));
+        let y = DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 });
+        return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
     let mut nearly = None;
@@ -25,7 +26,7 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
             return None;
         }
         let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| program.y[i] * scaling.row[i]));
-        if let Some(Proof::Infeasible(_)) = proof {
+        if let Some(Outcome::Infeasible(_)) = proof {
             return proof;
         }
         nearly = nearly.or(proof);

@@ -2,14 +2,17 @@
 
 use super::basis::Basis;
 use super::error::LcpError;
-use super::outcome::Outcome;
+use super::farkas::{Unknown, cleaned};
+use super::outcome::{BreakdownCause, Certificate, Outcome, Unsolved};
 use super::point::Point;
 use super::principal;
 use super::problem::Lcp;
 use super::reduction::Reduction;
-use super::residuals::Residuals;
+use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
+use super::solution;
 use nalgebra::{DMatrix, DVector};
+use std::fmt;
 
 /// The mixed problem: find u (m entries, free) and z (n entries) with
 ///
@@ -26,7 +29,7 @@ use nalgebra::{DMatrix, DVector};
 /// The form is that of Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapter 1.
 ///
 /// ```
-/// use grasp_lcp::lcp::{MixedLcp, MixedOutcome};
+/// use grasp_lcp::lcp::{MixedLcp, Outcome};
 /// use nalgebra::{DMatrix, DVector};
 ///
 /// // A weight of 3 N on a spring of 2 N/m sinks by u (free) to the floor 1 m below,
@@ -35,7 +38,7 @@ use nalgebra::{DMatrix, DVector};
 /// let [a, c, d, m] = [2.0, 1.0, -1.0, 0.0].map(|entry| DMatrix::from_element(1, 1, entry));
 /// let [b, q] = [-3.0, 1.0].map(|entry| DVector::from_element(1, entry));
 /// let problem = MixedLcp::new(&a, &c, &d, &m, &b, &q)?;
-/// let MixedOutcome::Solved(rests) = problem.solve() else { panic!("it rests on the floor") };
+/// let Outcome::Solved(rests) = problem.solve() else { panic!("it rests on the floor") };
 /// assert_eq!((rests.u[0], rests.z[0], rests.w[0]), (1.0, 1.0, 0.0));
 /// assert_eq!(problem.residuals(&rests.u, &rests.z).max(), 0.0);
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -45,29 +48,6 @@ pub struct MixedLcp {
     /// ([A, C; D, M], (b, q)), whose first `free` rows are equalities.
     whole: Lcp,
     free: usize,
-}
-
-/// How solving a [`MixedLcp`] can end.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum MixedOutcome {
-    /// A solution was found and checked against the data given.
-    Solved(MixedSolution),
-    /// No solution was found.
-    ///
-    /// The outcome is that of [`MixedLcp::split`]. A proof of infeasibility refers to that problem,
-    /// so its y has n + 2m entries. The elimination could not use the free variables and equality
-    /// rows named here.
-    Unsolved {
-        /// The outcome for the split problem, never [`Outcome::Solved`].
-        outcome: Box<Outcome>,
-        /// Free variables without a pivot, counted from 0.
-        undetermined: Vec<usize>,
-        /// Equality rows without a pivot, counted from 0.
-        dependent: Vec<usize>,
-    },
-    /// The split problem is solved, but the point misses the tolerance for these residuals.
-    Inaccurate(MixedResiduals),
 }
 
 /// A solution of a [`MixedLcp`].
@@ -83,7 +63,7 @@ pub struct MixedSolution {
     /// Which z_i are basic.
     pub basis: Basis,
     /// The violations, recomputed from the data given.
-    pub residuals: MixedResiduals,
+    pub residuals: Residuals,
     /// Free variables which nothing determines (a singular block), counted from 0. They are 0 here,
     /// and could be moved along.
     pub undetermined: Vec<usize>,
@@ -93,21 +73,10 @@ pub struct MixedSolution {
     pub pivots: usize,
 }
 
-/// The violations at a point of a [`MixedLcp`], measured as in [`Residuals`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct MixedResiduals {
-    /// max_i |A u + C z + b|_i / a_i, with a_i the sum of the sizes of the terms of row i.
-    pub equality: f64,
-    /// The violations of z and w.
-    pub complementarity: Residuals,
-}
-
-impl MixedResiduals {
-    /// The largest violation; NaN if one of them is.
-    #[must_use]
-    pub fn max(&self) -> f64 {
-        if self.equality.is_nan() { f64::NAN } else { self.equality.max(self.complementarity.max()) }
+impl fmt::Display for MixedSolution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} free, ", self.u.len())?;
+        solution::line(f, &self.basis, &self.residuals, self.pivots)
     }
 }
 
@@ -187,14 +156,14 @@ impl MixedLcp {
 
     /// Solves the problem with the default [`Settings`].
     #[must_use]
-    pub fn solve(&self) -> MixedOutcome {
+    pub fn solve(&self) -> Outcome<MixedSolution> {
         self.solve_with(&Settings::default())
     }
 
     /// Solves the problem by elimination and, if that ends without a solution, in its split form.
     /// The covering vector of the settings is not used.
     #[must_use]
-    pub fn solve_with(&self, settings: &Settings) -> MixedOutcome {
+    pub fn solve_with(&self, settings: &Settings) -> Outcome<MixedSolution> {
         let settings = Settings { covering: None, ..settings.clone() };
         let (m, n) = (self.free, self.len());
         let reduction = Reduction::of(&self.whole, m);
@@ -205,25 +174,49 @@ impl MixedLcp {
             let basis = Basis::from_indices(n, alpha);
             let point = reduction.point(&solution);
             if let Ok(solution) = self.conclude(point, basis, &reduction, solution.pivots, &settings) {
-                return MixedOutcome::Solved(solution);
+                return Outcome::Solved(solution);
             }
         }
         match self.split().solve_with(&settings) {
-            Outcome::Solved(solution) => {
+            Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {
+                self.joined(&certificate).into()
+            }
+            outcome => outcome.and_then(|solution| {
                 let basis = Basis::from_indices(n, (0..n).filter(|i| solution.basis.contains(2 * m + i)));
                 let z = solution.z.as_slice();
                 let free = (0..m).map(|i| z[i] - z[m + i]);
                 let point = free.chain(z[2 * m..].iter().copied()).collect();
                 match self.conclude(point, basis, &reduction, solution.pivots, &settings) {
-                    Ok(solution) => MixedOutcome::Solved(solution),
-                    Err(residuals) => MixedOutcome::Inaccurate(residuals),
+                    Ok(solution) => Outcome::Solved(solution),
+                    Err(cause) => Outcome::Breakdown { pivots: solution.pivots, cause },
                 }
-            }
-            outcome => MixedOutcome::Unsolved {
-                outcome: Box::new(outcome),
-                undetermined: reduction.undetermined,
-                dependent: reduction.dependent,
-            },
+            }),
+        }
+    }
+
+    /// Whether y (m + n entries) proves that no u and z ≥ 0 have A u + C z + b = 0 and D u + M z + q ≥ 0, by Farkas' lemma:
+    ///
+    /// ```text
+    /// y_i ≥ 0 for i ≥ m,   [A, C; D, M]ᵀ y = 0 in the first m rows, ≤ 0 in the others,   (b, q)ᵀ y < 0
+    /// ```
+    ///
+    /// All sums are made without rounding, see [`Lcp::proves_infeasible`].
+    #[must_use]
+    pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
+        let free = |i: usize| i < self.free;
+        let unknown = |j| if free(j) { Unknown::Free } else { Unknown::NotNegative };
+        self.whole.contradicts(y, free, unknown)
+    }
+
+    /// The certificate that one of the split problem is for this one: its entries of the two halves of an equality are joined.
+    fn joined(&self, of_split: &Certificate) -> Unsolved {
+        let (y, m) = (&of_split.y, self.free);
+        let y = DVector::from_fn(self.whole.len(), |i, _| if i < m { y[i] - y[m + i] } else { y[m + i] });
+        let certificate = |y| Certificate { y, pivots: of_split.pivots };
+        let exact = cleaned(&y).find(|y| self.proves_infeasible(y));
+        match exact {
+            Some(y) => Outcome::Infeasible(certificate(y)),
+            None => Outcome::NearlyInfeasible(certificate(y)),
         }
     }
 
@@ -236,7 +229,7 @@ impl MixedLcp {
         reduction: &Reduction,
         pivots: usize,
         settings: &Settings,
-    ) -> Result<MixedSolution, MixedResiduals> {
+    ) -> Result<MixedSolution, BreakdownCause> {
         let m = self.free;
         let (mut residuals, mut point) = self.evaluate(point);
         let determined = (0..m).filter(|i| !reduction.undetermined.contains(i));
@@ -253,8 +246,11 @@ impl MixedLcp {
                 (residuals, point) = fresh;
             }
         }
-        if residuals.max().is_nan() || residuals.max() > settings.residual_tolerance {
-            return Err(residuals);
+        if !residuals.within(settings.residual_tolerance) {
+            return Err(BreakdownCause::Residual(residuals));
+        }
+        if ignores_q(residuals, self.whole.q.as_slice(), &point.terms, reduction.row_factors()) {
+            return Err(BreakdownCause::SingularBasis);
         }
         let slack = |i: usize| if basis.contains(i) { 0.0 } else { point.w[m + i].max(0.0) };
         Ok(MixedSolution {
@@ -272,14 +268,14 @@ impl MixedLcp {
     /// Measures how well u (m entries) and z (n entries) solve the problem. The residuals are
     /// infinite for vectors of another length.
     #[must_use]
-    pub fn residuals(&self, u: &DVector<f64>, z: &DVector<f64>) -> MixedResiduals {
+    pub fn residuals(&self, u: &DVector<f64>, z: &DVector<f64>) -> Residuals {
         if u.len() != self.free || z.len() != self.len() {
-            return MixedResiduals { equality: f64::INFINITY, complementarity: Residuals::UNUSABLE };
+            return Residuals::UNUSABLE;
         }
         self.evaluate(u.iter().chain(z).copied().collect()).0
     }
 
-    fn evaluate(&self, point: Vec<f64>) -> (MixedResiduals, Point) {
+    fn evaluate(&self, point: Vec<f64>) -> (Residuals, Point) {
         let point = Point::new(point, &self.whole);
         let mut equality = 0.0_f64;
         for (w, terms) in point.w.iter().zip(&point.terms).take(self.free) {
@@ -292,6 +288,6 @@ impl MixedLcp {
         let mut pairs = point.clone();
         pairs.z[..self.free].fill(0.0);
         pairs.w[..self.free].fill(0.0);
-        (MixedResiduals { equality, complementarity: pairs.residuals(&self.whole) }, point)
+        (Residuals { equality, ..pairs.residuals(&self.whole) }, point)
     }
 }

@@ -64,7 +64,6 @@
 // One `attempt` is one path with its end; the `ladder` goes from one attempt to the next.
 // The questions stand on top: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
 
-mod answer;
 mod attempt;
 mod basis;
 mod certificate;
@@ -96,20 +95,21 @@ mod residuals;
 mod scaling;
 mod series;
 mod settings;
+mod solution;
 mod solve;
 mod tolerances;
 mod workspace;
 
-pub use answer::{Answer, SolutionView};
 pub use basis::{Basis, Variable};
 pub use enumerate::AllSolutions;
 pub use error::LcpError;
 pub use matrix_class::{Copositivity, Definiteness, Guarantee, MatrixClass};
-pub use mixed::{MixedLcp, MixedOutcome, MixedResiduals, MixedSolution};
-pub use outcome::{BreakdownCause, Outcome, Proof, Ray, Solution};
+pub use mixed::{MixedLcp, MixedSolution};
+pub use outcome::{Answer, BreakdownCause, Certificate, Outcome, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
+pub use solution::{Solution, SolutionView};
 pub use workspace::Workspace;

@@ -1,28 +1,43 @@
 //! How a solve can end.
 
-use super::basis::Basis;
 use super::residuals::Residuals;
+use super::solution::{Solution, SolutionView};
 use nalgebra::DVector;
+use std::convert::Infallible;
+use std::fmt;
+use thiserror::Error;
 
-/// What is known when Lemke's method ends.
+/// What is known when a solve ends: of a problem, of one with free variables
+/// ([`MixedSolution`](super::MixedSolution)), or in the memory of a solver ([`Answer`]).
+///
+/// The first four say something about the problem; the last three say that nothing is known. Its `Display` is one line.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Outcome {
-    /// A solution was found and checked against the M and q given.
-    Solved(Solution),
-    /// The path ended in a secondary ray: along it z₀ never reaches zero.
+pub enum Outcome<S = Solution> {
+    /// A solution was found and checked against the data given.
+    Solved(S),
+    /// No z ≥ 0 has M z + q ≥ 0, for the data given: the [`Certificate`] proves it without rounding.
+    Infeasible(Certificate),
+    /// Data that differ from those given by rounding are infeasible, as the [`Certificate`] shows.
     ///
-    /// [`Ray::proof`] says whether this proves that there is no solution. If it proves nothing,
-    /// nothing is known: every way of going on that the [`Settings`](super::Settings) allow has
-    /// been tried.
+    /// Those given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
+    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Data that were computed say no more as a rule.
+    NearlyInfeasible(Certificate),
+    /// None of the 2ⁿ complementary bases stands for a solution, for the M and q given: each was excluded by a vector that
+    /// was checked without rounding. No certificate of the whole was found, so z ≥ 0 with M z + q ≥ 0 should exist.
+    NoBasis {
+        /// Pivots made.
+        pivots: usize,
+    },
+    /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and every way of going on
+    /// that the [`Settings`](super::Settings) allow has been tried.
     Ray(Ray),
-    /// The pivot limit was reached first; nothing is known about the problem.
+    /// The pivot limit was reached first.
     PivotLimit {
         /// Pivots made.
         pivots: usize,
     },
-    /// The computation could not be carried through in double precision. Nothing is known about the
-    /// problem.
+    /// The computation could not be carried through in double precision.
     Breakdown {
         /// Pivots made until then.
         pivots: usize,
@@ -31,43 +46,124 @@ pub enum Outcome {
     },
 }
 
-impl Outcome {
+/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series), whose solution lies in their memory.
+pub type Answer<'a> = Outcome<SolutionView<'a>>;
+
+/// Any outcome but a solution.
+pub(super) type Unsolved = Outcome<Infallible>;
+
+impl<S> Outcome<S> {
     /// The solution, if there is one.
     #[must_use]
-    pub fn solution(&self) -> Option<&Solution> {
+    pub fn solution(&self) -> Option<&S> {
         if let Self::Solved(solution) = self { Some(solution) } else { None }
+    }
+
+    /// Whether the constraints are known to contradict each other, be it but for rounding.
+    #[must_use]
+    pub fn is_infeasible(&self) -> bool {
+        matches!(self, Self::Infeasible(_) | Self::NearlyInfeasible(_))
+    }
+
+    /// This outcome, or what is made of its solution.
+    #[must_use]
+    pub fn and_then<T>(self, next: impl FnOnce(S) -> Outcome<T>) -> Outcome<T> {
+        match self {
+            Self::Solved(solution) => next(solution),
+            Self::Infeasible(certificate) => Outcome::Infeasible(certificate),
+            Self::NearlyInfeasible(certificate) => Outcome::NearlyInfeasible(certificate),
+            Self::NoBasis { pivots } => Outcome::NoBasis { pivots },
+            Self::Ray(ray) => Outcome::Ray(ray),
+            Self::PivotLimit { pivots } => Outcome::PivotLimit { pivots },
+            Self::Breakdown { pivots, cause } => Outcome::Breakdown { pivots, cause },
+        }
+    }
+
+    /// This outcome with so many pivots; those of a solution stay.
+    pub(super) fn after(mut self, made: usize) -> Self {
+        match &mut self {
+            Self::Solved(_) => {}
+            Self::Infeasible(Certificate { pivots, .. })
+            | Self::NearlyInfeasible(Certificate { pivots, .. })
+            | Self::NoBasis { pivots }
+            | Self::Ray(Ray { pivots, .. })
+            | Self::PivotLimit { pivots }
+            | Self::Breakdown { pivots, .. } => *pivots = made,
+        }
+        self
     }
 }
 
-/// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Solution {
-    /// z (n entries, none negative).
-    pub z: DVector<f64>,
-    /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
-    pub w: DVector<f64>,
-    /// Which z_i are basic.
-    pub basis: Basis,
-    /// The violations at z, recomputed from the M and q given, before zeros are set in w = M z + q.
-    pub residuals: Residuals,
-    /// Pivots made, on all paths.
-    pub pivots: usize,
-    /// Whether a basic variable is zero: other bases then stand for this point as well, and the
-    /// solution may be one of several.
-    pub degenerate: bool,
+impl Unsolved {
+    /// As an outcome that might have been a solution.
+    pub(super) fn into<S>(self) -> Outcome<S> {
+        self.and_then(|never| match never {})
+    }
 }
 
-/// The secondary ray on which the path ended.
+impl Answer<'_> {
+    /// A copy that outlives the workspace.
+    #[must_use]
+    pub fn into_outcome(self) -> Outcome {
+        self.and_then(|view| Outcome::Solved(view.to_solution()))
+    }
+}
+
+impl<S: fmt::Display> fmt::Display for Outcome<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Solved(solution) => write!(f, "solved: {solution}"),
+            Self::Infeasible(certificate) => {
+                write!(f, "infeasible, proved without rounding by {certificate}")
+            }
+            Self::NearlyInfeasible(certificate) => {
+                write!(f, "infeasible but for rounding, by {certificate}")
+            }
+            Self::NoBasis { pivots } => {
+                write!(f, "no solution: every complementary basis is excluded ({pivots} pivots)")
+            }
+            Self::Ray(Ray { pivots, .. }) => {
+                write!(f, "nothing known: a ray that proves nothing, after {pivots} pivots")
+            }
+            Self::PivotLimit { pivots } => write!(f, "nothing known: stopped after {pivots} pivots"),
+            Self::Breakdown { pivots, cause } => {
+                write!(f, "nothing known: {cause} (after {pivots} pivots)")
+            }
+        }
+    }
+}
+
+/// A vector y (n entries) that shows that no z ≥ 0 has M z + q ≥ 0, by Farkas' lemma: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0.
+///
+/// But z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y
+/// without rounding.
+///
+/// For a [`MixedLcp`](super::MixedLcp) y has m + n entries, the first m of either sign, see
+/// [`MixedLcp::proves_infeasible`](super::MixedLcp::proves_infeasible).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Certificate {
+    /// The vector.
+    pub y: DVector<f64>,
+    /// Pivots made.
+    pub pivots: usize,
+}
+
+impl fmt::Display for Certificate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows = self.y.iter().filter(|y| **y != 0.0).count();
+        write!(f, "a combination of {rows} of {} rows ({} pivots)", self.y.len(), self.pivots)
+    }
+}
+
+/// The secondary ray on which the first path ended.
 ///
 /// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with
 /// ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented problem has solutions for arbitrarily large
 /// steps along this direction, none of which solves the problem itself (Cottle, Pang & Stone,
 /// section 4.4).
 ///
-/// The ray is that of the first path. Its covering vector d is that of the settings or, by default,
-/// that of the balanced problem. The direction is zero if that path ended otherwise and the proof
-/// was found afterwards.
+/// The covering vector d is that of the settings or, by default, that of the balanced problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Ray {
@@ -75,38 +171,16 @@ pub struct Ray {
     pub direction: DVector<f64>,
     /// ẑ₀ ≥ 0, at the scale of the direction.
     pub covering_rate: f64,
-    /// The proof that the ray contains, or that was found after it.
-    pub proof: Proof,
     /// Pivots made.
     pub pivots: usize,
 }
 
-/// Whether a problem on which Lemke's method met a ray is known to have no solution.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Proof {
-    /// No z ≥ 0 has M z + q ≥ 0, by Farkas' lemma, for the M and q given.
-    ///
-    /// The vector y (n entries) has y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0. But z ≥ 0 and M z + q ≥ 0 imply
-    /// yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y without rounding.
-    Infeasible(DVector<f64>),
-    /// Some M and q that differ from those given by rounding are infeasible, by the Farkas vector y (n entries).
-    ///
-    /// Those given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
-    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Data that were computed say no more as a rule.
-    NearlyInfeasible(DVector<f64>),
-    /// None of the 2ⁿ complementary bases stands for a solution, for the M and q given: each was excluded by a vector that was
-    /// checked without rounding. No Farkas vector of the whole was found, so z ≥ 0 with M z + q ≥ 0 should exist.
-    NoComplementaryBasis,
-    /// Nothing is proved.
-    None,
-}
-
 /// Why a solve broke down. The first three causes are settings that do not fit, the others lie in the arithmetic.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BreakdownCause {
     /// The covering vector of the settings has another length than the problem.
+    #[error("the covering vector has {given} entries, but the problem has {needed} rows")]
     CoveringLength {
         /// Its length.
         given: usize,
@@ -114,6 +188,9 @@ pub enum BreakdownCause {
         needed: usize,
     },
     /// An entry of the covering vector is negative or not finite, or is zero in a row with q_i < 0.
+    #[error(
+        "entry {row} of the covering vector is {value}, but must be finite, not negative, and positive where q is negative"
+    )]
     CoveringEntry {
         /// Row of the entry.
         row: usize,
@@ -121,6 +198,7 @@ pub enum BreakdownCause {
         value: f64,
     },
     /// A tolerance of the settings is negative, infinite or not a number.
+    #[error("{name} is {value}, but must be finite and not negative")]
     Tolerance {
         /// Which.
         name: &'static str,
@@ -128,10 +206,13 @@ pub enum BreakdownCause {
         value: f64,
     },
     /// A number left the range of double precision.
+    #[error("a number left the range of double precision")]
     Overflow,
     /// The principal block of the final basis is singular, or so nearly that q is lost in the terms
     /// of M z.
+    #[error("the final basis is singular")]
     SingularBasis,
     /// The final basis was reached, but its point misses the tolerance for these residuals.
+    #[error("the point of the final basis misses its tolerance, {0}")]
     Residual(Residuals),
 }

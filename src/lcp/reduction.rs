@@ -1,8 +1,8 @@
 //! Eliminating free variables by pivoting.
 
-use super::outcome::Solution;
 use super::problem::Lcp;
 use super::scaling::Scaling;
+use super::solution::Solution;
 use super::tolerances::{DEPENDENT, FREE_PIVOT};
 use nalgebra::{DMatrix, DVector};
 
@@ -71,6 +71,11 @@ impl Reduction {
             out.problem = Lcp::new(m, q).ok();
         }
         out
+    }
+
+    /// What balances the rows.
+    pub(super) fn row_factors(&self) -> &[f64] {
+        &self.scaling.row
     }
 
     /// A free variable takes the place of an equality row.

@@ -2,8 +2,10 @@
 
 use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
 use nalgebra::DMatrix;
+use std::fmt;
 
-/// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, as pure numbers.
+/// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, and of equalities in a [`MixedLcp`](super::MixedLcp), as pure
+/// numbers.
 ///
 /// Row i is measured by the size of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j|, as in W. Oettli and
 /// W. Prager, Numer. Math. 6, 1964. An entry z_j is measured by the largest share it has in any
@@ -16,6 +18,8 @@ use nalgebra::DMatrix;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Residuals {
+    /// max_i |A u + C z + b|_i / a_i over the equality rows of a mixed problem; zero where there are none.
+    pub equality: f64,
     /// max_j s_j over the j with z_j < 0.
     pub negative_z: f64,
     /// max_i −w_i / a_i over the i with w_i < 0.
@@ -25,22 +29,36 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the three; NaN if one of them is.
+    /// The largest of them; NaN if one of them is.
     #[must_use]
     pub fn max(&self) -> f64 {
-        let [a, b, c] = [self.negative_z, self.negative_w, self.complementarity];
-        if a.is_nan() || b.is_nan() || c.is_nan() { f64::NAN } else { a.max(b).max(c) }
+        let all = self.all();
+        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all three are numbers of at most this size.
+    /// Whether all of them are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
-        self.negative_z <= tolerance && self.negative_w <= tolerance && self.complementarity <= tolerance
+        self.all().iter().all(|r| *r <= tolerance)
+    }
+
+    fn all(&self) -> [f64; 4] {
+        [self.equality, self.negative_z, self.negative_w, self.complementarity]
     }
 
     /// These residuals are accepted by no test.
-    pub(super) const UNUSABLE: Self =
-        Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
+    pub(super) const UNUSABLE: Self = Self {
+        equality: f64::INFINITY,
+        negative_z: f64::INFINITY,
+        negative_w: f64::INFINITY,
+        complementarity: f64::INFINITY,
+    };
+}
+
+impl fmt::Display for Residuals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "residuals up to {:.1e}", self.max())
+    }
 }
 
 /// Whether a point with these residuals and terms says nothing about q, because another q of quite
@@ -97,7 +115,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
 /// The residuals at z, given w and the sizes a of its terms.
 pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
-    let mut out = Residuals { negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
+    let mut out = Residuals { equality: 0.0, negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
     if n == 0 {
         return out;
     }

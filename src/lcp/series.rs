@@ -1,7 +1,7 @@
 //! Many right-hand sides, one matrix.
 
-use super::answer::Answer;
 use super::error::LcpError;
+use super::outcome::Answer;
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;

@@ -1,11 +1,10 @@
 //! The starts of a solve: from the slacks, from a basis, or from the dictionary of the problem
 //! before.
 
-use super::answer::Answer;
 use super::basis::Basis;
 use super::lemke::End;
 use super::memory::refill;
-use super::outcome::Outcome;
+use super::outcome::{Answer, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;
@@ -29,15 +28,14 @@ impl Lcp {
     /// 4. all 2ⁿ complementary bases of a small problem ([`Settings::enumerate_up_to`]).
     ///
     /// ```
-    /// use grasp_lcp::lcp::{Lcp, Outcome, Proof, Settings};
+    /// use grasp_lcp::lcp::{Lcp, Outcome, Settings};
     /// use nalgebra::{DMatrix, DVector};
     ///
     /// // w = −z − 1 is negative for every z ≥ 0: y = 1 has Mᵀy = −1 ≤ 0 and qᵀy = −1 < 0.
     /// let problem = Lcp::new(DMatrix::from_element(1, 1, -1.0), DVector::from_element(1, -1.0))?;
     /// let one_path = Settings::default().with_retries(0);
-    /// let Outcome::Ray(ray) = problem.solve_with(&one_path) else { panic!("w < 0") };
-    /// let Proof::Infeasible(y) = ray.proof else { panic!("no z ≥ 0 has w ≥ 0") };
-    /// assert!(problem.proves_infeasible(&y));
+    /// let Outcome::Infeasible(certificate) = problem.solve_with(&one_path) else { panic!("w < 0") };
+    /// assert!(problem.proves_infeasible(&certificate.y));
     /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
     /// ```
     #[must_use]
@@ -101,7 +99,7 @@ impl Workspace {
     }
 
     /// Solves a problem and leaves the dictionary of its basis, even if that is the slack basis.
-    pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
         }
@@ -110,7 +108,7 @@ impl Workspace {
     }
 
     /// Solves for a right-hand side that belongs to the matrix whose dictionary the path holds.
-    pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
         }
@@ -121,7 +119,7 @@ impl Workspace {
 
     /// Follows the path from the present complementary basis. A failure starts again from the
     /// slacks.
-    fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Outcome> {
+    fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();
         let feasible = !self.path.cover_violations(m);

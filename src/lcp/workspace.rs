@@ -1,13 +1,13 @@
 //! Memory for solving many problems.
 
-use super::answer::{Answer, SolutionView};
 use super::basis::Basis;
 use super::dictionary::Unknown;
 use super::memory::make_room;
-use super::outcome::{BreakdownCause, Outcome};
+use super::outcome::{Answer, BreakdownCause, Unsolved};
 use super::path::Path;
 use super::point::Point;
 use super::residuals::Residuals;
+use super::solution::SolutionView;
 
 /// Memory that is kept between problems.
 ///
@@ -51,20 +51,19 @@ impl Workspace {
         Self::default()
     }
 
-    pub(super) fn answer(&self, failure: Option<Outcome>) -> Answer<'_> {
-        match (failure, self.residuals) {
-            (None, Some(residuals)) => Answer::Solved(SolutionView {
-                z: &self.point.z,
-                w: &self.point.w,
-                basis: &self.basis,
-                residuals,
-                pivots: self.path.pivots,
-                degenerate: self.degenerate,
-            }),
-            (failure, _) => Answer::Unsolved(Box::new(failure.unwrap_or(Outcome::Breakdown {
-                pivots: self.path.pivots,
-                cause: BreakdownCause::SingularBasis,
-            }))),
+    pub(super) fn answer(&self, failure: Option<Unsolved>) -> Answer<'_> {
+        let view = |residuals| SolutionView {
+            z: &self.point.z,
+            w: &self.point.w,
+            basis: &self.basis,
+            residuals,
+            pivots: self.path.pivots,
+            degenerate: self.degenerate,
+        };
+        let broken = || Answer::Breakdown { pivots: self.path.pivots, cause: BreakdownCause::SingularBasis };
+        match failure {
+            Some(unsolved) => unsolved.into(),
+            None => self.residuals.map_or_else(broken, |residuals| Answer::Solved(view(residuals))),
         }
     }
 

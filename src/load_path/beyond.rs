@@ -136,10 +136,7 @@ pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) ->
     let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
-    kinematic_form(rates, &trial, &state).is_some_and(|form| {
-        let lcp::Outcome::Ray(ray) = form.lcp.solve_with(&settings) else { return false };
-        matches!(ray.proof, lcp::Proof::Infeasible(_) | lcp::Proof::NearlyInfeasible(_))
-    })
+    kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
 /// What a solution from scratch says a little further on, with the slip so far.

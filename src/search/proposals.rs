@@ -94,7 +94,9 @@ pub(super) fn propose_dense<const D: usize, const C: usize>(
             log.effort.pivots += solution.pivots;
             return Some(states(problem, &form, &solution.basis));
         }
-        Outcome::Ray(ray) => log.effort.pivots += ray.pivots,
+        Outcome::Ray(lcp::Ray { pivots, .. })
+        | Outcome::Infeasible(lcp::Certificate { pivots, .. })
+        | Outcome::NearlyInfeasible(lcp::Certificate { pivots, .. }) => log.effort.pivots += pivots,
         _ => log.doubt = Doubt::OutOfPivots,
     }
     None

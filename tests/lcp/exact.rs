@@ -2,7 +2,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Integers, Random};
-use grasp_lcp::lcp::{Outcome, Proof, Settings, Solution};
+use grasp_lcp::lcp::{Outcome, Settings, Solution};
 use num_traits::ToPrimitive;
 
 /// A random problem: dense, sparse, skew, symmetric, or copositive-plus A Aᵀ + skew.
@@ -39,9 +39,9 @@ fn problem(random: &mut Random, kind: usize, largest: i64) -> Integers {
 fn assert_exact(problem: &Integers, solution: &Solution) {
     assert!(solution.residuals.within(1e-13), "{problem:?} {solution:?}");
     let alpha: Vec<usize> = solution.basis.iter().collect();
-    match problem.exact_point(&alpha) {
-        Some(z) => assert!(problem.is_solution(&z), "{problem:?} {solution:?}"),
-        None => assert!(problem.is_solvable(), "{problem:?} {solution:?}"),
+    match problem.exact().exact_point(&alpha) {
+        Some(z) => assert!(problem.exact().is_solution(&z), "{problem:?} {solution:?}"),
+        None => assert!(problem.exact().is_solvable(), "{problem:?} {solution:?}"),
     }
 }
 
@@ -58,19 +58,14 @@ fn the_answer_is_a_solution_exactly_if_there_is_one() {
                 assert_exact(&problem, &solution);
                 solved[kind] += 1;
             }
-            Outcome::Ray(ray) => {
-                assert!(!problem.is_solvable(), "{problem:?} {ray:?}");
-                match &ray.proof {
-                    Proof::Infeasible(y) => {
-                        assert!(lcp.proves_infeasible(y) && !problem.is_feasible(), "{problem:?} {ray:?}");
-                        infeasible[kind] += 1;
-                    }
-                    Proof::NoComplementaryBasis => {
-                        assert!(problem.is_feasible(), "{problem:?} {ray:?}");
-                        without[kind] += 1;
-                    }
-                    _ => panic!("nothing proved: {problem:?} {ray:?}"),
-                }
+            Outcome::Infeasible(certificate) => {
+                assert!(lcp.proves_infeasible(&certificate.y), "{problem:?} {certificate:?}");
+                assert!(!problem.exact().is_feasible(), "{problem:?} {certificate:?}");
+                infeasible[kind] += 1;
+            }
+            Outcome::NoBasis { .. } => {
+                assert!(!problem.exact().is_solvable() && problem.exact().is_feasible(), "{problem:?}");
+                without[kind] += 1;
             }
             other => panic!("{problem:?} {other:?}"),
         }
@@ -88,16 +83,11 @@ fn one_path_is_enough_where_the_theory_says_so() {
         let problem = problem(&mut random, kind, 6);
         match problem.problem().solve_with(&one_path) {
             Outcome::Solved(solution) => assert_exact(&problem, &solution),
+            Outcome::Infeasible(_) => assert!(!problem.exact().is_feasible(), "{problem:?}"),
             Outcome::Ray(ray) => {
                 // Skew, Gram, and Gram plus skew matrices are positive semidefinite.
-                if matches!(kind, 2 | 4 | 5) {
-                    assert!(matches!(ray.proof, Proof::Infeasible(_)), "{problem:?} {ray:?}");
-                }
-                if matches!(ray.proof, Proof::Infeasible(_)) {
-                    assert!(!problem.is_feasible(), "{problem:?} {ray:?}");
-                } else if problem.is_solvable() {
-                    missed[kind] += 1;
-                }
+                assert!(!matches!(kind, 2 | 4 | 5), "{problem:?} {ray:?}");
+                missed[kind] += usize::from(problem.exact().is_solvable());
             }
             other => panic!("{problem:?} {other:?}"),
         }
@@ -112,7 +102,7 @@ fn all_solutions_are_those_of_exact_enumeration() {
     for trial in 0..3000 {
         let problem = problem(&mut random, trial % 7, 4);
         let all = problem.problem().all_solutions().expect("n is small");
-        let exact = problem.regular_solutions();
+        let exact = problem.exact().regular_solutions();
         several += usize::from(exact.len() > 1);
         for z in &exact {
             let found = all.solutions.iter().any(|s| {
@@ -123,7 +113,7 @@ fn all_solutions_are_those_of_exact_enumeration() {
         if all.singular.is_empty() {
             assert_eq!(all.solutions.len(), exact.len(), "{problem:?} {all:?}");
         }
-        assert_eq!(all.solutions.is_empty(), !problem.is_solvable(), "{problem:?}");
+        assert_eq!(all.solutions.is_empty(), !problem.exact().is_solvable(), "{problem:?}");
     }
     assert!(several > 100, "only {several} problems with several solutions");
 }
@@ -142,10 +132,10 @@ fn tiny_and_zero_problems() {
         (vec![0; 9], vec![0, 1, -2], false),
     ] {
         let problem = Integers { n: q.len(), m, q };
-        assert_eq!(problem.is_solvable(), solvable);
+        assert_eq!(problem.exact().is_solvable(), solvable);
         match problem.problem().solve() {
             Outcome::Solved(_) => assert!(solvable, "{problem:?}"),
-            Outcome::Ray(_) => assert!(!solvable, "{problem:?}"),
+            Outcome::Infeasible(_) => assert!(!solvable, "{problem:?}"),
             other => panic!("{problem:?} {other:?}"),
         }
     }

@@ -7,7 +7,7 @@
 )]
 
 use crate::common::Random;
-use grasp_lcp::lcp::{Lcp, Outcome, Proof};
+use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 /// Semidefinite (A Aᵀ of any rank plus skew) with a planted degenerate solution: Lemke must find one.
@@ -51,10 +51,7 @@ fn infeasible_problems_are_proved_infeasible() {
         let lcp = Lcp::new(m, q).unwrap();
         assert!(lcp.proves_infeasible(&DVector::from_fn(n, |i, _| y[i] as f64)));
         match lcp.solve() {
-            Outcome::Ray(ray) => {
-                let Proof::Infeasible(y) = &ray.proof else { panic!("trial {trial}, n = {n}: no proof") };
-                assert!(lcp.proves_infeasible(y));
-            }
+            Outcome::Infeasible(certificate) => assert!(lcp.proves_infeasible(&certificate.y)),
             other => panic!("trial {trial}, n = {n}: {other:?}"),
         }
     }

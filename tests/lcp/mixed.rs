@@ -1,7 +1,7 @@
 //! Free variables with equality rows.
 
 use crate::common::Random;
-use grasp_lcp::lcp::{MixedLcp, MixedOutcome, Outcome, Proof};
+use grasp_lcp::lcp::{MixedLcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 /// The optimality conditions of min ½ xᵀHx + gᵀx, E x = e, x ≥ 0: A = 0, C = E, D = −Eᵀ, M = H.
@@ -23,7 +23,7 @@ fn quadratic_programs_with_equalities_are_solved() {
         let e = DMatrix::from_fn(m, n, |_, _| random.integer(-2, 3) as f64);
         let feasible = DVector::from_fn(n, |_, _| random.integer(0, 2) as f64);
         let problem = program(&h, &g, &e, &(&e * &feasible));
-        let MixedOutcome::Solved(solution) = problem.solve() else { panic!("{problem:?}") };
+        let Outcome::Solved(solution) = problem.solve() else { panic!("{problem:?}") };
         assert!(solution.residuals.max() < 1e-12, "{:?}", solution.residuals);
         assert!((problem.residuals(&solution.u, &solution.z).max() - solution.residuals.max()).abs() < 1e-12);
         let cost = |x: &DVector<f64>| 0.5 * (x.transpose() * &h * x)[0] + g.dot(x);
@@ -42,7 +42,7 @@ fn a_regular_block_is_eliminated_like_a_schur_complement() {
         let part = |i, j, r, c| k.view((i, j), (r, c)).into_owned();
         let (a, c, d, mm) = (part(0, 0, m, m), part(0, m, m, n), part(m, 0, n, m), part(m, m, n, n));
         let (b, q) = (v.rows(0, m).into_owned(), v.rows(m, n).into_owned());
-        let MixedOutcome::Solved(solution) = MixedLcp::new(&a, &c, &d, &mm, &b, &q).unwrap().solve() else {
+        let Outcome::Solved(solution) = MixedLcp::new(&a, &c, &d, &mm, &b, &q).unwrap().solve() else {
             panic!("positive definite")
         };
         let inverse = a.clone().try_inverse().unwrap();
@@ -64,17 +64,15 @@ fn a_free_variable_that_nothing_determines_is_named() {
         MixedLcp::new(&a, &c, &d, &m, &DVector::from_vec(vec![1.0, b2]), &DVector::from_element(1, -3.0))
             .unwrap()
     };
-    let MixedOutcome::Solved(solution) = problem(0.0).solve() else { panic!("solvable") };
+    let Outcome::Solved(solution) = problem(0.0).solve() else { panic!("solvable") };
     assert_eq!((solution.undetermined, solution.dependent), (vec![1], vec![1]));
     assert!((solution.z[0] - 1.0).abs() < 1e-15 && (solution.u[0] + 2.0).abs() < 1e-15);
 
     // 0 = 1 in the second row.
     let unsolvable = problem(1.0);
-    let MixedOutcome::Unsolved { outcome, undetermined, .. } = unsolvable.solve() else { panic!("0 = 1") };
-    assert_eq!(undetermined, vec![1]);
-    let Outcome::Ray(ray) = *outcome else { panic!("{outcome:?}") };
-    let Proof::Infeasible(y) = ray.proof else { panic!("no proof") };
-    assert!(unsolvable.split().proves_infeasible(&y));
+    let Outcome::Infeasible(certificate) = unsolvable.solve() else { panic!("0 = 1") };
+    assert!(unsolvable.proves_infeasible(&certificate.y));
+    assert!(!problem(0.0).proves_infeasible(&certificate.y));
 }
 
 #[test]

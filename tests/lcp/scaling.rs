@@ -9,7 +9,9 @@ use nalgebra::{DMatrix, DVector};
 fn basis(lcp: &Lcp) -> Option<Vec<usize>> {
     match lcp.solve() {
         Outcome::Solved(solution) => Some(solution.basis.iter().collect()),
-        Outcome::Ray(_) => None,
+        Outcome::Infeasible(_) | Outcome::NearlyInfeasible(_) | Outcome::NoBasis { .. } | Outcome::Ray(_) => {
+            None
+        }
         other => panic!("{lcp:?}: {other:?}"),
     }
 }

@@ -1,0 +1,160 @@
+//! A problem in whole numbers without bound: what rational arithmetic says of it.
+
+use nalgebra::{DMatrix, DVector};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+/// M by rows, and q. Each row may have been multiplied by a power of two, which changes no solution z.
+#[derive(Debug, Clone)]
+pub(crate) struct Exact {
+    pub(crate) m: Vec<Vec<BigInt>>,
+    pub(crate) q: Vec<BigInt>,
+}
+
+/// x = m 2ᵉ with a whole number m.
+fn parts(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let (exponent, mantissa) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let (m, e) = if exponent == 0 { (mantissa, -1074) } else { (mantissa | 1 << 52, exponent - 1075) };
+    (if x < 0.0 { -m } else { m }, e)
+}
+
+impl Exact {
+    /// The doubles given, to the last bit.
+    pub(crate) fn of(m: &DMatrix<f64>, q: &DVector<f64>) -> Self {
+        let mut out = Self { m: Vec::new(), q: Vec::new() };
+        for i in 0..q.len() {
+            let row: Vec<(i64, i32)> = m.row(i).iter().chain([&q[i]]).map(|x| parts(*x)).collect();
+            let lowest = row.iter().filter(|(m, _)| *m != 0).map(|(_, e)| *e).min().unwrap_or(0);
+            let whole = |(m, e): &(i64, i32)| {
+                if *m == 0 { BigInt::zero() } else { BigInt::from(*m) << (e - lowest) as usize }
+            };
+            let mut row: Vec<BigInt> = row.iter().map(whole).collect();
+            out.q.push(row.pop().expect("q is the last"));
+            out.m.push(row);
+        }
+        out
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.q.len()
+    }
+
+    /// Whether the problem has a solution at all: is { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } not empty for some α?
+    /// Where the block of α is singular the simplex method decides.
+    pub(crate) fn is_solvable(&self) -> bool {
+        (0..1_u32 << self.len()).any(|alpha| {
+            let indices: Vec<usize> = (0..self.len()).filter(|i| alpha >> i & 1 == 1).collect();
+            match self.exact_point(&indices) {
+                Some(z) => self.is_solution(&z),
+                None => self.has_point(alpha, alpha),
+            }
+        })
+    }
+
+    /// Whether { z ≥ 0, Mz + q ≥ 0 } is not empty.
+    pub(crate) fn is_feasible(&self) -> bool {
+        self.has_point((1 << self.len()) - 1, 0)
+    }
+
+    /// Whether there are z ≥ 0 with support in `support`, (Mz + q)_i = 0 for i in `equal`, Mz + q ≥ 0.
+    fn has_point(&self, support: u32, equal: u32) -> bool {
+        let n = self.len();
+        let columns: Vec<usize> = (0..n).filter(|i| support >> i & 1 == 1).collect();
+        let slacks: Vec<usize> = (0..n).filter(|i| equal >> i & 1 == 0).collect();
+        let width = columns.len() + slacks.len();
+        // Rows of M z − s = −q, with a right-hand side that is not negative; the artificial basis is implicit.
+        let mut rows: Vec<Vec<BigRational>> = (0..n)
+            .map(|i| {
+                let entries = columns.iter().map(|j| self.m[i][*j].clone());
+                let slack = slacks.iter().map(|s| BigInt::from(-i64::from(*s == i)));
+                let row = entries.chain(slack).chain([-&self.q[i]]);
+                let flip = self.q[i].is_positive();
+                row.map(|x| BigRational::from_integer(if flip { -x } else { x })).collect()
+            })
+            .collect();
+        let mut basic: Vec<Option<usize>> = vec![None; n];
+        loop {
+            let infeasibility = |c: usize| -> BigRational {
+                rows.iter().zip(&basic).filter(|(_, b)| b.is_none()).map(|(row, _)| row[c].clone()).sum()
+            };
+            if infeasibility(width).is_zero() {
+                return true;
+            }
+            // Bland's rule: the first column that helps, the smallest basic index among the rows that block.
+            let Some(enter) = (0..width).find(|c| infeasibility(*c).is_positive()) else { return false };
+            let leave = (0..n)
+                .filter(|r| rows[*r][enter].is_positive())
+                .min_by_key(|r| (&rows[*r][width] / &rows[*r][enter], basic[*r].map_or(usize::MAX, |b| b)))
+                .expect("the infeasibility is bounded below");
+            let scale = rows[leave][enter].clone();
+            rows[leave].iter_mut().for_each(|x| *x /= &scale);
+            let head = rows[leave].clone();
+            for r in (0..n).filter(|r| *r != leave) {
+                let f = rows[r][enter].clone();
+                if !f.is_zero() {
+                    rows[r].iter_mut().zip(&head).for_each(|(x, h)| *x -= &f * h);
+                }
+            }
+            basic[leave] = Some(enter);
+        }
+    }
+
+    /// The distinct solutions at regular bases.
+    pub(crate) fn regular_solutions(&self) -> Vec<Vec<BigRational>> {
+        let mut points = Vec::new();
+        for bits in 0..1_u32 << self.len() {
+            let alpha: Vec<usize> = (0..self.len()).filter(|i| bits >> i & 1 == 1).collect();
+            if let Some(z) = self.exact_point(&alpha)
+                && self.is_solution(&z)
+            {
+                points.push(z);
+            }
+        }
+        points.sort();
+        points.dedup();
+        points
+    }
+
+    /// The exact point of a regular M_αα, or `None` if it is singular: by elimination without fractions (E. H. Bareiss, Math.
+    /// Comp. 22, 1968).
+    pub(crate) fn exact_point(&self, alpha: &[usize]) -> Option<Vec<BigRational>> {
+        let k = alpha.len();
+        let row = |i: &usize| alpha.iter().map(|j| self.m[*i][*j].clone()).chain([-&self.q[*i]]).collect();
+        let mut a: Vec<Vec<BigInt>> = alpha.iter().map(row).collect();
+        let mut before = BigInt::one();
+        for c in 0..k {
+            let pivot = (c..k).find(|r| !a[*r][c].is_zero())?;
+            a.swap(c, pivot);
+            let head = a[c].clone();
+            for r in (0..k).filter(|r| *r != c) {
+                let f = a[r][c].clone();
+                for (x, h) in a[r].iter_mut().zip(&head) {
+                    *x = (&head[c] * &*x - &f * h) / &before;
+                }
+            }
+            before.clone_from(&head[c]);
+        }
+        let mut z = vec![BigRational::zero(); self.len()];
+        for (c, i) in alpha.iter().enumerate() {
+            z[*i] = BigRational::new(a[c][k].clone(), a[c][c].clone());
+        }
+        Some(z)
+    }
+
+    /// M z + q.
+    pub(crate) fn slack(&self, z: &[BigRational]) -> Vec<BigRational> {
+        let row = |(m, q): (&Vec<BigInt>, &BigInt)| {
+            let w = BigRational::from_integer(q.clone());
+            m.iter().zip(z).filter(|(_, z)| !z.is_zero()).fold(w, |w, (m, z)| w + z * m)
+        };
+        self.m.iter().zip(&self.q).map(row).collect()
+    }
+
+    /// Whether z solves the problem exactly.
+    pub(crate) fn is_solution(&self, z: &[BigRational]) -> bool {
+        !z.iter().any(Signed::is_negative)
+            && self.slack(z).iter().zip(z).all(|(w, z)| !w.is_negative() && (z.is_zero() || w.is_zero()))
+    }
+}
