@@ -9,6 +9,7 @@ use super::lemke::End;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
+use super::tolerances::{COARSE, VALUE_ROUNDING};
 use super::workspace::Workspace;
 
 /// So many times a path is taken up again where rounding has led it to a basis that is not
@@ -88,12 +89,36 @@ impl Workspace {
         limit: usize,
     ) -> Option<Unsolved> {
         for _ in 0..RESUMPTIONS {
-            let failure = self.finish(lcp, settings)?;
+            let Some(failure) = self.finish(lcp, settings) else {
+                self.sharpen(lcp, settings, limit);
+                return None;
+            };
             let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();
             if !self.path.run_from(lcp.m.as_slice(), |i| active[i], settings, limit) {
                 return Some(failure);
             }
         }
         self.finish(lcp, settings)
+    }
+
+    /// Goes on from a solution whose signs are wrong by more than rounding: rows that nearly tie were taken for ties there, or
+    /// small values for noise. Neither is done again, and the better of the two points is kept. That is another path, which is
+    /// not followed where one path only is asked for.
+    fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
+        let Some(coarse) = self.residuals.filter(|r| r.negative_w > COARSE && settings.retries > 0) else {
+            return;
+        };
+        let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
+        let sharp =
+            Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
+        let basis = &kept.1;
+        let goes_on = self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok()
+            && self.path.cover_violations(lcp.m.as_slice(), VALUE_ROUNDING)
+            && self.path.cover_and_run(lcp.m.as_slice(), &sharp, limit) == End::Complementary
+            && self.finish_as_it_is(lcp, &sharp).is_none();
+        if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {
+            (self.point, self.basis, self.degenerate) = kept;
+            self.residuals = Some(coarse);
+        }
     }
 }

@@ -51,7 +51,7 @@ impl Basis {
     }
 
     /// The i with z_i basic, in increasing order.
-    pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.basic_z.iter().enumerate().filter(|(_, basic)| **basic).map(|(i, _)| i)
     }
 

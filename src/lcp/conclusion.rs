@@ -32,9 +32,19 @@ impl Workspace {
     /// Takes the point of the complementary basis in the dictionary, refined against the M and q
     /// given. `None` if that point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
-        let n = lcp.len();
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
+        self.finish_basis(lcp, settings)
+    }
+
+    /// Takes that point with all its variables, however small.
+    pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
+        refill(&mut self.vanishing, lcp.len(), false);
+        self.finish_basis(lcp, settings)
+    }
+
+    fn finish_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
+        let n = lcp.len();
         self.basis.clear(n);
         for basic in &self.path.dictionary.basic {
             if let Unknown::Z(j) = *basic {
@@ -195,7 +205,9 @@ impl Workspace {
             BreakdownCause::Overflow
         } else if !residuals.within(settings.residual_tolerance) {
             BreakdownCause::Residual(residuals)
-        } else if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row) {
+        } else if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row)
+            || self.point.is_noise(lcp, self.basis.iter())
+        {
             BreakdownCause::SingularBasis
         } else {
             self.degenerate = self.point.settle_slacks(&self.basis) | self.vanishing.contains(&true);

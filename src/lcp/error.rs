@@ -19,6 +19,44 @@ pub enum LcpError {
         /// Columns of the matrix given.
         columns: usize,
     },
+    /// A row of M must have as many entries as there are rows.
+    #[error("row {row} of M has {given} entries, but must have {needed}")]
+    RowLength {
+        /// The row, counted from 0.
+        row: usize,
+        /// Its length.
+        given: usize,
+        /// The length it must have.
+        needed: usize,
+    },
+    /// An entry of a sparse matrix lies outside of it.
+    #[error("entry ({row}, {column}) is outside of M, which has {size} rows and columns")]
+    Place {
+        /// Row of the entry, counted from 0.
+        row: usize,
+        /// Column of the entry, counted from 0.
+        column: usize,
+        /// Rows and columns of the matrix.
+        size: usize,
+    },
+    /// A word of a text is not what belongs there.
+    #[error("word {at} is `{word}`, but must be {allowed}")]
+    Word {
+        /// How many words come before it.
+        at: usize,
+        /// The word.
+        word: String,
+        /// What belongs there.
+        allowed: &'static str,
+    },
+    /// A text has too few or too many numbers.
+    #[error("the text has {given} numbers, but must have {needed}: n, n rows of M and q")]
+    Count {
+        /// How many it has.
+        given: usize,
+        /// How many it must have.
+        needed: usize,
+    },
     /// A vector must have one entry per row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {

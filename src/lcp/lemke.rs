@@ -9,7 +9,7 @@ use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::settings::Settings;
-use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT};
+use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT, ZERO};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +57,7 @@ impl Path {
         limit: usize,
     ) -> bool {
         self.install_basis(m, active).is_ok()
-            && self.cover_violations(m)
+            && self.cover_violations(m, ZERO)
             && self.cover_and_run(m, settings, limit) == End::Complementary
     }
 

@@ -249,7 +249,9 @@ impl MixedLcp {
         if !residuals.within(settings.residual_tolerance) {
             return Err(BreakdownCause::Residual(residuals));
         }
-        if ignores_q(residuals, self.whole.q.as_slice(), &point.terms, reduction.row_factors()) {
+        if ignores_q(residuals, self.whole.q.as_slice(), &point.terms, reduction.row_factors())
+            || point.is_noise(&self.whole, indices.iter().copied())
+        {
             return Err(BreakdownCause::SingularBasis);
         }
         let slack = |i: usize| if basis.contains(i) { 0.0 } else { point.w[m + i].max(0.0) };

@@ -7,6 +7,7 @@ use super::outcome::{BreakdownCause, Outcome};
 use super::problem::Lcp;
 use super::ratio::Covering;
 use super::settings::Settings;
+use super::tolerances::ZERO;
 use super::workspace::Workspace;
 use nalgebra::DVector;
 
@@ -49,8 +50,8 @@ pub enum PathEnd {
     /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
     /// (still).
     Unbounded(Trend),
-    /// The path has come back to the piece on which it began: it is a closed loop, and would go round for ever. The last
-    /// breakpoint is the one that leads back.
+    /// The path has come back to a piece on which it was: it is a closed loop, and would go round for ever. The last
+    /// breakpoint is the one that leads back, to the first piece as a rule.
     ///
     /// The loop has solutions up to the largest τ of its breakpoints. Beyond it there may be others, on other paths.
     Loop,
@@ -98,7 +99,10 @@ pub struct Parametric<'a> {
     entering: Unknown,
     trend: Trend,
     breakpoints: usize,
-    /// Whether the path is back on the piece on which it began.
+    /// The basis of one of the last pieces, exchanged after 1, 2, 4, 8, … breakpoints: every loop comes back to it in the end (R. P. Brent, BIT
+    /// 20, 1980).
+    remembered: Basis,
+    /// Whether the path is back on a piece on which it was.
     closed: bool,
     end: Option<PathEnd>,
 }
@@ -144,6 +148,7 @@ impl<'a> Parametric<'a> {
             entering: Unknown::Covering,
             trend: Trend::Forward,
             breakpoints: 0,
+            remembered: Basis::slack(lcp.len()),
             closed: false,
             end: None,
         };
@@ -154,11 +159,12 @@ impl<'a> Parametric<'a> {
     /// Puts the dictionary of the solution at τ = 0 and the column of τ into the workspace.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
+        self.remembered.clone_from(&self.basis);
         let (m, basis) = (self.lcp.m.as_slice(), &self.basis);
         if !self.workspace.holds(basis) {
             let installed = self.workspace.path.install_basis(m, |i| basis.contains(i));
             installed.map_err(PathEnd::Breakdown)?;
-            self.workspace.path.cover_violations(m);
+            self.workspace.path.cover_violations(m, ZERO);
         }
         self.workspace.path.start_parameter(dq.as_slice(), m);
         Ok(())
@@ -234,8 +240,13 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        // A basis stands for one piece of the path, and no path runs into itself but where it began.
-        self.closed = self.start.solution().is_some_and(|start| start.basis == self.basis);
+        // A basis stands for one piece of the path, and no path runs into itself but where it began. Rounding, and a start where
+        // variables are zero, may lead into a loop from outside.
+        let begun = self.start.solution().is_some_and(|start| start.basis == self.basis);
+        self.closed = begun || self.remembered == self.basis;
+        if self.breakpoints.is_power_of_two() {
+            self.remembered.clone_from(&self.basis);
+        }
         let mut z = Vec::new();
         let tau = self.workspace.path.read_point(&mut z).unwrap_or(0.0);
         Breakpoint {

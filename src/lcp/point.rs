@@ -1,8 +1,9 @@
 //! A point z with its slacks, and how well it solves a problem.
 
 use super::basis::Basis;
+use super::principal;
 use super::problem::Lcp;
-use super::residuals::{Residuals, residuals_from, slack_and_terms};
+use super::residuals::{Residuals, is_lost, residuals_from, slack_and_terms};
 use super::tolerances::ZERO;
 use nalgebra::DVector;
 
@@ -44,6 +45,15 @@ impl Point {
     /// Whether w_i is more than its tolerance although z_i is basic.
     pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
         self.w[i] > tolerance * self.terms[i]
+    }
+
+    /// Whether the basis of this point is singular, as far as q can tell: a q_i that is not zero is lost in a row that must
+    /// vanish, and a factorisation of the block finds no inverse.
+    ///
+    /// The numbers of such a point are the quotients of noise by noise, however small its residuals.
+    pub(super) fn is_noise(&self, lcp: &Lcp, basic: impl Iterator<Item = usize> + Clone) -> bool {
+        let lost = |i: usize| lcp.q[i] != 0.0 && is_lost(lcp.q[i], self.terms[i]);
+        basic.clone().any(lost) && principal::solve(lcp, &basic.collect::<Vec<_>>()).is_none()
     }
 
     /// Sets w_i = 0 where z_i is basic, and cuts noise below zero off elsewhere. Returns whether a

@@ -5,7 +5,7 @@ use super::dictionary::{Unknown, largest};
 use super::memory::refill;
 use super::outcome::BreakdownCause;
 use super::path::Path;
-use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS, ZERO};
+use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS};
 use crate::numerics::generic;
 
 impl Path {
@@ -112,11 +112,11 @@ impl Path {
     }
 
     /// Prepares z₀ to enter the present complementary basis, covering only the rows that are
-    /// infeasible there. Returns whether there are any.
+    /// infeasible there by more than `noise`, a part of their largest term. Returns whether there are any.
     ///
     /// The column of z₀ has one unit in these rows of the dictionary and 0 in the others; d is the
     /// vector for which it has.
-    pub(super) fn cover_violations(&mut self, m: &[f64]) -> bool {
+    pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
@@ -131,7 +131,7 @@ impl Path {
             // The perturbation goes by the variable, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
-            if dictionary.x[row] >= -ZERO * dictionary.level[row] {
+            if dictionary.x[row] >= -noise * dictionary.level[row] {
                 dictionary.x[row] = dictionary.x[row].max(0.0);
                 continue;
             }

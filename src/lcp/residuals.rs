@@ -69,7 +69,12 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     if missed > residual_rounding(q.len()) && missed * balanced(terms) > BACKWARD_ERROR * balanced(q) {
         return true;
     }
-    q.iter().any(|q| *q != 0.0) && q.iter().zip(terms).all(|(q, a)| q.abs() <= LOST * a)
+    q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
+}
+
+/// Whether q_i is lost in the terms of its row.
+pub(super) fn is_lost(q: f64, terms: f64) -> bool {
+    q.abs() <= LOST * terms
 }
 
 /// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.

@@ -7,6 +7,7 @@ use super::memory::refill;
 use super::outcome::{Answer, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
+use super::tolerances::ZERO;
 use super::workspace::Workspace;
 
 impl Lcp {
@@ -122,7 +123,7 @@ impl Workspace {
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();
-        let feasible = !self.path.cover_violations(m);
+        let feasible = !self.path.cover_violations(m, ZERO);
         if (feasible || self.path.cover_and_run(m, settings, limit) == End::Complementary)
             && self.finish(lcp, settings).is_none()
         {

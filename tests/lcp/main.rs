@@ -1,5 +1,6 @@
 //! The complementarity problem by itself.
 
+mod adversarial;
 mod allocation;
 mod common;
 mod exact;

@@ -59,7 +59,7 @@ impl Exact {
     }
 
     /// Whether there are z ≥ 0 with support in `support`, (Mz + q)_i = 0 for i in `equal`, Mz + q ≥ 0.
-    fn has_point(&self, support: u32, equal: u32) -> bool {
+    pub(crate) fn has_point(&self, support: u32, equal: u32) -> bool {
         let n = self.len();
         let columns: Vec<usize> = (0..n).filter(|i| support >> i & 1 == 1).collect();
         let slacks: Vec<usize> = (0..n).filter(|i| equal >> i & 1 == 0).collect();

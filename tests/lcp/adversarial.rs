@@ -1,0 +1,328 @@
+//! No false proof, no false solution and no endless path, against rational arithmetic on the doubles given, in families that are meant to mislead.
+//!
+//! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` tries so many, and prints what came of each
+//! family.
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
+
+use crate::common::{Exact, Random};
+use grasp_lcp::lcp::{Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Settings};
+use nalgebra::{DMatrix, DVector};
+use num_rational::BigRational;
+use num_traits::FromPrimitive;
+
+/// How the entries of a family are made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Family {
+    /// Small whole numbers: dense, sparse, skew, symmetric, a Gram matrix, that with a skew part, not negative.
+    Whole(usize),
+    /// Whole numbers times powers of ten, each entry its own.
+    Apart(i32),
+    /// Whole numbers, rows and columns times powers of ten.
+    Scaled(i32),
+    /// A matrix of whole numbers whose last row depends on the others but for one part in 1e9 to 1e17.
+    NearlySingular,
+    /// q = w − M z for complementary z and w with zeros in common, large entries cancelling.
+    Degenerate,
+    /// Doubles of any bits.
+    Bits,
+}
+
+pub(crate) const FAMILIES: [Family; 16] = [
+    Family::Whole(0),
+    Family::Whole(1),
+    Family::Whole(2),
+    Family::Whole(3),
+    Family::Whole(4),
+    Family::Whole(5),
+    Family::Whole(6),
+    Family::Apart(3),
+    Family::Apart(16),
+    Family::Apart(32),
+    Family::Apart(150),
+    Family::Scaled(10),
+    Family::Scaled(100),
+    Family::NearlySingular,
+    Family::Degenerate,
+    Family::Bits,
+];
+
+/// Whole numbers with the structure of a kind.
+fn whole(random: &mut Random, kind: usize, n: usize) -> DMatrix<f64> {
+    let size = random.integer(1, 3);
+    let keep = |random: &mut Random| kind != 1 || random.integer(0, 1) == 0;
+    let a = DMatrix::from_fn(n, n, |_, _| {
+        let entry = random.integer(-size, size) as f64;
+        if keep(random) { entry } else { 0.0 }
+    });
+    match kind {
+        2 => &a - a.transpose(),
+        3 => &a + a.transpose(),
+        4 => &a * a.transpose(),
+        5 => {
+            let skew = |i: usize, j: usize| f64::from(i8::from(i < j) - i8::from(i > j));
+            &a * a.transpose() + DMatrix::from_fn(n, n, skew)
+        }
+        6 => a.abs(),
+        _ => a,
+    }
+}
+
+fn power(random: &mut Random, decades: i32) -> f64 {
+    10f64.powi(random.integer(-i64::from(decades), i64::from(decades)) as i32)
+}
+
+pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVector<f64>) {
+    let n = random.integer(1, 4) as usize;
+    let kind = random.integer(0, 6) as usize;
+    let small = |random: &mut Random| random.integer(-2, 2) as f64;
+    match family {
+        Family::Whole(kind) => (whole(random, kind, n), DVector::from_fn(n, |_, _| small(random))),
+        Family::Apart(decades) => {
+            let m = whole(random, kind, n).map(|m| m * power(random, decades));
+            (m, DVector::from_fn(n, |_, _| small(random) * power(random, decades)))
+        }
+        Family::Scaled(decades) => {
+            let [rows, columns] = [0, 1].map(|_| DVector::from_fn(n, |_, _| power(random, decades)));
+            let m = whole(random, kind, n);
+            let m = DMatrix::from_fn(n, n, |i, j| m[(i, j)] * rows[i] * columns[j]);
+            (m, DVector::from_fn(n, |i, _| small(random) * rows[i]))
+        }
+        Family::NearlySingular => {
+            let n = n.max(2);
+            let mut m = whole(random, kind, n);
+            let weights: Vec<f64> = (1..n).map(|_| small(random)).collect();
+            for j in 0..n {
+                m[(n - 1, j)] = (0..n - 1).map(|i| weights[i] * m[(i, j)]).sum();
+            }
+            let at = (random.integer(0, n as i64 - 1) as usize, random.integer(0, n as i64 - 1) as usize);
+            let exponent = random.integer(9, 17) as i32;
+            m[at] += if m[at] == 0.0 { 1.0 } else { m[at] } * 10f64.powi(-exponent);
+            (m, DVector::from_fn(n, |_, _| small(random)))
+        }
+        Family::Degenerate => {
+            let large = 10f64.powi(random.integer(0, 16) as i32).round();
+            let mut m = whole(random, kind, n);
+            let scaled = random.integer(0, n as i64 - 1) as usize;
+            m.column_mut(scaled).scale_mut(large);
+            let (mut z, mut w) = (DVector::zeros(n), DVector::zeros(n));
+            for i in 0..n {
+                match random.integer(0, 2) {
+                    0 => z[i] = random.integer(1, 3) as f64,
+                    1 => w[i] = random.integer(1, 3) as f64,
+                    _ => {}
+                }
+            }
+            let q = w - &m * z;
+            (m, q)
+        }
+        Family::Bits => {
+            let any = |random: &mut Random| {
+                let x = f64::from_bits(random.next());
+                if x.is_finite() { x } else { 0.0 }
+            };
+            (DMatrix::from_fn(n, n, |_, _| any(random)), DVector::from_fn(n, |_, _| any(random)))
+        }
+    }
+}
+
+/// What came of the problems of a family.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Tally {
+    pub(crate) solved: usize,
+    /// Solved, where the exact point of the basis breaks a condition, or there is none.
+    pub(crate) rounded: usize,
+    /// Of these the ones with residuals above rounding.
+    pub(crate) coarse: usize,
+    /// Solved but for rounding, where there is no solution.
+    pub(crate) unsolvable: usize,
+    pub(crate) infeasible: usize,
+    pub(crate) nearly: usize,
+    pub(crate) without: usize,
+    /// Nothing known, although there is a solution.
+    pub(crate) missed: usize,
+    /// Nothing known, and there is no solution.
+    pub(crate) open: usize,
+}
+
+/// Judges one answer.
+pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(), String> {
+    let exact = Exact::of(lcp.matrix(), lcp.vector());
+    match outcome {
+        Outcome::Solved(solution) => {
+            tally.solved += 1;
+            let alpha: Vec<usize> = solution.basis.iter().collect();
+            let rational = |z: &f64| BigRational::from_f64(*z).expect("finite");
+            let z: Vec<BigRational> = solution.z.iter().map(rational).collect();
+            let holds =
+                exact.is_solution(&z) || exact.exact_point(&alpha).is_some_and(|z| exact.is_solution(&z));
+            if !holds {
+                tally.rounded += 1;
+                tally.unsolvable += usize::from(!exact.is_solvable());
+                tally.coarse += usize::from(solution.residuals.max() > 1e-14);
+                // What is solved but for rounding is solved for data that differ by it, and that is all that residuals can say.
+                if solution.residuals.max() > 1e-10 {
+                    return Err(format!("a false solution, {}", solution.residuals));
+                }
+            }
+        }
+        Outcome::Infeasible(certificate) => {
+            tally.infeasible += 1;
+            if exact.is_feasible() || !lcp.proves_infeasible(&certificate.y) {
+                return Err("a false proof".into());
+            }
+        }
+        Outcome::NoBasis { .. } => {
+            tally.without += 1;
+            if exact.is_solvable() {
+                return Err("a basis was excluded that has a solution".into());
+            }
+        }
+        Outcome::NearlyInfeasible(_) => tally.nearly += 1,
+        _ if exact.is_solvable() => tally.missed += 1,
+        _ => tally.open += 1,
+    }
+    Ok(())
+}
+
+/// A mixed problem of small whole numbers: any blocks, a singular symmetric A, or the saddle point of a program.
+pub(crate) fn mixed(random: &mut Random, kind: usize) -> MixedLcp {
+    let (free, n) = (random.integer(1, 3) as usize, random.integer(1, 3) as usize);
+    let size = random.integer(1, [2, 20, 3][kind % 3]);
+    let mut block = |rows: usize, columns: usize| {
+        DMatrix::from_fn(rows, columns, |_, _| random.integer(-size, size) as f64)
+    };
+    let factor = block(free, free);
+    let (mut a, c) = (block(free, free), block(free, n));
+    let (mut d, mut m) = (block(n, free), block(n, n));
+    if kind == 1 {
+        // Of rank one less than its size, with a null vector of whole numbers.
+        let mut low = factor.clone();
+        low.column_mut(0).fill(0.0);
+        a = &low * low.transpose();
+    }
+    if kind == 2 {
+        a.fill(0.0);
+        d = -c.transpose();
+        m = &m * m.transpose();
+    }
+    let b = DVector::from_fn(free, |_, _| random.integer(-2, 2) as f64);
+    let q = DVector::from_fn(n, |_, _| random.integer(-2, 2) as f64);
+    MixedLcp::new(&a, &c, &d, &m, &b, &q).expect("sizes match")
+}
+
+/// Judges one answer to a mixed problem.
+pub(crate) fn judge_mixed(
+    problem: &MixedLcp,
+    outcome: &Outcome<MixedSolution>,
+    tally: &mut Tally,
+) -> Result<(), String> {
+    let split = problem.split();
+    let exact = Exact::of(split.matrix(), split.vector());
+    let equalities = (1 << (2 * problem.free())) - 1_u32;
+    let at = |alpha: u32| alpha << (2 * problem.free()) | equalities;
+    let solvable = || (0..1_u32 << problem.len()).any(|alpha| exact.has_point(at(alpha), at(alpha)));
+    let feasible = || exact.has_point(at((1 << problem.len()) - 1), at(0));
+    match outcome {
+        Outcome::Solved(_) => {
+            tally.solved += 1;
+            if !solvable() {
+                tally.unsolvable += 1;
+                return Err("solved, but there is no solution".into());
+            }
+        }
+        Outcome::Infeasible(certificate) => {
+            tally.infeasible += 1;
+            if feasible() || !problem.proves_infeasible(&certificate.y) {
+                return Err("a false proof".into());
+            }
+        }
+        Outcome::NoBasis { .. } => {
+            tally.without += 1;
+            if solvable() {
+                return Err("a basis was excluded that has a solution".into());
+            }
+        }
+        Outcome::NearlyInfeasible(_) => tally.nearly += 1,
+        _ if solvable() => tally.missed += 1,
+        _ => tally.open += 1,
+    }
+    Ok(())
+}
+
+/// The number of problems and the seed that the environment asks for.
+fn asked(problems: usize) -> (usize, u64) {
+    let read = |name: &str| std::env::var(name).ok().and_then(|value| value.parse::<u64>().ok());
+    (read("LCP_PROBLEMS").map_or(problems, |count| count as usize), read("LCP_SEED").unwrap_or(1))
+}
+
+fn finite(m: &DMatrix<f64>, q: &DVector<f64>) -> bool {
+    m.iter().chain(q).all(|x| x.is_finite())
+}
+
+#[test]
+fn no_answer_says_more_than_is_known() {
+    let (count, seed) = asked(8000);
+    for (k, family) in FAMILIES.into_iter().enumerate() {
+        let mut random = Random(seed * 1000 + k as u64);
+        let mut tally = Tally::default();
+        for _ in 0..count / FAMILIES.len() {
+            let (m, q) = problem(&mut random, family);
+            if !finite(&m, &q) {
+                continue;
+            }
+            let lcp = Lcp::new(m, q).expect("finite");
+            let outcome = lcp.solve();
+            if let Err(fault) = judge(&lcp, &outcome, &mut tally) {
+                panic!("{fault} of {family:?}: {lcp:?} {outcome:?}");
+            }
+        }
+        println!("{family:?}: {tally:?}");
+        if matches!(family, Family::Whole(_)) {
+            let Tally { unsolvable, coarse, nearly, missed, open, .. } = tally;
+            assert_eq!([unsolvable, coarse, nearly, missed, open], [0; 5], "{family:?}");
+        }
+    }
+}
+
+#[test]
+fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
+    let (count, seed) = asked(3000);
+    for kind in 0..3 {
+        let mut random = Random(seed * 1000 + kind as u64);
+        let mut tally = Tally::default();
+        for _ in 0..count / 3 {
+            let problem = mixed(&mut random, kind);
+            let outcome = problem.solve();
+            if let Err(fault) = judge_mixed(&problem, &outcome, &mut tally) {
+                panic!("{fault}: {problem:?} {outcome:?}");
+            }
+        }
+        println!("mixed, kind {kind}: {tally:?}");
+        assert_eq!(tally.missed, 0);
+    }
+}
+
+/// A path has at most one piece for each of its 2ⁿ bases, before it is noticed that it goes round.
+#[test]
+fn every_parametric_path_ends() {
+    let (count, seed) = asked(8000);
+    for (k, family) in FAMILIES.into_iter().enumerate() {
+        let mut random = Random(seed * 2000 + k as u64);
+        let (mut loops, mut longest) = (0, 0);
+        for _ in 0..count / FAMILIES.len() {
+            let (m, q) = problem(&mut random, family);
+            let dq = DVector::from_fn(q.len(), |_, _| random.integer(-2, 2) as f64);
+            if !finite(&m, &q) {
+                continue;
+            }
+            let lcp = Lcp::new(m, q).expect("finite");
+            let mut path = Parametric::new(&lcp, &dq, Settings::default()).expect("finite");
+            longest = longest.max(path.by_ref().count());
+            let end = path.end().expect("it has ended");
+            assert_ne!(*end, PathEnd::PivotLimit, "{family:?} {lcp:?} {dq:?}");
+            loops += usize::from(*end == PathEnd::Loop);
+        }
+        println!("{family:?}: {loops} loops, {longest} breakpoints at most");
+        assert!(longest <= 3 * 16, "{family:?}");
+    }
+}
