@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for n in [10, 50, 100, 200, 500] {
             let problem = make(n, &mut Random(n as u64));
             if let Some(directory) = &directory {
-                std::fs::write(directory.join(format!("{family}-{n}.txt")), text(&problem))?;
+                std::fs::write(directory.join(format!("{family}-{n}.txt")), problem.to_string())?;
             }
             let settings = Settings::default();
             let mut workspace = Workspace::new();
@@ -176,15 +176,6 @@ fn obstacle(n: usize, _: &mut Random) -> Lcp {
     let bump = |i: usize| 0.5 - 8.0 * ((i as f64 + 1.0) * h - 0.45).powi(2);
     let obstacle = DVector::from_fn(n, |i, _| bump(i));
     lcp(m.clone(), m * obstacle + DVector::from_element(n, h * h))
-}
-
-fn text(problem: &Lcp) -> String {
-    let mut out = format!("{}\n", problem.len());
-    let line = |values: Vec<String>| values.join(" ") + "\n";
-    for row in problem.matrix().row_iter() {
-        out += &line(row.iter().map(|m| format!("{m:e}")).collect());
-    }
-    out + &line(problem.vector().iter().map(|q| format!("{q:e}")).collect())
 }
 
 /// The mixing function of splitmix64: the same problems everywhere.

@@ -118,7 +118,7 @@ impl LcpError {
     }
 
     /// Refuses a block of another shape than (rows, columns), or with an entry that is not finite.
-    pub(super) fn check_block(
+    pub(crate) fn check_block(
         what: &'static str,
         block: &DMatrix<f64>,
         (needed_rows, needed_columns): (usize, usize),
@@ -131,7 +131,7 @@ impl LcpError {
     }
 
     /// Refuses a vector that has not `needed` entries, or one that is not finite.
-    pub(super) fn check_vector(what: &'static str, v: &DVector<f64>, needed: usize) -> Result<(), Self> {
+    pub(crate) fn check_vector(what: &'static str, v: &DVector<f64>, needed: usize) -> Result<(), Self> {
         if v.len() != needed {
             return Err(Self::Length { what, given: v.len(), needed });
         }

@@ -3,6 +3,7 @@
 //! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
 //! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
 
+use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::scaling::Scaling;
@@ -32,6 +33,21 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         nearly = nearly.or(proof);
     }
     nearly
+}
+
+impl Lcp {
+    /// Vectors y ≥ 0 that may prove that no x ≥ 0 has A x + b ≥ 0: one without a margin, then others further inside, if there are any.
+    pub(crate) fn contradictions<'a>(
+        a: &'a DMatrix<f64>,
+        b: &'a DVector<f64>,
+        settings: &'a Settings,
+    ) -> impl Iterator<Item = DVector<f64>> + 'a {
+        let vectors = move |margin| {
+            let y = least_violation(a, b, margin, settings).map(|program| program.y)?;
+            (y.dot(b) < 0.0).then_some(y)
+        };
+        MARGINS.into_iter().map_while(vectors).flat_map(|y| cleaned(&y).collect::<Vec<_>>())
+    }
 }
 
 /// A vertex of the dual program lies on its constraints, and rounding may put it beyond them. By a margin it is kept inside, where there is room.

@@ -52,13 +52,17 @@ pub struct MixedLcp {
 
 /// A solution of a [`MixedLcp`].
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct MixedSolution {
     /// u (m entries).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub u: DVector<f64>,
     /// z (n entries, none negative).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub z: DVector<f64>,
     /// w = D u + M z + q (n entries, none negative; exactly zero where z_i is basic).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
     /// Which z_i are basic.
     pub basis: Basis,
@@ -112,6 +116,12 @@ impl MixedLcp {
             whole.q.rows_mut(at, needed).copy_from(vector);
         }
         Ok(Self { whole, free })
+    }
+
+    /// ([A, C; D, M], (b, q)).
+    #[cfg(feature = "serde")]
+    pub(super) fn whole(&self) -> &Lcp {
+        &self.whole
     }
 
     /// The number m of free variables.

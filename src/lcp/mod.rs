@@ -73,6 +73,7 @@ mod enumerate;
 mod error;
 mod exclusion;
 mod farkas;
+mod given;
 mod kernel;
 mod ladder;
 mod lemke;
@@ -99,6 +100,8 @@ mod solution;
 mod solve;
 mod tolerances;
 mod workspace;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use basis::{Basis, Variable};
 pub use enumerate::AllSolutions;
@@ -113,3 +116,5 @@ pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
 pub use workspace::Workspace;
+#[cfg(feature = "serde")]
+pub(crate) use written::list;

@@ -12,6 +12,7 @@ use thiserror::Error;
 ///
 /// The first four say something about the problem; the last three say that nothing is known. Its `Display` is one line.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Outcome<S = Solution> {
     /// A solution was found and checked against the data given.
@@ -141,12 +142,20 @@ impl<S: fmt::Display> fmt::Display for Outcome<S> {
 /// For a [`MixedLcp`](super::MixedLcp) y has m + n entries, the first m of either sign, see
 /// [`MixedLcp::proves_infeasible`](super::MixedLcp::proves_infeasible).
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Certificate {
     /// The vector.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub y: DVector<f64>,
     /// Pivots made.
     pub pivots: usize,
+}
+
+impl Certificate {
+    pub(crate) fn new(y: DVector<f64>, pivots: usize) -> Self {
+        Self { y, pivots }
+    }
 }
 
 impl fmt::Display for Certificate {
@@ -165,9 +174,11 @@ impl fmt::Display for Certificate {
 ///
 /// The covering vector d is that of the settings or, by default, that of the balanced problem.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Ray {
     /// ẑ (n entries, none negative, the largest 1), in the caller's units.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
     /// ẑ₀ ≥ 0, at the scale of the direction.
     pub covering_rate: f64,
@@ -177,6 +188,7 @@ pub struct Ray {
 
 /// Why a solve broke down. The first three causes are settings that do not fit, the others lie in the arithmetic.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum BreakdownCause {
     /// The covering vector of the settings has another length than the problem.
@@ -212,6 +224,12 @@ pub enum BreakdownCause {
     /// of M z.
     #[error("the final basis is singular")]
     SingularBasis,
+    /// Newton's method, where one goes on from the complementarity problem, came no closer than this residual.
+    #[error("Newton's method came no closer than {residual:.1e}")]
+    NoConvergence {
+        /// The least residual that was reached.
+        residual: f64,
+    },
     /// The final basis was reached, but its point misses the tolerance for these residuals.
     #[error("the point of the final basis misses its tolerance, {0}")]
     Residual(Residuals),

@@ -16,6 +16,7 @@ use std::fmt;
 ///
 /// A z_j ≠ 0 whose column of M is zero counts as s_j = 1: no change of the rows can make up for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
     /// max_i |A u + C z + b|_i / a_i over the equality rows of a mixed problem; zero where there are none.

@@ -7,11 +7,14 @@ use std::fmt;
 
 /// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
     /// z (n entries, none negative).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub z: DVector<f64>,
     /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
     /// Which z_i are basic.
     pub basis: Basis,
@@ -27,6 +30,7 @@ pub struct Solution {
 /// A [`Solution`] that still lies in the memory of its [`Workspace`](super::Workspace) or
 /// [`Series`](super::Series); each field means what its namesake there means.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SolutionView<'a> {
     /// z (n entries, none negative).

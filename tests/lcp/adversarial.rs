@@ -2,7 +2,7 @@
 //!
 //! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` tries so many, and prints what came of each
 //! family.
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
+#![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Exact, Random};
 use grasp_lcp::lcp::{Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Settings};

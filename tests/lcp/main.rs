@@ -6,6 +6,7 @@ mod common;
 mod exact;
 mod farkas;
 mod fuzz;
+mod given;
 mod guaranteed;
 mod matrix_class;
 mod mixed;
