@@ -62,6 +62,7 @@
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
 //! | [`forms`] | kinematic and force form, what their rows mean |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
+//! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
@@ -93,6 +94,7 @@ pub mod energy;
 pub mod equilibrium;
 mod error;
 pub mod forms;
+pub mod friction;
 pub mod grasp;
 pub mod guide;
 pub mod lcp;

@@ -2,7 +2,12 @@
 //!
 //! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` tries so many, and prints what came of each
 //! family.
-#![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, clippy::cast_sign_loss, clippy::doc_markdown)]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    clippy::doc_markdown
+)]
 
 use crate::common::{Exact, Random};
 use grasp_lcp::lcp::{Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Settings};
@@ -117,7 +122,7 @@ pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVe
         }
         Family::Bits => {
             let any = |random: &mut Random| {
-                let x = f64::from_bits(random.next());
+                let x = f64::from_bits(random.bits());
                 if x.is_finite() { x } else { 0.0 }
             };
             (DMatrix::from_fn(n, n, |_, _| any(random)), DVector::from_fn(n, |_, _| any(random)))

@@ -6,7 +6,7 @@ use grasp_lcp::lcp::{Lcp, LcpError, MixedLcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 fn any(random: &mut Random) -> f64 {
-    let x = f64::from_bits(random.next());
+    let x = f64::from_bits(random.bits());
     if x.is_finite() { x } else { random.integer(-3, 3) as f64 }
 }
 

@@ -9,10 +9,10 @@
 )]
 #![allow(clippy::doc_markdown)]
 
-mod exact;
 pub(crate) mod published;
 
-pub(crate) use exact::Exact;
+pub(crate) use support::exact_lcp::Exact;
+pub(crate) use support::splitmix::Random;
 
 use num_bigint::BigInt;
 
@@ -39,27 +39,5 @@ impl Integers {
     pub(crate) fn exact(&self) -> Exact {
         let row = |row: &[i64]| row.iter().copied().map(BigInt::from).collect();
         Exact { m: self.m.chunks(self.n.max(1)).map(row).collect(), q: row(&self.q) }
-    }
-}
-
-/// A small deterministic generator, so that failures can be repeated.
-pub(crate) struct Random(pub(crate) u64);
-impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-    /// An integer between low and high, both included.
-    pub(crate) fn integer(&mut self, low: i64, high: i64) -> i64 {
-        low + (self.next() % (high - low + 1) as u64) as i64
-    }
-    pub(crate) fn uniform(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    pub(crate) fn normal(&mut self) -> f64 {
-        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
     }
 }

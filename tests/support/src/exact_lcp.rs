@@ -1,4 +1,4 @@
-//! A problem in whole numbers without bound: what rational arithmetic says of it.
+//! A complementarity problem in whole numbers without bound: what rational arithmetic says of it.
 
 use nalgebra::{DMatrix, DVector};
 use num_bigint::BigInt;
@@ -7,28 +7,30 @@ use num_traits::{One, Signed, Zero};
 
 /// M by rows, and q. Each row may have been multiplied by a power of two, which changes no solution z.
 #[derive(Debug, Clone)]
-pub(crate) struct Exact {
-    pub(crate) m: Vec<Vec<BigInt>>,
-    pub(crate) q: Vec<BigInt>,
+pub struct Exact {
+    /// M by rows.
+    pub m: Vec<Vec<BigInt>>,
+    /// One number for each row.
+    pub q: Vec<BigInt>,
 }
 
 /// x = m 2ᵉ with a whole number m.
 fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
-    let (exponent, mantissa) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let (exponent, mantissa) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)).cast_signed());
     let (m, e) = if exponent == 0 { (mantissa, -1074) } else { (mantissa | 1 << 52, exponent - 1075) };
     (if x < 0.0 { -m } else { m }, e)
 }
 
 impl Exact {
     /// The doubles given, to the last bit.
-    pub(crate) fn of(m: &DMatrix<f64>, q: &DVector<f64>) -> Self {
+    pub fn of(m: &DMatrix<f64>, q: &DVector<f64>) -> Self {
         let mut out = Self { m: Vec::new(), q: Vec::new() };
         for i in 0..q.len() {
             let row: Vec<(i64, i32)> = m.row(i).iter().chain([&q[i]]).map(|x| parts(*x)).collect();
             let lowest = row.iter().filter(|(m, _)| *m != 0).map(|(_, e)| *e).min().unwrap_or(0);
             let whole = |(m, e): &(i64, i32)| {
-                if *m == 0 { BigInt::zero() } else { BigInt::from(*m) << (e - lowest) as usize }
+                if *m == 0 { BigInt::zero() } else { BigInt::from(*m) << (e - lowest).unsigned_abs() }
             };
             let mut row: Vec<BigInt> = row.iter().map(whole).collect();
             out.q.push(row.pop().expect("q is the last"));
@@ -37,13 +39,13 @@ impl Exact {
         out
     }
 
-    pub(crate) fn len(&self) -> usize {
+    fn len(&self) -> usize {
         self.q.len()
     }
 
     /// Whether the problem has a solution at all: is { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } not empty for some α?
     /// Where the block of α is singular the simplex method decides.
-    pub(crate) fn is_solvable(&self) -> bool {
+    pub fn is_solvable(&self) -> bool {
         (0..1_u32 << self.len()).any(|alpha| {
             let indices: Vec<usize> = (0..self.len()).filter(|i| alpha >> i & 1 == 1).collect();
             match self.exact_point(&indices) {
@@ -54,55 +56,23 @@ impl Exact {
     }
 
     /// Whether { z ≥ 0, Mz + q ≥ 0 } is not empty.
-    pub(crate) fn is_feasible(&self) -> bool {
+    pub fn is_feasible(&self) -> bool {
         self.has_point((1 << self.len()) - 1, 0)
     }
 
     /// Whether there are z ≥ 0 with support in `support`, (Mz + q)_i = 0 for i in `equal`, Mz + q ≥ 0.
-    pub(crate) fn has_point(&self, support: u32, equal: u32) -> bool {
-        let n = self.len();
-        let columns: Vec<usize> = (0..n).filter(|i| support >> i & 1 == 1).collect();
-        let slacks: Vec<usize> = (0..n).filter(|i| equal >> i & 1 == 0).collect();
-        let width = columns.len() + slacks.len();
-        // Rows of M z − s = −q, with a right-hand side that is not negative; the artificial basis is implicit.
-        let mut rows: Vec<Vec<BigRational>> = (0..n)
-            .map(|i| {
-                let entries = columns.iter().map(|j| self.m[i][*j].clone());
-                let slack = slacks.iter().map(|s| BigInt::from(-i64::from(*s == i)));
-                let row = entries.chain(slack).chain([-&self.q[i]]);
-                let flip = self.q[i].is_positive();
-                row.map(|x| BigRational::from_integer(if flip { -x } else { x })).collect()
-            })
-            .collect();
-        let mut basic: Vec<Option<usize>> = vec![None; n];
-        loop {
-            let infeasibility = |c: usize| -> BigRational {
-                rows.iter().zip(&basic).filter(|(_, b)| b.is_none()).map(|(row, _)| row[c].clone()).sum()
-            };
-            if infeasibility(width).is_zero() {
-                return true;
-            }
-            // Bland's rule: the first column that helps, the smallest basic index among the rows that block.
-            let Some(enter) = (0..width).find(|c| infeasibility(*c).is_positive()) else { return false };
-            let leave = (0..n)
-                .filter(|r| rows[*r][enter].is_positive())
-                .min_by_key(|r| (&rows[*r][width] / &rows[*r][enter], basic[*r].map_or(usize::MAX, |b| b)))
-                .expect("the infeasibility is bounded below");
-            let scale = rows[leave][enter].clone();
-            rows[leave].iter_mut().for_each(|x| *x /= &scale);
-            let head = rows[leave].clone();
-            for r in (0..n).filter(|r| *r != leave) {
-                let f = rows[r][enter].clone();
-                if !f.is_zero() {
-                    rows[r].iter_mut().zip(&head).for_each(|(x, h)| *x -= &f * h);
-                }
-            }
-            basic[leave] = Some(enter);
-        }
+    pub fn has_point(&self, support: u32, equal: u32) -> bool {
+        let rational = |x: &BigInt| BigRational::from_integer(x.clone());
+        let columns: Vec<usize> = (0..self.len()).filter(|i| support >> i & 1 == 1).collect();
+        let row = |m: &Vec<BigInt>| columns.iter().map(|j| rational(&m[*j])).collect();
+        let rows: Vec<Vec<BigRational>> = self.m.iter().map(row).collect();
+        let q: Vec<BigRational> = self.q.iter().map(rational).collect();
+        let equal: Vec<bool> = (0..self.len()).map(|i| equal >> i & 1 == 1).collect();
+        is_feasible(&rows, &q, &equal)
     }
 
     /// The distinct solutions at regular bases.
-    pub(crate) fn regular_solutions(&self) -> Vec<Vec<BigRational>> {
+    pub fn regular_solutions(&self) -> Vec<Vec<BigRational>> {
         let mut points = Vec::new();
         for bits in 0..1_u32 << self.len() {
             let alpha: Vec<usize> = (0..self.len()).filter(|i| bits >> i & 1 == 1).collect();
@@ -119,7 +89,7 @@ impl Exact {
 
     /// The exact point of a regular M_αα, or `None` if it is singular: by elimination without fractions (E. H. Bareiss, Math.
     /// Comp. 22, 1968).
-    pub(crate) fn exact_point(&self, alpha: &[usize]) -> Option<Vec<BigRational>> {
+    pub fn exact_point(&self, alpha: &[usize]) -> Option<Vec<BigRational>> {
         let k = alpha.len();
         let row = |i: &usize| alpha.iter().map(|j| self.m[*i][*j].clone()).chain([-&self.q[*i]]).collect();
         let mut a: Vec<Vec<BigInt>> = alpha.iter().map(row).collect();
@@ -144,7 +114,7 @@ impl Exact {
     }
 
     /// M z + q.
-    pub(crate) fn slack(&self, z: &[BigRational]) -> Vec<BigRational> {
+    pub fn slack(&self, z: &[BigRational]) -> Vec<BigRational> {
         let row = |(m, q): (&Vec<BigInt>, &BigInt)| {
             let w = BigRational::from_integer(q.clone());
             m.iter().zip(z).filter(|(_, z)| !z.is_zero()).fold(w, |w, (m, z)| w + z * m)
@@ -153,8 +123,49 @@ impl Exact {
     }
 
     /// Whether z solves the problem exactly.
-    pub(crate) fn is_solution(&self, z: &[BigRational]) -> bool {
+    pub fn is_solution(&self, z: &[BigRational]) -> bool {
         !z.iter().any(Signed::is_negative)
             && self.slack(z).iter().zip(z).all(|(w, z)| !w.is_negative() && (z.is_zero() || w.is_zero()))
+    }
+}
+
+/// Whether some x ≥ 0 has (A x + b)_i = 0 where `equal[i]` and ≥ 0 elsewhere, by the simplex method.
+pub fn is_feasible(a: &[Vec<BigRational>], b: &[BigRational], equal: &[bool]) -> bool {
+    let count = a.first().map_or(0, Vec::len);
+    let slacks: Vec<usize> = (0..b.len()).filter(|i| !equal[*i]).collect();
+    let width = count + slacks.len();
+    // Rows of A x − s = −b, with a right-hand side that is not negative; the artificial basis is implicit.
+    let mut rows: Vec<Vec<BigRational>> = (0..b.len())
+        .map(|i| {
+            let slack = slacks.iter().map(|s| BigRational::from_integer(BigInt::from(-i64::from(*s == i))));
+            let row = a[i].iter().cloned().chain(slack).chain([-&b[i]]);
+            let flip = b[i].is_positive();
+            row.map(|x| if flip { -x } else { x }).collect()
+        })
+        .collect();
+    let mut basic: Vec<Option<usize>> = vec![None; b.len()];
+    loop {
+        let infeasibility = |c: usize| -> BigRational {
+            rows.iter().zip(&basic).filter(|(_, b)| b.is_none()).map(|(row, _)| row[c].clone()).sum()
+        };
+        if infeasibility(width).is_zero() {
+            return true;
+        }
+        // Bland's rule: the first column that helps, the smallest basic index among the rows that block.
+        let Some(enter) = (0..width).find(|c| infeasibility(*c).is_positive()) else { return false };
+        let leave = (0..b.len())
+            .filter(|r| rows[*r][enter].is_positive())
+            .min_by_key(|r| (&rows[*r][width] / &rows[*r][enter], basic[*r].map_or(usize::MAX, |b| b)))
+            .expect("the infeasibility is bounded below");
+        let scale = rows[leave][enter].clone();
+        rows[leave].iter_mut().for_each(|x| *x /= &scale);
+        let head = rows[leave].clone();
+        for r in (0..b.len()).filter(|r| *r != leave) {
+            let f = rows[r][enter].clone();
+            if !f.is_zero() {
+                rows[r].iter_mut().zip(&head).for_each(|(x, h)| *x -= &f * h);
+            }
+        }
+        basic[leave] = Some(enter);
     }
 }

@@ -1,0 +1,102 @@
+//! Proofs that no forces in the cones keep every contact from approaching.
+//!
+//! A vector y ≥ 0 of one weight for each contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N fulfil
+//!
+//! ```text
+//! a_N + μ ‖a_T‖ ≤ 0 at each contact,     q_Nᵀ y < 0:
+//! ```
+//!
+//! forces in the cones have aᵀr ≤ 0, so yᵀu_N = aᵀr + q_Nᵀy < 0, and some u_N is negative.
+
+use super::facets::Facets;
+use super::problem::{FrictionProblem, part};
+use crate::lcp::{self, Lcp};
+use crate::numerics::{ExactSum, rounding_of};
+use nalgebra::{DMatrix, DVector, SVector};
+use std::cmp::Ordering;
+use std::f64::consts::PI;
+
+/// Facets of the polygons around the cones from which a proof is sought.
+const AROUND: usize = 32;
+/// Of many contacts fewer facets are taken, so that they are no more than this together.
+const UNKNOWNS: usize = 512;
+/// Outside of these sizes a product may have lost digits by underflow, or overflow on the way.
+const KEPT: std::ops::Range<f64> = 1e-280..1e280;
+/// What a sum, rounded to a double, and two more operations may be off by.
+const ROUNDED: f64 = 1e-15;
+
+impl<const C: usize> FrictionProblem<C> {
+    /// Whether y (n entries) proves that there is no solution: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y has a_N + μ ‖a_T‖ ≤ 0 at each
+    /// contact. Then yᵀu_N < 0 whatever forces the cones contain.
+    ///
+    /// In the plane nothing is rounded. In space sums are not; what remains is a root, whose rounding is counted against the
+    /// proof, so a y that just fails may prove as much in exact arithmetic.
+    #[must_use]
+    pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
+        let n = self.len();
+        if y.len() != n || !y.iter().all(|y| y.is_finite() && *y >= 0.0) {
+            return false;
+        }
+        let weighed = |column: &[f64]| ExactSum::of_products((0..n).map(|i| (column[C * i], y[i])));
+        if weighed(self.q.as_slice()).sign() != Ordering::Less {
+            return false;
+        }
+        let columns: Vec<&[f64]> = self.w.as_slice().chunks_exact(C * n).collect();
+        columns.chunks_exact(C).zip(&self.mu).all(|(columns, mu)| {
+            if C == 2 {
+                return [1.0, -1.0].into_iter().all(|side| {
+                    edge(y, columns, C, side * mu).is_some_and(|sum| sum.sign() != Ordering::Greater)
+                });
+            }
+            let sums: Vec<(f64, i32)> = columns.iter().map(|column| weighed(column).leading()).collect();
+            let (normal, slips) = (sums[0], &sums[1..]);
+            if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
+                return normal.0 <= 0.0;
+            }
+            // Relative to the normal component, whatever its exponent.
+            let beside = |slip: &(f64, i32)| {
+                slip.0 / normal.0 * f64::from((slip.1 - normal.1).clamp(-2000, 1000)).exp2()
+            };
+            let slip = slips.iter().map(|slip| beside(slip).powi(2)).sum::<f64>().sqrt();
+            normal.0 < 0.0 && mu * slip * (1.0 + 8.0 * ROUNDED) <= 1.0
+        })
+    }
+
+    /// A vector that proves it: one contact by itself, or by linear programming with polygons around the cones.
+    pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
+        let n = self.len();
+        let count = if C == 2 { 2 } else { (UNKNOWNS / n.max(1)).clamp(4, AROUND) };
+        let facets = Facets::<C>::regular(count, &vec![0.0; n]);
+        // Polygons of this many corners contain the cone if they are so much larger.
+        let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + 8.0 * ROUNDED) };
+        let mut normals = DMatrix::zeros(n, count * n);
+        for (i, directions) in facets.0.iter().enumerate() {
+            for (j, d) in directions.iter().enumerate() {
+                let mut generator: SVector<f64, C> = d * (self.mu[i] * around);
+                generator[0] = 1.0;
+                let moved = self.w.columns(C * i, C) * generator;
+                for row in 0..n {
+                    normals[(row, count * i + j)] = moved[C * row];
+                }
+            }
+        }
+        let q = DVector::from_fn(n, |i, _| part::<C>(&self.q, i)[0]);
+        let single = (0..n).map(|i| DVector::from_fn(n, |k, _| if k == i { 1.0 } else { 0.0 }));
+        single.chain(Lcp::contradictions(&normals, &q, settings)).find(|y| self.proves_infeasible(y))
+    }
+}
+
+/// Σ y_i (W_iN + μ W_iT), without rounding: the product of y_i and μ is split into two doubles. `None` where it underflows.
+fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
+    let mut sum = ExactSum::new();
+    for (i, y) in y.iter().enumerate() {
+        let product = mu * y;
+        if product != 0.0 && [product, mu, *y].iter().any(|x| !KEPT.contains(&x.abs())) {
+            return None;
+        }
+        sum.add_product(columns[0][step * i], *y);
+        sum.add_product(columns[1][step * i], product);
+        sum.add_product(columns[1][step * i], rounding_of(product, mu, *y));
+    }
+    Some(sum)
+}

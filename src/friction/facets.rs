@@ -1,0 +1,119 @@
+//! The complementarity problem of a polygon in place of the cone.
+//!
+//! With facets along d_1 … d_k, r_T = Σ β_j d_j, and λ for the speed of the slip,
+//!
+//! ```text
+//! 0 ≤ u_N             ⟂ r_N ≥ 0
+//! 0 ≤ d_jᵀu_T + λ     ⟂ β_j ≥ 0
+//! 0 ≤ μ r_N − Σ β_j   ⟂ λ ≥ 0
+//! ```
+//!
+//! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if W is positive semidefinite.
+
+use super::problem::FrictionProblem;
+use crate::lcp::{Lcp, LcpError};
+use nalgebra::{DMatrix, DVector, SVector};
+use std::f64::consts::TAU;
+
+/// The facets of each contact: unit vectors without a normal component.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
+
+impl<const C: usize> Facets<C> {
+    /// In the plane the two directions, in space `count` of them, the first at this angle for each contact.
+    pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
+        let direction = |angle: f64| {
+            let mut d = SVector::zeros();
+            (d[1], d[C - 1]) = (angle.cos(), angle.sin());
+            d
+        };
+        let either = |sign: f64| {
+            let mut d = SVector::zeros();
+            d[1] = sign;
+            d
+        };
+        let of = |angle: &f64| -> Vec<SVector<f64, C>> {
+            if C == 2 {
+                return vec![either(1.0), either(-1.0)];
+            }
+            (0..count).map(|k| direction(angle + TAU * k as f64 / count as f64)).collect()
+        };
+        Self(angles.iter().map(of).collect())
+    }
+
+    /// Unknowns of each contact: r_N, its β, λ.
+    fn width(&self) -> usize {
+        self.0.first().map_or(0, |facets| facets.len() + 2)
+    }
+}
+
+/// A frictional contact problem with a polygon in place of each cone, see [`FrictionProblem::facets`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Polygon<const C: usize> {
+    /// The complementarity problem. Its unknowns are, contact by contact, r_N, one force along each facet, and the speed of the slip.
+    pub lcp: Lcp,
+    facets: Facets<C>,
+}
+
+impl<const C: usize> Polygon<C> {
+    /// The entries of r_N, or of u_N, in a vector of the complementarity problem.
+    pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
+        DVector::from_fn(self.facets.0.len(), |i, _| z[self.facets.width() * i])
+    }
+
+    /// The forces r (C n entries) of a solution z of the complementarity problem.
+    ///
+    /// # Panics
+    ///
+    /// If z has fewer entries than the complementarity problem.
+    #[must_use]
+    pub fn forces(&self, z: &DVector<f64>) -> DVector<f64> {
+        let width = self.facets.width();
+        let mut r = DVector::zeros(C * self.facets.0.len());
+        for (i, facets) in self.facets.0.iter().enumerate() {
+            let mut force = SVector::<f64, C>::zeros();
+            force[0] = z[width * i];
+            for (j, d) in facets.iter().enumerate() {
+                force += d * z[width * i + 1 + j];
+            }
+            r.fixed_rows_mut::<C>(C * i).copy_from(&force);
+        }
+        r
+    }
+}
+
+impl<const C: usize> FrictionProblem<C> {
+    /// The problem with `facets` facets in place of each cone, at least three; in the plane it is the problem itself, with two. The
+    /// polygon lies inside the cone.
+    ///
+    /// # Errors
+    ///
+    /// [`LcpError::MatrixEntry`] if a sum of entries of W leaves the range of double precision.
+    pub fn facets(&self, facets: usize) -> Result<Polygon<C>, LcpError> {
+        self.polygon(Facets::regular(facets.max(3), &vec![0.0; self.len()]))
+    }
+
+    pub(super) fn polygon(&self, facets: Facets<C>) -> Result<Polygon<C>, LcpError> {
+        let (n, width) = (self.len(), facets.width());
+        // Columns of the forces that one unknown makes, rows of the velocities that one slack sees.
+        let mut span = DMatrix::zeros(C * n, width * n);
+        for (i, facets) in facets.0.iter().enumerate() {
+            span[(C * i, width * i)] = 1.0;
+            for (j, d) in facets.iter().enumerate() {
+                span.view_mut((C * i, width * i + 1 + j), (C, 1)).copy_from(d);
+            }
+        }
+        let mut m = span.tr_mul(&(&self.w * &span));
+        let q = span.tr_mul(&self.q);
+        for i in 0..n {
+            let slip = width * i + width - 1;
+            m[(slip, width * i)] = self.mu[i];
+            for force in width * i + 1..slip {
+                m[(force, slip)] = 1.0;
+                m[(slip, force)] = -1.0;
+            }
+        }
+        Ok(Polygon { lcp: Lcp::new(m, q)?, facets })
+    }
+}

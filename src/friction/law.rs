@@ -1,0 +1,132 @@
+//! Coulomb's law between the force and the velocity of a contact, and how far a pair misses it.
+
+use super::problem::{FrictionProblem, part};
+use nalgebra::{DVector, SVector};
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum ContactState {
+    /// It carries no force.
+    Open,
+    /// It does not move.
+    Sticking,
+    /// It carries what friction can, against its slip.
+    Sliding,
+}
+
+/// How far forces r and velocities u = W r + q miss the law, as pure numbers.
+///
+/// Forces are measured by the force of their contact, velocities by the largest terms of a row of W r + q at it. Neither measure
+/// changes with the units of a contact. A force counts no more than the largest share that it has in the terms of any row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Residuals {
+    /// How fast contacts approach, u_N < 0.
+    pub approach: f64,
+    /// How far forces lie outside of their cones ‖r_T‖ ≤ μ r_N.
+    pub cone: f64,
+    /// How far r is from the projection of r − ρ û onto the cone, û = u + μ ‖u_T‖ n, with ρ = ‖r‖ over the size of the terms: zero
+    /// where the law holds.
+    pub law: f64,
+}
+
+impl Residuals {
+    /// The largest of the three; NaN if one of them is.
+    #[must_use]
+    pub fn max(&self) -> f64 {
+        let all = [self.approach, self.cone, self.law];
+        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
+    }
+}
+
+/// The tangential components.
+pub(super) fn tangent<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
+    let mut tangent = *v;
+    tangent[0] = 0.0;
+    tangent
+}
+
+/// The nearest point of the cone ‖x_T‖ ≤ μ x_N.
+fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
+    let slip = tangent(x);
+    let size = slip.norm();
+    if size <= mu * x[0] {
+        return *x;
+    }
+    if mu * size <= -x[0] {
+        return SVector::zeros();
+    }
+    let normal = (x[0] + mu * size) / (1.0 + mu * mu);
+    let mut out = slip * (mu * normal / size);
+    out[0] = normal;
+    out
+}
+
+impl<const C: usize> FrictionProblem<C> {
+    /// How well the forces r (C n entries) solve the problem. The residuals are infinite for a vector of another length or with entries
+    /// that are not finite.
+    #[must_use]
+    pub fn residuals(&self, r: &DVector<f64>) -> Residuals {
+        let unusable = Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
+        if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
+            return unusable;
+        }
+        let u = self.velocities(r);
+        let terms = self.w.abs() * r.abs() + self.q.abs();
+        if u.iter().chain(&terms).any(|x| !x.is_finite()) {
+            return unusable;
+        }
+        let mut out = Residuals { approach: 0.0, cone: 0.0, law: 0.0 };
+        for i in 0..self.len() {
+            let (force, velocity, mu) = (part::<C>(r, i), part::<C>(&u, i), self.mu[i]);
+            let size = part::<C>(&terms, i).amax();
+            if size > 0.0 {
+                out.approach = out.approach.max(-velocity[0] / size);
+            }
+            let pressed = force.norm();
+            if pressed == 0.0 {
+                continue;
+            }
+            let mut dilated = velocity;
+            dilated[0] += mu * tangent(&velocity).norm();
+            let rho = if size > 0.0 { pressed / size } else { 1.0 };
+            let missed = (force - projection(&(force - dilated * rho), mu)).norm() / pressed;
+            let share = self.share(i, &force, &terms);
+            let outside = (force - projection(&force, mu)).norm() / pressed;
+            out.cone = out.cone.max(outside.min(share));
+            out.law = out.law.max(missed.min(share));
+        }
+        out
+    }
+
+    /// The largest share that the force of contact i has in the terms of any row.
+    fn share(&self, i: usize, force: &SVector<f64, C>, terms: &DVector<f64>) -> f64 {
+        let columns = self.w.columns(C * i, C);
+        if columns.iter().all(|w| *w == 0.0) {
+            // No change of the rows can make up for it.
+            return 1.0;
+        }
+        let share =
+            |(row, a): (usize, &f64)| if *a > 0.0 { (columns.row(row) * force)[0].abs() / a } else { 0.0 };
+        terms.iter().enumerate().map(share).fold(0.0, f64::max)
+    }
+
+    /// What a contact does, by the side on which r − ρ u lies.
+    pub(super) fn state(
+        force: &SVector<f64, C>,
+        velocity: &SVector<f64, C>,
+        mu: f64,
+        rho: f64,
+    ) -> ContactState {
+        let tried = force - velocity * rho;
+        if tried[0] <= 0.0 {
+            ContactState::Open
+        } else if tangent(&tried).norm() <= mu * tried[0] && mu > 0.0 {
+            ContactState::Sticking
+        } else {
+            ContactState::Sliding
+        }
+    }
+}

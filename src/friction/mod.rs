@@ -1,0 +1,81 @@
+//! Frictional contact problems (W, q, μ), as they come from mechanics of many rigid or flexible bodies.
+//!
+//! Given n contacts in the plane (C = 2) or in space (C = 3), find forces r and velocities u with
+//!
+//! ```text
+//! u = W r + q,     and at each contact Coulomb's law between u_i and r_i:
+//!
+//!     open      r = 0,                                u_N ≥ 0
+//!     sticking  u = 0,                                ‖r_T‖ ≤ μ r_N
+//!     sliding   u_N = 0,   r_T = −μ r_N u_T / ‖u_T‖,  r_N ≥ 0
+//! ```
+//!
+//! This room knows nothing of grasps. It takes the problems of others, as Siconos, FCLIB and Pinocchio pose them, and lets them
+//! check this crate.
+//!
+//! | symbol | meaning | size |
+//! |---|---|---|
+//! | W | Delassus matrix: how forces change velocities; any real matrix | C n × C n |
+//! | q | velocities without contact forces | C n |
+//! | μ | friction of each contact, finite, not negative | n |
+//! | r, u | forces and relative velocities: of each contact the normal component first, then the tangential ones | C n |
+//!
+//! The normal points so that u_N > 0 separates and r_N > 0 presses. Any units do that fit: displacements in place of velocities, impulses
+//! in place of forces.
+//!
+//! The three cases are one condition, with û = u + μ ‖u_T‖ n: the dual cone of K = { ‖r_T‖ ≤ μ r_N } contains û, K contains r, and û ⟂ r
+//! (G. de Saxcé and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that leave out μ ‖u_T‖ n solve a convex problem in which
+//! sliding contacts lift off; it is in here.
+//!
+//! ```
+//! use grasp_lcp::friction::{ContactState, SpatialContacts};
+//! use nalgebra::{DMatrix, DVector};
+//!
+//! // A block on the floor is pushed sideways, harder than friction holds: W is the identity over its mass.
+//! let mass = 2.0;
+//! let problem = SpatialContacts::new(
+//!     DMatrix::identity(3, 3) / mass,
+//!     DVector::from_vec(vec![-9.81, 3.0, 4.0]),
+//!     vec![0.3],
+//! )?;
+//! let outcome = problem.solve();
+//! let solution = outcome.solution().expect("the floor carries it");
+//! assert_eq!(solution.states, [ContactState::Sliding]);
+//! let normal = 9.81 * mass;
+//! assert!((solution.r[0] - normal).abs() < 1e-12);
+//! assert!((solution.r[1] + 0.3 * normal * 0.6).abs() < 1e-12);
+//! # Ok::<(), grasp_lcp::friction::Error>(())
+//! ```
+//!
+//! # How it is solved
+//!
+//! With a polygon of facets in place of the cone it is a linear complementarity problem ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle,
+//! Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and the answer is exact. In space
+//! Newton's method goes on from there on the round cone (P. Alart and A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991).
+//! Where it does not arrive, the facets are turned to where the contacts slide, and it starts once more.
+//!
+//! W may be singular, as where contacts are redundant: forces are then one solution of many. W need not be symmetric.
+//!
+//! Whatever is called solved has been checked on the data given, see [`Residuals`]. That there is no solution is
+//! proved by a vector which [`FrictionProblem::proves_infeasible`] checks.
+
+// `problem` is checked input, `law` says how well a pair of force and velocity obeys it.
+// `facets` poses the complementarity problem, `newton` goes to the round cone, `solve` goes from one to the other.
+// `certificate` proves that there is no solution.
+
+mod certificate;
+mod error;
+mod facets;
+mod law;
+mod newton;
+mod problem;
+mod settings;
+mod solution;
+mod solve;
+
+pub use error::Error;
+pub use facets::Polygon;
+pub use law::{ContactState, Residuals};
+pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
+pub use settings::Settings;
+pub use solution::Solution;

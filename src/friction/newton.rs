@@ -1,0 +1,177 @@
+//! Newton's method on the round cone, for the piecewise smooth equations of P. Alart and A. Curnier.
+//!
+//! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
+//!
+//! ```text
+//! open      Π = 0
+//! sticking  Π = ζ
+//! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
+//! ```
+
+use super::law::{ContactState, tangent};
+use super::problem::{FrictionProblem, part};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+/// A pivot below this part of the largest one leaves its unknown where it is: forces of redundant contacts are not determined.
+const DEPENDENT: f64 = 1e-12;
+/// A step must take away this part of the share of the error that its length promises.
+const GAIN: f64 = 0.1;
+/// Shorter parts of a step than this are not tried.
+const SHORTEST: f64 = 1e-3;
+/// The error is rounding below this part of its terms.
+const ROUNDED: f64 = 2.0 * f64::EPSILON;
+/// Where no part of a step gains anything, rounding is reached if the error is below this part of its terms. Elsewhere the whole step is made.
+const NEARLY: f64 = 1e-12;
+
+/// A place on the way: forces, velocities, and what the law misses there.
+#[derive(Debug, Clone)]
+struct Place {
+    r: DVector<f64>,
+    u: DVector<f64>,
+    /// r − Π(ζ).
+    missed: DVector<f64>,
+    /// How large that is, and how large r and ρ u are: √(Σ ‖·‖² / ρ).
+    size: f64,
+    terms: f64,
+}
+
+/// Newton's method for one problem.
+pub(super) struct Newton<'a, const C: usize> {
+    problem: &'a FrictionProblem<C>,
+    /// ρ of each contact: the inverse of the largest entry of its block of W.
+    rho: Vec<f64>,
+}
+
+impl<'a, const C: usize> Newton<'a, C> {
+    pub(super) fn new(problem: &'a FrictionProblem<C>) -> Self {
+        let rho = |i: usize| {
+            let own = problem.w.fixed_view::<C, C>(C * i, C * i).amax();
+            let any = problem.w.rows(C * i, C).amax();
+            let size = if own > 0.0 { own } else { any };
+            if size > 0.0 { 1.0 / size } else { 1.0 }
+        };
+        Self { problem, rho: (0..problem.len()).map(rho).collect() }
+    }
+
+    /// The place that it comes to in so many steps, and how many it made.
+    pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
+        let mut here = self.place(r);
+        let mut made = 0;
+        while made < steps && here.size > ROUNDED * here.terms {
+            let Some(step) = self.step(&here) else { break };
+            made += 1;
+            let mut part = 1.0;
+            let mut next = self.place(&here.r + &step);
+            while next.size > (1.0 - GAIN * part) * here.size && part > SHORTEST {
+                part *= 0.5;
+                next = self.place(&here.r + &step * part);
+            }
+            if part <= SHORTEST {
+                if here.size <= NEARLY * here.terms {
+                    // Rounding is reached.
+                    break;
+                }
+                next = self.place(&here.r + &step);
+            }
+            here = next;
+        }
+        // What is left on an open contact is noise.
+        for (i, state) in self.states(&here.r, &here.u).into_iter().enumerate() {
+            if state == ContactState::Open {
+                here.r.fixed_rows_mut::<C>(C * i).fill(0.0);
+            }
+        }
+        (here.r, made)
+    }
+
+    /// What each contact does under these forces.
+    pub(super) fn states(&self, r: &DVector<f64>, u: &DVector<f64>) -> Vec<ContactState> {
+        (0..self.problem.len()).map(|i| self.state(i, &part(r, i), &part(u, i))).collect()
+    }
+
+    fn state(&self, i: usize, force: &SVector<f64, C>, velocity: &SVector<f64, C>) -> ContactState {
+        FrictionProblem::state(force, velocity, self.problem.mu[i], self.rho[i])
+    }
+
+    fn place(&self, r: DVector<f64>) -> Place {
+        let u = self.problem.velocities(&r);
+        let mut missed = r.clone();
+        let (mut size, mut terms) = (0.0, 0.0);
+        for i in 0..self.problem.len() {
+            let (force, velocity) = (part::<C>(&r, i), part::<C>(&u, i));
+            let tried = force - velocity * self.rho[i];
+            let answer = match self.state(i, &force, &velocity) {
+                ContactState::Open => SVector::zeros(),
+                ContactState::Sticking => tried,
+                ContactState::Sliding => {
+                    let slip = tangent(&tried);
+                    let length = slip.norm();
+                    let scale = if length > 0.0 { self.problem.mu[i] * tried[0] / length } else { 0.0 };
+                    let mut answer = slip * scale;
+                    answer[0] = tried[0];
+                    answer
+                }
+            };
+            let left = force - answer;
+            size += left.norm_squared() / self.rho[i];
+            terms += force.norm_squared() / self.rho[i] + velocity.norm_squared() * self.rho[i];
+            missed.fixed_rows_mut::<C>(C * i).copy_from(&left);
+        }
+        Place { r, u, missed, size: size.sqrt(), terms: terms.sqrt() }
+    }
+
+    /// The step to where the linearised equations hold; the shortest in the forces that they determine.
+    fn step(&self, here: &Place) -> Option<DVector<f64>> {
+        let size = here.r.len();
+        let mut jacobian = DMatrix::zeros(size, size);
+        for i in 0..self.problem.len() {
+            let (force, velocity) = (part::<C>(&here.r, i), part::<C>(&here.u, i));
+            let (mu, rho) = (self.problem.mu[i], self.rho[i]);
+            let tried = force - velocity * rho;
+            // dΠ/dζ of this contact.
+            let answers = match self.state(i, &force, &velocity) {
+                ContactState::Open => SMatrix::<f64, C, C>::zeros(),
+                ContactState::Sticking => SMatrix::identity(),
+                ContactState::Sliding => {
+                    let slip = tangent(&tried);
+                    let length = slip.norm();
+                    let mut answers = SMatrix::zeros();
+                    if length > 0.0 {
+                        let along = slip / length;
+                        answers =
+                            (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
+                        answers.column_mut(0).copy_from(&(along * mu));
+                        answers.row_mut(0).fill(0.0);
+                    }
+                    answers[(0, 0)] = 1.0;
+                    answers
+                }
+            };
+            // d(r − Π(r − ρ (W r + q))).
+            let rows = answers * self.problem.w.fixed_rows::<C>(C * i) * rho;
+            jacobian.fixed_rows_mut::<C>(C * i).copy_from(&rows);
+            let mut own = jacobian.fixed_view_mut::<C, C>(C * i, C * i);
+            own += SMatrix::<f64, C, C>::identity() - answers;
+        }
+        let step = least_squares(jacobian, &-&here.missed);
+        step.iter().all(|x| x.is_finite()).then_some(step)
+    }
+}
+
+/// A solution of A x ≈ b by column-pivoted QR, zero in the unknowns that A does not determine.
+fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
+    let size = b.len();
+    let qr = a.col_piv_qr();
+    let r = qr.r();
+    let mut c = b.clone();
+    qr.q_tr_mul(&mut c);
+    let largest = if size > 0 { r[(0, 0)].abs() } else { 0.0 };
+    let rank = (0..size).take_while(|k| r[(*k, *k)].abs() > DEPENDENT * largest).count();
+    let mut x = DVector::zeros(size);
+    let solved = r.view((0, 0), (rank, rank)).solve_upper_triangular(&c.rows(0, rank).into_owned());
+    if let Some(solved) = solved {
+        x.rows_mut(0, rank).copy_from(&solved);
+    }
+    qr.p().inv_permute_rows(&mut x);
+    x
+}

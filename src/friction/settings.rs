@@ -1,0 +1,44 @@
+//! Limits and tolerances.
+
+use crate::lcp;
+
+/// Limits and tolerances of a solve; [`Settings::default`] is right for almost every problem.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Settings {
+    /// Facets of the polygon from which Newton's method sets out in space (default 8, at least 3). More of them start closer to the
+    /// cone, and cost a larger complementarity problem.
+    pub facets: usize,
+    /// How often Newton's method starts again when it did not arrive, each time from half as many facets more, turned to where
+    /// contacts slide (default 4).
+    pub turns: usize,
+    /// Newton's steps from each start (default 30).
+    pub steps: usize,
+    /// Forces are called a solution only if all their [`Residuals`](super::Residuals) are at most this (default 1e-12).
+    pub tolerance: f64,
+    /// For the complementarity problem. Up to twelve rows, three contacts in the plane, all bases are tried at last.
+    pub lcp: lcp::Settings,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        let lcp = lcp::Settings::default().with_enumerate_up_to(12);
+        Self { facets: 8, turns: 4, steps: 30, tolerance: 1e-12, lcp }
+    }
+}
+
+impl Settings {
+    /// These settings with another number of facets, see [`Settings::facets`].
+    #[must_use]
+    pub fn with_facets(mut self, facets: usize) -> Self {
+        self.facets = facets;
+        self
+    }
+
+    /// These settings with another tolerance, see [`Settings::tolerance`].
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+}

@@ -1,0 +1,39 @@
+//! A solution.
+
+use super::law::{ContactState, Residuals};
+use nalgebra::DVector;
+use std::fmt;
+
+/// Forces and velocities that obey Coulomb's law.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Solution {
+    /// Forces r (C n entries): of each contact the normal component, then the tangential ones.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
+    pub r: DVector<f64>,
+    /// Velocities u = W r + q (C n entries).
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
+    pub u: DVector<f64>,
+    /// What each contact does (n entries). Where a contact is on the verge of two states, rounding says which is named.
+    pub states: Vec<ContactState>,
+    /// How far the law is missed, recomputed from the data given.
+    pub residuals: Residuals,
+    /// Pivots of Lemke's method.
+    pub pivots: usize,
+    /// Newton's steps.
+    pub steps: usize,
+}
+
+impl fmt::Display for Solution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = |state| self.states.iter().filter(|s| **s == state).count();
+        let [open, sticking, sliding] =
+            [ContactState::Open, ContactState::Sticking, ContactState::Sliding].map(count);
+        write!(
+            f,
+            "{open} open, {sticking} sticking, {sliding} sliding, residuals up to {:.1e}",
+            self.residuals.max()
+        )
+    }
+}

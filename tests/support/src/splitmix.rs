@@ -1,0 +1,30 @@
+//! Numbers without structure, the same on every machine.
+
+/// A small deterministic generator, so that failures can be repeated.
+pub struct Random(pub u64);
+impl Random {
+    /// The next 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut x = self.0;
+        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+    /// An integer between low and high, both included.
+    pub fn integer(&mut self, low: i64, high: i64) -> i64 {
+        low + (self.bits() % (high - low + 1).cast_unsigned()).cast_signed()
+    }
+    /// Such an integer as an index.
+    pub fn index(&mut self, low: usize, high: usize) -> usize {
+        low + usize::try_from(self.bits() % (high - low + 1) as u64).expect("below an index")
+    }
+    /// A number in [0, 1).
+    pub fn uniform(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// A normally distributed number.
+    pub fn normal(&mut self) -> f64 {
+        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
+    }
+}
