@@ -1,7 +1,7 @@
 //! How fast is the complementarity solver, and how exact?
 //!
 //! `cargo run --release --example lcp_benchmark` prints, for each family and size, the best time of several solves,
-//! the pivots and the largest scaled residual. With a directory as argument it also writes every problem there, as
+//! the pivots, the largest scaled residual, and what it costs to verify the solution (a dash where that fails). With a directory as argument it also writes every problem there, as
 //! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]
 
@@ -14,7 +14,10 @@ use std::time::Instant;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let directory = std::env::args().nth(1).map(PathBuf::from);
     let mut bits = 0_u64;
-    println!("{:<26} {:>5} {:>12} {:>7} {:>10}", "family", "n", "time (µs)", "pivots", "residual");
+    println!(
+        "{:<26} {:>5} {:>12} {:>7} {:>10} {:>14}",
+        "family", "n", "time (µs)", "pivots", "residual", "verified (µs)"
+    );
     for (family, make) in [
         ("definite", definite as fn(usize, &mut Random) -> Lcp),
         ("definite-uniform", definite_uniform),
@@ -37,10 +40,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                     residual = solution.residuals.max();
                 }
             });
+            let mut verified = "-".to_string();
             if let Answer::Solved(solution) = workspace.solve(&problem, &settings) {
+                if problem.verify(solution.basis).is_some() {
+                    let time = best_time(|| {
+                        black_box(problem.verify(solution.basis));
+                    });
+                    verified = format!("{time:.2}");
+                }
                 bits = solution.z.iter().fold(bits, |bits, z| bits.rotate_left(7) ^ z.to_bits());
             }
-            println!("{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e}", problem.len());
+            println!(
+                "{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}",
+                problem.len()
+            );
         }
     }
     // The same with and without the feature `simd`.

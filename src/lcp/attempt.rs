@@ -111,9 +111,7 @@ impl Workspace {
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp =
             Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
-        let basis = &kept.1;
-        let goes_on = self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok()
-            && self.path.cover_violations(lcp.m.as_slice(), VALUE_ROUNDING)
+        let goes_on = self.path.cover_violations(lcp.m.as_slice(), VALUE_ROUNDING)
             && self.path.cover_and_run(lcp.m.as_slice(), &sharp, limit) == End::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();
         if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::tolerances::{ZERO, sum_rounding};
-use crate::numerics::ExactSum;
+use crate::numerics::{ExactSum, times_power_of_two};
 use nalgebra::DVector;
 
 /// Whole numbers beyond this, 2⁵³, are no longer all doubles.
@@ -157,16 +157,6 @@ pub(super) enum Unknown {
 
 fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
-}
-
-/// x 2ᵏ, without leaving the range on the way to a number within it.
-fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
-    while k != 0 && x != 0.0 && x.is_finite() {
-        let step = k.clamp(-1000, 1000);
-        x *= f64::from(step).exp2();
-        k -= step;
-    }
-    x
 }
 
 /// A vector as it was computed; without the entries that are noise beside the largest; and the vectors of whole numbers that have its ratios but for

@@ -44,6 +44,9 @@
 //! recomputed from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`]
 //! tells what is tried next.
 //!
+//! Proofs that there is no solution are checked without rounding. That a solution exists where a basis says is proved on request, with bounds:
+//! [`Lcp::verify`].
+//!
 //! # Units, ties, cost
 //!
 //! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by
@@ -61,6 +64,7 @@
 // `problem` is checked input, `scaling` balances it, and a `dictionary` stands for one basis of it.
 // `path`, `lemke` and `refactor` walk through dictionaries and compute them afresh.
 // `point` and `conclusion` check the end of a path against the data.
+// `farkas` and `exclusion` prove without rounding that there is no solution, `verified` that there is one.
 // One `attempt` is one path with its end; the `ladder` goes from one attempt to the next.
 // The questions stand on top: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
 
@@ -99,6 +103,7 @@ mod settings;
 mod solution;
 mod solve;
 mod tolerances;
+mod verified;
 mod workspace;
 #[cfg(feature = "serde")]
 mod written;
@@ -115,6 +120,7 @@ pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
+pub use verified::Verified;
 pub use workspace::Workspace;
 #[cfg(feature = "serde")]
 pub(crate) use written::list;

@@ -62,6 +62,12 @@ impl ExactSum {
         }
     }
 
+    /// The sum as a double: within 2⁻⁵¹ of itself, or the smallest positive number; infinite beyond the largest.
+    pub(crate) fn rounded(&self) -> f64 {
+        let (x, k) = self.leading();
+        times_power_of_two(x, k)
+    }
+
     /// Its leading digits: `(x, k)` with the sum within a part 2⁻⁵² of `x 2ᵏ`, and x zero or 1 ≤ |x| < 2¹²⁸.
     pub(crate) fn leading(&self) -> (f64, i32) {
         let mut size = self.0;
@@ -80,6 +86,16 @@ impl ExactSum {
         let exponent = exponent - 64;
         (if negative { -(leading as f64) } else { leading as f64 }, exponent)
     }
+}
+
+/// x 2ᵏ, without leaving the range on the way to a number within it.
+pub(crate) fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
+    while k != 0 && x != 0.0 && x.is_finite() {
+        let step = k.clamp(-1000, 1000);
+        x *= f64::from(step).exp2();
+        k -= step;
+    }
+    x
 }
 
 /// The low and the high limb.

@@ -38,7 +38,7 @@ pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
-pub(crate) use exact_sum::ExactSum;
+pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;

@@ -15,3 +15,4 @@ mod parametric;
 mod published;
 mod scaling;
 mod settings;
+mod verified;
