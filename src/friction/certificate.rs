@@ -11,7 +11,7 @@
 use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, rounding_of};
+use crate::numerics::{ExactSum, rounding_of, times_power_of_two};
 use nalgebra::{DMatrix, DVector, SVector};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
@@ -54,10 +54,8 @@ impl<const C: usize> FrictionProblem<C> {
                 return normal.0 <= 0.0;
             }
             // Relative to the normal component, whatever its exponent.
-            let beside = |slip: &(f64, i32)| {
-                slip.0 / normal.0 * f64::from((slip.1 - normal.1).clamp(-2000, 1000)).exp2()
-            };
-            let slip = slips.iter().map(|slip| beside(slip).powi(2)).sum::<f64>().sqrt();
+            let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
+            let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + 8.0 * ROUNDED) <= 1.0
         })
     }

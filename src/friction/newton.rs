@@ -120,7 +120,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         Place { r, u, missed, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The step to where the linearised equations hold; the shortest in the forces that they determine.
+    /// The step to where the linearised equations hold, zero in forces that they do not determine.
     fn step(&self, here: &Place) -> Option<DVector<f64>> {
         let size = here.r.len();
         let mut jacobian = DMatrix::zeros(size, size);

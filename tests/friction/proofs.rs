@@ -1,8 +1,10 @@
 //! Where some contact approaches whatever the forces, weights of the contacts prove it.
 
-use grasp_lcp::friction::{PlanarContacts, SpatialContacts};
+use grasp_lcp::friction::{FrictionProblem, PlanarContacts, SpatialContacts};
 use grasp_lcp::lcp::Outcome;
 use nalgebra::{DMatrix, DVector};
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, Signed, Zero};
 use support::splitmix::Random;
 
 /// A body between two walls that close in on it: u_N of one is that of the other with the opposite sign, less the closing.
@@ -23,23 +25,26 @@ fn closing_walls_cannot_be_kept_apart() {
     assert!(half(-0.1).solve().solution().is_some());
 }
 
-/// A wedge between two inclined walls jams if friction spans the angle between them, and is pushed out by closing walls if not.
+/// A wedge between two walls that close in is pushed out as long as μ < tan α. With more friction it jams: it can neither stick nor
+/// slide, and each combination of states is excluded.
+///
+/// In units in which all numbers are whole, sin α = 7/25: with u_N = 7 v_y − 25 = 0 at both walls and v_y = 2 (7 − 24 μ) r_N.
 #[test]
 fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
-    let incline = 0.2_f64;
     let wedge = |mu: f64| {
-        let (sin, cos) = incline.sin_cos();
-        // Normals (±cos, sin), tangents (−sin, ±cos), as seen of (v_x, v_y).
-        let h = DMatrix::from_row_slice(4, 2, &[cos, sin, -sin, cos, -cos, sin, sin, cos]);
-        PlanarContacts::new(&h * h.transpose(), DVector::from_vec(vec![-1.0, 0.0, -1.0, 0.0]), vec![mu; 2])
-            .expect("finite")
+        // Normals (±24, 7), tangents (−7, 24) and (7, 24), as seen of (v_x, v_y).
+        let h = DMatrix::from_row_slice(4, 2, &[24.0, 7.0, -7.0, 24.0, -24.0, 7.0, 7.0, 24.0]);
+        let q = DVector::from_vec(vec![-25.0, 0.0, -25.0, 0.0]);
+        PlanarContacts::new(&h * h.transpose(), q, vec![mu; 2]).expect("finite").solve()
     };
-    let slips = wedge(0.9 * incline.tan()).solve();
-    assert!(slips.solution().is_some_and(|solution| solution.residuals.max() < 1e-13), "{slips}");
-    // The relation u_N1 + u_N2 = 2 sin v_y leaves a way out as long as v_y may grow: no weights prove anything.
-    let jams = wedge(1.1 * incline.tan());
-    let outcome = jams.solve();
-    assert!(outcome.solution().is_none() || outcome.solution().unwrap().residuals.max() < 1e-12, "{outcome}");
+    let slips = wedge(0.25);
+    let solution = slips.solution().expect("it slips out");
+    let pressed = 25.0 / 7.0 / (2.0 * (7.0 - 24.0 * 0.25));
+    for normal in [solution.r[0], solution.r[2]] {
+        assert!((normal / pressed - 1.0).abs() < 1e-13, "{normal} {pressed}");
+    }
+    let jams = wedge(0.375);
+    assert!(matches!(jams, Outcome::NoBasis { .. }), "{jams}");
 }
 
 /// Immovable contacts: W = 0.
@@ -73,4 +78,65 @@ fn no_proof_of_what_is_solved() {
         }
     }
     assert!(tried > 200, "{tried}");
+}
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_f64(x).expect("finite")
+}
+
+/// The same in rationals: a_N ≤ 0, μ² a_T·a_T ≤ a_N², q_Nᵀy < 0, by a relative margin.
+fn proves<const C: usize>(problem: &FrictionProblem<C>, y: &DVector<f64>, margin: f64) -> bool {
+    let n = y.len();
+    let sum = |column: &dyn Fn(usize) -> f64| {
+        (0..n).fold(BigRational::zero(), |sum, i| sum + exact(column(i)) * exact(y[i]))
+    };
+    let (w, q) = (problem.matrix(), problem.vector());
+    sum(&|i| q[C * i]).is_negative()
+        && (0..n).all(|j| {
+            let a: Vec<BigRational> = (0..C).map(|k| sum(&|i| w[(C * i, C * j + k)])).collect();
+            let slip: BigRational = a[1..].iter().map(|a| a * a).sum();
+            let mu = exact(problem.friction()[j]);
+            !a[0].is_positive() && &mu * &mu * slip * exact(1.0 + margin) <= &a[0] * &a[0]
+        })
+}
+
+fn a_vector_proves_what_rationals_say<const C: usize>(seed: u64) {
+    let mut random = Random(seed);
+    let mut proofs = 0;
+    for trial in 0..4000 {
+        let decades = [0, 1, 30, 140][trial % 4];
+        let wild = |random: &mut Random| {
+            let exponent = i32::try_from(random.integer(-decades, decades)).expect("small");
+            let x = if random.integer(0, 3) == 0 { random.integer(-2, 2) as f64 } else { random.normal() };
+            x * 10f64.powi(exponent)
+        };
+        let n = random.index(1, 3);
+        let mut w = DMatrix::from_fn(C * n, C * n, |_, _| wild(&mut random));
+        for i in 0..n {
+            for j in 0..n {
+                w[(C * i, C * j)] = -w[(C * i, C * j)].abs();
+            }
+        }
+        let mut q = DVector::from_fn(C * n, |_, _| wild(&mut random));
+        q[0] = -q[0].abs();
+        let mu = (0..n).map(|_| (0.3 * wild(&mut random)).abs()).collect();
+        let y = DVector::from_fn(n, |_, _| wild(&mut random).abs());
+        let problem = FrictionProblem::<C>::new(w, q, mu).expect("finite");
+        let told = problem.proves_infeasible(&y);
+        assert!(!told || proves(&problem, &y, 0.0), "{problem:?} {y}");
+        let extreme = y.iter().chain(problem.friction()).any(|x| *x != 0.0 && !(1e-130..1e130).contains(x));
+        assert!(told || extreme || !proves(&problem, &y, 1e-12), "{problem:?} {y}");
+        proofs += usize::from(told);
+    }
+    assert!(proofs > 200, "{proofs}");
+}
+
+#[test]
+fn a_vector_proves_in_the_plane_what_rationals_say() {
+    a_vector_proves_what_rationals_say::<2>(83);
+}
+
+#[test]
+fn a_vector_proves_in_space_what_rationals_say() {
+    a_vector_proves_what_rationals_say::<3>(84);
 }

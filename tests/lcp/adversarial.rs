@@ -10,7 +10,7 @@
 )]
 
 use crate::common::{Exact, Random};
-use grasp_lcp::lcp::{Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Settings};
+use grasp_lcp::lcp::{Basis, Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Series, Settings};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
 use num_traits::FromPrimitive;
@@ -276,9 +276,21 @@ fn no_answer_says_more_than_is_known() {
                 continue;
             }
             let lcp = Lcp::new(m, q).expect("finite");
-            let outcome = lcp.solve();
-            if let Err(fault) = judge(&lcp, &outcome, &mut tally) {
-                panic!("{fault} of {family:?}: {lcp:?} {outcome:?}");
+            let n = lcp.len();
+            let start = Basis::from_indices(n, (0..n).filter(|_| random.integer(0, 1) == 0));
+            let mut series = Series::new(lcp.matrix().clone(), Settings::default()).expect("finite");
+            let other = DVector::from_fn(n, |_, _| random.integer(-2, 2) as f64);
+            drop(series.solve(&other));
+            let outcomes = [
+                lcp.solve(),
+                lcp.solve_from(&start, &Settings::default()),
+                series.solve(lcp.vector()).expect("finite").into_outcome(),
+            ];
+            let mut others = Tally::default();
+            for (k, outcome) in outcomes.iter().enumerate() {
+                if let Err(fault) = judge(&lcp, outcome, if k == 0 { &mut tally } else { &mut others }) {
+                    panic!("{fault} of {family:?}: {lcp:?} {outcome:?}");
+                }
             }
         }
         println!("{family:?}: {tally:?}");
