@@ -23,13 +23,14 @@ const ROUNDED: f64 = 2.0 * f64::EPSILON;
 /// Where no part of a step gains anything, rounding is reached if the error is below this part of its terms. Elsewhere the whole step is made.
 const NEARLY: f64 = 1e-12;
 
-/// A place on the way: forces, velocities, and what the law misses there.
+/// A place on the way: forces, and what the law misses there.
 #[derive(Debug, Clone)]
-struct Place {
+struct Place<const C: usize> {
     r: DVector<f64>,
-    u: DVector<f64>,
     /// r − Π(ζ).
     missed: DVector<f64>,
+    /// How Π of each contact changes with its ζ.
+    changes: Vec<SMatrix<f64, C, C>>,
     /// How large that is, and how large r and ρ u are: √(Σ ‖·‖² / ρ).
     size: f64,
     terms: f64,
@@ -75,12 +76,6 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             here = next;
         }
-        // What is left on an open contact is noise.
-        for (i, state) in self.states(&here.r, &here.u).into_iter().enumerate() {
-            if state == ContactState::Open {
-                here.r.fixed_rows_mut::<C>(C * i).fill(0.0);
-            }
-        }
         (here.r, made)
     }
 
@@ -93,65 +88,62 @@ impl<'a, const C: usize> Newton<'a, C> {
         FrictionProblem::state(force, velocity, self.problem.mu[i], self.rho[i])
     }
 
-    fn place(&self, r: DVector<f64>) -> Place {
+    fn place(&self, r: DVector<f64>) -> Place<C> {
         let u = self.problem.velocities(&r);
         let mut missed = r.clone();
+        let mut changes = Vec::with_capacity(self.problem.len());
         let (mut size, mut terms) = (0.0, 0.0);
-        for i in 0..self.problem.len() {
+        for (i, rho) in self.rho.iter().enumerate() {
             let (force, velocity) = (part::<C>(&r, i), part::<C>(&u, i));
-            let tried = force - velocity * self.rho[i];
-            let answer = match self.state(i, &force, &velocity) {
-                ContactState::Open => SVector::zeros(),
-                ContactState::Sticking => tried,
-                ContactState::Sliding => {
-                    let slip = tangent(&tried);
-                    let length = slip.norm();
-                    let scale = if length > 0.0 { self.problem.mu[i] * tried[0] / length } else { 0.0 };
-                    let mut answer = slip * scale;
-                    answer[0] = tried[0];
-                    answer
-                }
-            };
+            let (answer, change) = self.answer(i, &force, &velocity);
             let left = force - answer;
-            size += left.norm_squared() / self.rho[i];
-            terms += force.norm_squared() / self.rho[i] + velocity.norm_squared() * self.rho[i];
+            size += left.norm_squared() / rho;
+            terms += force.norm_squared() / rho + velocity.norm_squared() * rho;
             missed.fixed_rows_mut::<C>(C * i).copy_from(&left);
+            changes.push(change);
         }
-        Place { r, u, missed, size: size.sqrt(), terms: terms.sqrt() }
+        Place { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
+    }
+
+    /// Π(ζ) of a contact, and how it changes with ζ.
+    fn answer(
+        &self,
+        i: usize,
+        force: &SVector<f64, C>,
+        velocity: &SVector<f64, C>,
+    ) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
+        let tried = force - velocity * self.rho[i];
+        match self.state(i, force, velocity) {
+            ContactState::Open => (SVector::zeros(), SMatrix::zeros()),
+            ContactState::Sticking => (tried, SMatrix::identity()),
+            ContactState::Sliding => {
+                let (mu, slip) = (self.problem.mu[i], tangent(&tried));
+                let length = slip.norm();
+                let mut change = SMatrix::zeros();
+                let mut answer = SVector::zeros();
+                if length > 0.0 {
+                    let along = slip / length;
+                    answer = along * (mu * tried[0]);
+                    change = (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
+                    change.column_mut(0).copy_from(&(along * mu));
+                    change.row_mut(0).fill(0.0);
+                }
+                (answer[0], change[(0, 0)]) = (tried[0], 1.0);
+                (answer, change)
+            }
+        }
     }
 
     /// The step to where the linearised equations hold, zero in forces that they do not determine.
-    fn step(&self, here: &Place) -> Option<DVector<f64>> {
+    fn step(&self, here: &Place<C>) -> Option<DVector<f64>> {
         let size = here.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
-        for i in 0..self.problem.len() {
-            let (force, velocity) = (part::<C>(&here.r, i), part::<C>(&here.u, i));
-            let (mu, rho) = (self.problem.mu[i], self.rho[i]);
-            let tried = force - velocity * rho;
-            // dΠ/dζ of this contact.
-            let answers = match self.state(i, &force, &velocity) {
-                ContactState::Open => SMatrix::<f64, C, C>::zeros(),
-                ContactState::Sticking => SMatrix::identity(),
-                ContactState::Sliding => {
-                    let slip = tangent(&tried);
-                    let length = slip.norm();
-                    let mut answers = SMatrix::zeros();
-                    if length > 0.0 {
-                        let along = slip / length;
-                        answers =
-                            (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
-                        answers.column_mut(0).copy_from(&(along * mu));
-                        answers.row_mut(0).fill(0.0);
-                    }
-                    answers[(0, 0)] = 1.0;
-                    answers
-                }
-            };
+        for (i, change) in here.changes.iter().enumerate() {
             // d(r − Π(r − ρ (W r + q))).
-            let rows = answers * self.problem.w.fixed_rows::<C>(C * i) * rho;
+            let rows = change * self.problem.w.fixed_rows::<C>(C * i) * self.rho[i];
             jacobian.fixed_rows_mut::<C>(C * i).copy_from(&rows);
             let mut own = jacobian.fixed_view_mut::<C, C>(C * i, C * i);
-            own += SMatrix::<f64, C, C>::identity() - answers;
+            own += SMatrix::<f64, C, C>::identity() - change;
         }
         let step = least_squares(jacobian, &-&here.missed);
         step.iter().all(|x| x.is_finite()).then_some(step)

@@ -1,7 +1,7 @@
 //! From the polygon to the round cone.
 
 use super::facets::{Facets, Polygon};
-use super::law::tangent;
+use super::law::{ContactState, tangent};
 use super::newton::Newton;
 use super::problem::{FrictionProblem, part};
 use super::settings::Settings;
@@ -52,6 +52,13 @@ impl<const C: usize> FrictionProblem<C> {
         attempt.none(first)
     }
 }
+
+/// Residuals up to this are rounding.
+const ROUNDING: f64 = 1e-15;
+/// Above it the velocities that the law misses may be this part of the largest of q.
+const KNOWN: f64 = 1e-6;
+/// Below this part of the terms of W r the largest q is lost in them.
+const LOST: f64 = 1e-11;
 
 /// What has been tried so far.
 struct Attempt<'a, const C: usize> {
@@ -112,13 +119,24 @@ impl<const C: usize> Attempt<'_, C> {
     }
 
     /// These forces as a solution, if they are one.
-    fn settled(&self, r: DVector<f64>) -> Option<Solution> {
+    fn settled(&self, mut r: DVector<f64>) -> Option<Solution> {
+        let states = self.newton.states(&r, &self.problem.velocities(&r));
+        // What is left on an open contact is noise.
+        for (i, _) in states.iter().enumerate().filter(|(_, state)| **state == ContactState::Open) {
+            r.fixed_rows_mut::<C>(C * i).fill(0.0);
+        }
         let residuals = self.problem.residuals(&r);
         if residuals.max().is_nan() || residuals.max() > self.settings.tolerance {
             return None;
         }
+        // Beside forces without bound q is lost, and any would do.
+        let terms = (self.problem.w.abs() * r.abs()).amax();
+        if residuals.max() > ROUNDING && residuals.max() * terms > KNOWN * self.problem.q.amax()
+            || terms > 0.0 && self.problem.q.amax() <= LOST * terms
+        {
+            return None;
+        }
         let u = self.problem.velocities(&r);
-        let states = self.newton.states(&r, &u);
         Some(Solution { r, u, states, residuals, pivots: self.pivots, steps: self.steps })
     }
 

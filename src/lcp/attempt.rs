@@ -9,7 +9,7 @@ use super::lemke::End;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
-use super::tolerances::{COARSE, VALUE_ROUNDING};
+use super::tolerances::{VALUE_ROUNDING, residual_rounding};
 use super::workspace::Workspace;
 
 /// So many times a path is taken up again where rounding has led it to a basis that is not
@@ -18,6 +18,8 @@ use super::workspace::Workspace;
 /// Each time costs one elimination. A path that misses thrice has met a basis too close to
 /// singular.
 const RESUMPTIONS: usize = 3;
+/// So many pivots take near-ties apart, or nothing does: in large degenerate problems such a path would go on for long.
+const SHARPENING: usize = 16;
 
 impl Workspace {
     /// Balances a problem in the place of the one before.
@@ -105,14 +107,19 @@ impl Workspace {
     /// small values for noise. Neither is done again, and the better of the two points is kept. That is another path, which is
     /// not followed where one path only is asked for.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
-        let Some(coarse) = self.residuals.filter(|r| r.negative_w > COARSE && settings.retries > 0) else {
-            return;
+        let coarse = match self.residuals {
+            Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
+            _ => return,
         };
+        let m = lcp.m.as_slice();
+        if !self.path.cover_violations(m, VALUE_ROUNDING) {
+            return;
+        }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp =
             Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
-        let goes_on = self.path.cover_violations(lcp.m.as_slice(), VALUE_ROUNDING)
-            && self.path.cover_and_run(lcp.m.as_slice(), &sharp, limit) == End::Complementary
+        let limit = limit.min(self.path.pivots + SHARPENING);
+        let goes_on = self.path.cover_and_run(m, &sharp, limit) == End::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();
         if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {
             (self.point, self.basis, self.degenerate) = kept;

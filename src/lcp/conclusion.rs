@@ -205,9 +205,7 @@ impl Workspace {
             BreakdownCause::Overflow
         } else if !residuals.within(settings.residual_tolerance) {
             BreakdownCause::Residual(residuals)
-        } else if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row)
-            || self.point.is_noise(lcp, self.basis.iter())
-        {
+        } else if ignores_q(residuals, lcp.q.as_slice(), &self.point.terms, &self.path.scaling.row) {
             BreakdownCause::SingularBasis
         } else {
             self.degenerate = self.point.settle_slacks(&self.basis) | self.vanishing.contains(&true);

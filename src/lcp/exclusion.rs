@@ -55,21 +55,21 @@ impl Judge<'_> {
 
     /// Rows of the inverse of a block, for the conditions that its point breaks most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
-        let (n, k) = (self.q.len(), alpha.len());
-        let block = DMatrix::from_fn(k, k, |i, j| self.m[(alpha[i], alpha[j])]);
-        let rhs = DVector::from_fn(k, |i, _| -self.q[alpha[i]]);
+        let (n, size) = (self.q.len(), alpha.len());
+        let block = DMatrix::from_fn(size, size, |i, j| self.m[(alpha[i], alpha[j])]);
+        let rhs = DVector::from_fn(size, |i, _| -self.q[alpha[i]]);
         let Some(z) = solved(&block, &rhs) else { return false };
         let transposed = block.transpose();
-        let row = |i: usize| DVector::from_fn(k, |j, _| self.m[(i, alpha[j])]);
+        let row = |i: usize| DVector::from_fn(size, |j, _| self.m[(i, alpha[j])]);
         let w = |i: usize| self.q[i] + row(i).dot(&z);
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
-        let mut broken: Vec<_> = (0..k).map(|j| (z[j], Broken::Unknown(j))).chain(outside).collect();
+        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Unknown(j))).chain(outside).collect();
         broken.retain(|(value, _)| *value < 0.0);
         broken.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
         broken.into_iter().take(TRIED).any(|(value, which)| {
             let push = if reach > 0.0 { USED_UP * -value / reach } else { USED_UP };
-            let mut target = DVector::from_element(k, -push);
+            let mut target = DVector::from_element(size, -push);
             let mut v = DVector::zeros(n);
             match which {
                 Broken::Unknown(j) => target[j] -= 1.0,

@@ -77,8 +77,8 @@ pub struct Settings {
     /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
     /// that reached no end.
     ///
-    /// With at least one, a solution whose slacks are negative by more than 1e-14 of their terms is carried on to where they are
-    /// not, if the path leads there.
+    /// With at least one, a solution whose slacks are negative by more than rounding is carried on to where they are not, if the
+    /// path leads there.
     ///
     /// It guards against rays on solvable problems, which other paths often avoid. The retries are
     /// fixed, so a problem takes the paths that it took before. 0 follows one path only; more than

@@ -19,12 +19,6 @@ pub(super) const ZERO: f64 = 1e-13;
 /// for factorisations; larger, digits are given away that the data still hold.
 pub(super) const SOUND: f64 = 1e-13;
 
-/// Slacks of a solution that are negative by more than this part of their terms have the wrong sign: some fifty roundings.
-///
-/// The path is then taken up again, with near-ties apart. Smaller, paths of ordinary problems are taken up again for noise;
-/// larger, the basis of a solution is not that of the exact one where large terms cancel.
-pub(super) const COARSE: f64 = 1e-14;
-
 /// The value of a basic variable may carry this part of the largest term that has gone into it.
 ///
 /// It is the rounding of some sixteen operations on that term. Smaller, exact ties come apart and

@@ -92,8 +92,10 @@ impl Lcp {
         (0..n).all(|i| basis.contains(i) || holds(i) || self.is_settled(i, alpha)).then_some(verified)
     }
 
-    /// Whether w_i is the same for all z_α that the basis allows: q_i ≥ 0, where its row has no entries there, or zero, where its row is one
-    /// of those that vanish or the negative of one, as the two directions of a friction force have it.
+    /// Whether w_i is the same for all z_α that the basis allows, and not negative.
+    ///
+    /// It is q_i where its row has no entries there. It is zero where its row is one of those that vanish, or the negative of one: the
+    /// two directions of a friction force have such rows.
     fn is_settled(&self, i: usize, alpha: &[usize]) -> bool {
         let alike = |j: usize, sign: f64| {
             self.q[i] == sign * self.q[j] && alpha.iter().all(|k| self.m[(i, *k)] == sign * self.m[(j, *k)])
@@ -151,20 +153,20 @@ impl<'a> Block<'a> {
             rows.swap_remove(row);
             columns.swap_remove(column);
         }
-        let k = columns.len();
-        let block = DMatrix::from_fn(k, k, |i, j| lcp.m[(rows[i], columns[j])]);
+        let size = columns.len();
+        let block = DMatrix::from_fn(size, size, |i, j| lcp.m[(rows[i], columns[j])]);
         let mut scaling = Scaling::default();
-        scaling.balance(k, block.as_slice(), &vec![0.0; k]);
-        let a = DMatrix::from_fn(k, k, |i, j| block[(i, j)] * scaling.row[i] * scaling.column[j]);
+        scaling.balance(size, block.as_slice(), &vec![0.0; size]);
+        let a = DMatrix::from_fn(size, size, |i, j| block[(i, j)] * scaling.row[i] * scaling.column[j]);
         // Powers of two round nothing unless they lead out of the normal numbers.
         let kept = |i: usize, j: usize| {
             let halfway = block[(i, j)] * scaling.row[i];
             block[(i, j)] == 0.0 || halfway.is_normal() && a[(i, j)].is_normal()
         };
-        if !(0..k).all(|i| (0..k).all(|j| kept(i, j))) {
+        if !(0..size).all(|i| (0..size).all(|j| kept(i, j))) {
             return None;
         }
-        let inverse = if k == 0 { a.clone() } else { a.clone().lu().try_inverse()? };
+        let inverse = if size == 0 { a.clone() } else { a.clone().lu().try_inverse()? };
         Some(Self { lcp, rows, columns, inverse, a, scaling })
     }
 
@@ -192,11 +194,11 @@ impl<'a> Block<'a> {
     }
 
     fn refined(&self) -> Twice {
-        let k = self.columns.len();
-        let mut point = (DVector::zeros(k), DVector::zeros(k));
+        let size = self.columns.len();
+        let mut point = (DVector::zeros(size), DVector::zeros(size));
         for _ in 0..REFINEMENTS {
             let step = self.step(&self.residual(&point));
-            for i in 0..k {
+            for i in 0..size {
                 // The sum of both stays the sum of both: what the first cannot hold goes to the second.
                 let rest = point.1[i] + step[i];
                 let high = point.0[i] + rest;
@@ -209,13 +211,13 @@ impl<'a> Block<'a> {
 
     /// Bounds of |z − ẑ|, in the caller's units; `None` if the block may be singular.
     fn errors(&self, point: &Twice) -> Option<DVector<f64>> {
-        let k = self.columns.len();
-        let rounding = (k as f64 + 4.0) * f64::EPSILON;
+        let size = self.columns.len();
+        let rounding = (size as f64 + 4.0) * f64::EPSILON;
         let product = &self.inverse * &self.a;
         let sizes = self.inverse.abs() * self.a.abs();
         // Row sums of G, with the rounding of the product.
-        let g = DVector::from_fn(k, |i, _| {
-            let row = (0..k).map(|j| {
+        let g = DVector::from_fn(size, |i, _| {
+            let row = (0..size).map(|j| {
                 (product[(i, j)] - f64::from(u8::from(i == j))).abs() + rounding * sizes[(i, j)] + TINY
             });
             row.sum::<f64>() * SAFE
@@ -229,7 +231,7 @@ impl<'a> Block<'a> {
         let first = self.inverse.abs() * residual.abs() * rounding + (&self.inverse * &residual).abs();
         let most = (first.iter().fold(0.0_f64, |most, e| most.max(*e)) + TINY) / (1.0 - norm) * SAFE;
         let error = |i: usize| (first[i] + g[i] * most + TINY) * SAFE * self.scaling.column[i] + TINY;
-        let errors = DVector::from_fn(k, |i, _| error(i));
+        let errors = DVector::from_fn(size, |i, _| error(i));
         errors.iter().all(|e| e.is_finite()).then_some(errors)
     }
 }
