@@ -57,7 +57,7 @@ fn row(family: &str, n: usize, columns: usize, skew: f64) {
             let (time, polygon) = timed(|| {
                 let polygon = problem.facets(facets).expect("numbers near one");
                 let outcome = polygon.lcp.solve_with(&Settings::default());
-                outcome.solution().map(|solution| polygon.forces(&solution.z))
+                outcome.solution().map(|solution| polygon.forces(&solution.z).expect("it fits"))
             });
             if let Some(r) = polygon {
                 law.push(problem.residuals(&r).max());

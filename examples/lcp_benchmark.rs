@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
+use support::splitmix::Random;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let directory = std::env::args().nth(1).map(PathBuf::from);
@@ -189,21 +190,4 @@ fn obstacle(n: usize, _: &mut Random) -> Lcp {
     let bump = |i: usize| 0.5 - 8.0 * ((i as f64 + 1.0) * h - 0.45).powi(2);
     let obstacle = DVector::from_fn(n, |i, _| bump(i));
     lcp(m.clone(), m * obstacle + DVector::from_element(n, h * h))
-}
-
-/// The mixing function of splitmix64: the same problems everywhere.
-struct Random(u64);
-
-impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((x ^ (x >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
-    }
 }

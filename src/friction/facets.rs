@@ -11,6 +11,7 @@
 //! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if W is positive semidefinite.
 
 use super::problem::FrictionProblem;
+use super::settings::MOST_FACETS;
 use crate::lcp::{Lcp, LcpError};
 use nalgebra::{DMatrix, DVector, SVector};
 use std::f64::consts::TAU;
@@ -64,11 +65,11 @@ impl<const C: usize> Polygon<C> {
 
     /// The forces r (C n entries) of a solution z of the complementarity problem.
     ///
-    /// # Panics
+    /// # Errors
     ///
-    /// If z has fewer entries than the complementarity problem.
-    #[must_use]
-    pub fn forces(&self, z: &DVector<f64>) -> DVector<f64> {
+    /// [`LcpError::Length`] and [`LcpError::VectorEntry`] for a z of another length, or with an entry that is not finite.
+    pub fn forces(&self, z: &DVector<f64>) -> Result<DVector<f64>, LcpError> {
+        LcpError::check_vector("z", z, self.lcp.len())?;
         let width = self.facets.width();
         let mut r = DVector::zeros(C * self.facets.0.len());
         for (i, facets) in self.facets.0.iter().enumerate() {
@@ -79,19 +80,19 @@ impl<const C: usize> Polygon<C> {
             }
             r.fixed_rows_mut::<C>(C * i).copy_from(&force);
         }
-        r
+        Ok(r)
     }
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with `facets` facets in place of each cone, at least three; in the plane it is the problem itself, with two. The
+    /// The problem with `facets` facets in place of each cone, three at least and 128 at most; in the plane it is the problem itself, with two. The
     /// polygon lies inside the cone.
     ///
     /// # Errors
     ///
     /// [`LcpError::MatrixEntry`] if a sum of entries of W leaves the range of double precision.
     pub fn facets(&self, facets: usize) -> Result<Polygon<C>, LcpError> {
-        self.polygon(Facets::regular(facets.max(3), &vec![0.0; self.len()]))
+        self.polygon(Facets::regular(facets.clamp(3, MOST_FACETS), &vec![0.0; self.len()]))
     }
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<Polygon<C>, LcpError> {

@@ -33,6 +33,12 @@ pub struct Residuals {
 }
 
 impl Residuals {
+    /// Whether all of them are numbers of at most this size.
+    #[must_use]
+    pub fn within(&self, tolerance: f64) -> bool {
+        [self.approach, self.cone, self.law].iter().all(|r| *r <= tolerance)
+    }
+
     /// The largest of the three; NaN if one of them is.
     #[must_use]
     pub fn max(&self) -> f64 {

@@ -1,12 +1,15 @@
 //! Limits and tolerances.
 
-use crate::lcp;
+use crate::lcp::{self, BreakdownCause};
+
+/// More facets than these miss the cone by less than 1e-3 of their forces, and make problems of thousands of rows.
+pub(super) const MOST_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve; [`Settings::default`] is right for almost every problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// Facets of the polygon from which Newton's method sets out in space (default 8, at least 3). More of them start closer to the
+    /// Facets of the polygon from which Newton's method sets out in space (default 8; less than 3 count as 3, more than 128 as 128). More of them start closer to the
     /// cone, and cost a larger complementarity problem.
     pub facets: usize,
     /// How often Newton's method starts again when it did not arrive, each time from half as many facets more, turned to where
@@ -28,6 +31,15 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Refuses a tolerance that is none.
+    pub(super) fn check(&self) -> Result<(), BreakdownCause> {
+        let value = self.tolerance;
+        if value.is_finite() && value >= 0.0 {
+            return Ok(());
+        }
+        Err(BreakdownCause::Tolerance { name: "tolerance", value })
+    }
+
     /// These settings with another number of facets, see [`Settings::facets`].
     #[must_use]
     pub fn with_facets(mut self, facets: usize) -> Self {

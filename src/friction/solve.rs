@@ -4,7 +4,7 @@ use super::facets::{Facets, Polygon};
 use super::law::{ContactState, tangent};
 use super::newton::Newton;
 use super::problem::{FrictionProblem, part};
-use super::settings::Settings;
+use super::settings::{MOST_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use nalgebra::{DVector, SVector};
@@ -26,6 +26,9 @@ impl<const C: usize> FrictionProblem<C> {
     /// | others | nothing is known. A [`Ray`](crate::lcp::Ray) is that of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {
+        if let Err(cause) = settings.check() {
+            return Outcome::Breakdown { pivots: 0, cause };
+        }
         let mut attempt = Attempt {
             problem: self,
             newton: Newton::new(self),
@@ -40,14 +43,14 @@ impl<const C: usize> FrictionProblem<C> {
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);
         }
-        let mut count = settings.facets.max(3);
+        let mut count = settings.facets.clamp(3, MOST_FACETS);
         let mut first = None;
         for turn in 0..=if C == 2 { 0 } else { settings.turns } {
             match attempt.by_facets(count, turn == 0) {
                 Outcome::Solved(solution) => return Outcome::Solved(solution),
                 unsolved => first = first.or(Some(unsolved)),
             }
-            count += count / 2;
+            count = (count + count / 2).min(MOST_FACETS);
         }
         attempt.none(first)
     }
@@ -81,7 +84,10 @@ impl<const C: usize> Attempt<'_, C> {
         };
         let outcome = polygon.lcp.solve_with(&self.settings.lcp).and_then(|solution| {
             self.pivots += solution.pivots;
-            self.goes_on(polygon.forces(&solution.z))
+            match polygon.forces(&solution.z) {
+                Ok(forces) => self.goes_on(forces),
+                Err(_) => self.missed(),
+            }
         });
         if outcome.solution().is_some() || C == 2 || !from_zero {
             return weighed(outcome, &polygon);
@@ -126,7 +132,7 @@ impl<const C: usize> Attempt<'_, C> {
             r.fixed_rows_mut::<C>(C * i).fill(0.0);
         }
         let residuals = self.problem.residuals(&r);
-        if residuals.max().is_nan() || residuals.max() > self.settings.tolerance {
+        if !residuals.within(self.settings.tolerance) {
             return None;
         }
         // Beside forces without bound q is lost, and any would do.

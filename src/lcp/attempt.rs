@@ -112,6 +112,8 @@ impl Workspace {
             _ => return,
         };
         let m = lcp.m.as_slice();
+        // Values a little below zero may have been cut off on the way here.
+        self.path.recompute_values();
         if !self.path.cover_violations(m, VALUE_ROUNDING) {
             return;
         }

@@ -10,7 +10,7 @@
 //! a little below zero, so that rounding does not matter. Of singular blocks v comes from a linear program. Whatever v is, it is checked
 //! by sums without rounding: a basis that cannot be judged is not excluded.
 
-use super::farkas::{Unknown, cleaned};
+use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
@@ -63,7 +63,7 @@ impl Judge<'_> {
         let row = |i: usize| DVector::from_fn(size, |j, _| self.m[(i, alpha[j])]);
         let w = |i: usize| self.q[i] + row(i).dot(&z);
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
-        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Unknown(j))).chain(outside).collect();
+        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).collect();
         broken.retain(|(value, _)| *value < 0.0);
         broken.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
@@ -72,7 +72,7 @@ impl Judge<'_> {
             let mut target = DVector::from_element(size, -push);
             let mut v = DVector::zeros(n);
             match which {
-                Broken::Unknown(j) => target[j] -= 1.0,
+                Broken::Domain(j) => target[j] -= 1.0,
                 Broken::Slack(i) => {
                     target -= row(i);
                     v[i] = 1.0;
@@ -96,8 +96,8 @@ impl Judge<'_> {
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
-        let unknown = |j| if basic(j) { Unknown::NotNegative } else { Unknown::Zero };
-        cleaned(&y).any(|y| self.lcp.contradicts(&y, basic, unknown))
+        let domain = |j| if basic(j) { Domain::NotNegative } else { Domain::Zero };
+        cleaned(&y).any(|y| self.lcp.contradicts(&y, basic, domain))
     }
 }
 
@@ -109,7 +109,7 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 /// A condition of a basis that its point breaks.
 enum Broken {
     /// z_α ≥ 0, by its place in α.
-    Unknown(usize),
+    Domain(usize),
     /// w_i ≥ 0.
     Slack(usize),
 }

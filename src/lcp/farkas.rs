@@ -31,7 +31,7 @@ impl Lcp {
     /// is not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
-        self.contradicts(y, |_| false, |_| Unknown::NotNegative)
+        self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
     /// Whether y proves that some constraints contradict each other: rows of M z + q that vanish or are not negative, and unknowns
@@ -40,15 +40,15 @@ impl Lcp {
         &self,
         y: &DVector<f64>,
         vanishes: impl Fn(usize) -> bool,
-        unknown: impl Fn(usize) -> Unknown,
+        domain: impl Fn(usize) -> Domain,
     ) -> bool {
         y.len() == self.len()
             && y.iter().enumerate().all(|(i, y)| y.is_finite() && (*y >= 0.0 || vanishes(i)))
             && self.q_times(y).sign() == Ordering::Less
-            && self.columns().enumerate().all(|(j, column)| match unknown(j) {
-                Unknown::Zero => true,
-                Unknown::NotNegative => times(column, y).sign() != Ordering::Greater,
-                Unknown::Free => times(column, y).sign() == Ordering::Equal,
+            && self.columns().enumerate().all(|(j, column)| match domain(j) {
+                Domain::Zero => true,
+                Domain::NotNegative => times(column, y).sign() != Ordering::Greater,
+                Domain::Free => times(column, y).sign() == Ordering::Equal,
             })
     }
 
@@ -144,10 +144,10 @@ impl Lcp {
     }
 }
 
-/// What is asked of an unknown.
+/// Where an unknown may lie.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Unknown {
-    /// Nothing.
+pub(super) enum Domain {
+    /// Anywhere.
     Free,
     /// z_j ≥ 0.
     NotNegative,

@@ -19,13 +19,9 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::NotSquare`] if there are not as many rows as q has entries, [`LcpError::RowLength`] for a row of another length.
-    /// Otherwise as for [`Lcp::new`].
+    /// [`LcpError::RowLength`] for a row that has not as many entries as there are rows. Otherwise as for [`Lcp::new`].
     pub fn from_rows<R: AsRef<[f64]>>(rows: &[R], q: &[f64]) -> Result<Self, LcpError> {
-        let n = q.len();
-        if rows.len() != n {
-            return Err(LcpError::NotSquare { rows: rows.len(), columns: n });
-        }
+        let n = rows.len();
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
             return Err(LcpError::RowLength { row, given: rows[row].as_ref().len(), needed: n });
         }

@@ -19,17 +19,11 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    let mut nearly = None;
     // What is infeasible but for rounding is told so where an exact proof would cost several large programs more.
     let margins = if n <= EXACT_UP_TO { &MARGINS[..] } else { &MARGINS[..1] };
-    for margin in margins {
-        // A program that is not solved without a margin is not solved with one.
-        let Some(program) = least_violation(&a, &b, *margin, settings) else { break };
-        if program.y.dot(&b) >= 0.0 {
-            // The constraints can be met, or not with this margin.
-            break;
-        }
-        let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| program.y[i] * scaling.row[i]));
+    let mut nearly = None;
+    for y in contradictions(&a, &b, margins, settings) {
+        let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| y[i] * scaling.row[i]));
         if let Some(Outcome::Infeasible(_)) = proof {
             return proof;
         }
@@ -38,18 +32,28 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     nearly
 }
 
+/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 has A x + b ≥ 0: one for each margin, until a program has none.
+fn contradictions<'a>(
+    a: &'a DMatrix<f64>,
+    b: &'a DVector<f64>,
+    margins: &'a [f64],
+    settings: &'a Settings,
+) -> impl Iterator<Item = DVector<f64>> + 'a {
+    let dual = move |margin: &f64| {
+        let y = least_violation(a, b, *margin, settings)?.y;
+        (y.dot(b) < 0.0).then_some(y)
+    };
+    margins.iter().map_while(dual)
+}
+
 impl Lcp {
-    /// Vectors y ≥ 0 that may prove that no x ≥ 0 has A x + b ≥ 0: one without a margin, then others further inside, if there are any.
+    /// Such vectors for numbers that are near one, by themselves and cleaned of rounding.
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
         settings: &'a Settings,
     ) -> impl Iterator<Item = DVector<f64>> + 'a {
-        let vectors = move |margin| {
-            let y = least_violation(a, b, margin, settings).map(|program| program.y)?;
-            (y.dot(b) < 0.0).then_some(y)
-        };
-        MARGINS.into_iter().map_while(vectors).flat_map(|y| cleaned(&y).collect::<Vec<_>>())
+        contradictions(a, b, &MARGINS, settings).flat_map(|y| cleaned(&y).collect::<Vec<_>>())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::basis::Basis;
 use super::error::LcpError;
-use super::farkas::{Unknown, cleaned};
+use super::farkas::{Domain, cleaned};
 use super::outcome::{BreakdownCause, Certificate, Outcome, Unsolved};
 use super::point::Point;
 use super::principal;
@@ -214,8 +214,8 @@ impl MixedLcp {
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         let free = |i: usize| i < self.free;
-        let unknown = |j| if free(j) { Unknown::Free } else { Unknown::NotNegative };
-        self.whole.contradicts(y, free, unknown)
+        let domain = |j| if free(j) { Domain::Free } else { Domain::NotNegative };
+        self.whole.contradicts(y, free, domain)
     }
 
     /// The certificate that one of the split problem is for this one: its entries of the two halves of an equality are joined.

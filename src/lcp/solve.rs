@@ -125,7 +125,7 @@ impl Workspace {
         let m = lcp.m.as_slice();
         let feasible = !self.path.cover_violations(m, ZERO);
         if (feasible || self.path.cover_and_run(m, settings, limit) == End::Complementary)
-            && self.finish(lcp, settings).is_none()
+            && self.finish_or_resume(lcp, settings, limit).is_none()
         {
             return None;
         }

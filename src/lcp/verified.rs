@@ -8,7 +8,10 @@
 //! ```
 //!
 //! The residual r is summed without rounding, and ẑ is the sum of two doubles, so the bounds of entries that are not
-//! tiny beside the others are as tight as doubles are. All other rounding is counted against them. Where a z or a w vanishes exactly, no bound shows its sign: ẑ is then tried as a vector of fractions.
+//! tiny beside the others are as tight as doubles are. All other rounding is counted against them.
+//!
+//! Where a z or a w vanishes exactly, no bound shows its sign. Rows tell it where they leave a z no other value, or are alike;
+//! otherwise ẑ is tried as a vector of fractions.
 
 use super::basis::Basis;
 use super::farkas::cleaned;
@@ -38,11 +41,14 @@ pub struct Verified {
 impl Lcp {
     /// Whether an exact solution of the M and q given exists with z_i = 0 outside of a basis and w_i = 0 in it, and where.
     ///
-    /// A computed [`Solution`](super::Solution) solves the problem but for its residuals. This is a proof without any, by interval and exact arithmetic. `None` says
-    /// that none was found: the block of the basis is singular or close to it, some z_i or w_i is negative, or one of them vanishes exactly while the
-    /// others are no small fractions.
+    /// A computed [`Solution`](super::Solution) solves the problem but for its residuals. This is a proof without any, by interval
+    /// and exact arithmetic. `None` says that none was found:
     ///
-    /// It costs some 3k³ flops for a basis of k entries, and n k sums without rounding.
+    /// * the block of the basis is singular or close to it,
+    /// * some z_i or w_i is negative,
+    /// * or one of them vanishes exactly, no row tells so by itself, and the z are no small fractions.
+    ///
+    /// It costs some 6k³ flops for a basis of k entries, and a few times n k products that are summed without rounding.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -183,7 +189,7 @@ impl<'a> Block<'a> {
     /// The residual −q_α − M_αα z in balanced rows, to one rounding each.
     fn residual(&self, point: &Twice) -> DVector<f64> {
         DVector::from_fn(self.columns.len(), |k, _| {
-            -self.row(self.rows[k], point).rounded() * self.scaling.row[k]
+            -self.row(self.rows[k], point).rounded_in(self.scaling.row[k])
         })
     }
 

@@ -64,8 +64,13 @@ impl ExactSum {
 
     /// The sum as a double: within 2⁻⁵¹ of itself, or the smallest positive number; infinite beyond the largest.
     pub(crate) fn rounded(&self) -> f64 {
-        let (x, k) = self.leading();
-        times_power_of_two(x, k)
+        self.rounded_in(1.0)
+    }
+
+    /// The sum times a power of two as a double, rounded once: what would underflow by itself is kept.
+    pub(crate) fn rounded_in(&self, unit: f64) -> f64 {
+        let ((x, k), (m, e)) = (self.leading(), parts(unit));
+        times_power_of_two(x * m as f64, k + e)
     }
 
     /// Its leading digits: `(x, k)` with the sum within a part 2⁻⁵² of `x 2ᵏ`, and x zero or 1 ≤ |x| < 2¹²⁸.

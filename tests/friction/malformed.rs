@@ -1,6 +1,7 @@
 //! Malformed input is an error that names the place.
 
-use grasp_lcp::friction::SpatialContacts;
+use grasp_lcp::friction::{Settings, SpatialContacts};
+use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 #[test]
@@ -31,4 +32,22 @@ fn nothing_is_solved_by_forces_that_do_not_fit() {
     assert_eq!(problem.residuals(&DVector::from_element(3, f64::NAN)).max(), f64::INFINITY);
     let empty = SpatialContacts::new(DMatrix::zeros(0, 0), DVector::zeros(0), vec![]).unwrap();
     assert!(empty.solve().solution().is_some());
+}
+
+#[test]
+fn settings_that_do_not_fit_solve_nothing() {
+    let q = DVector::from_vec(vec![-1.0, 2.0, 0.5]);
+    let problem = SpatialContacts::new(DMatrix::identity(3, 3), q, vec![0.5]).unwrap();
+    for tolerance in [f64::NAN, -1.0, f64::INFINITY] {
+        let outcome = problem.solve_with(&Settings::default().with_tolerance(tolerance));
+        let Outcome::Breakdown { cause: BreakdownCause::Tolerance { name, .. }, .. } = outcome else {
+            panic!("{outcome}")
+        };
+        assert_eq!(name, "tolerance");
+    }
+    for facets in [0, 1, usize::MAX] {
+        let outcome = problem.solve_with(&Settings::default().with_facets(facets));
+        assert!(outcome.solution().is_some(), "{outcome}");
+        assert!(problem.facets(facets).unwrap().forces(&DVector::zeros(2)).is_err());
+    }
 }

@@ -131,7 +131,7 @@ fn two_facets_are_the_cone() {
         let problem = PlanarContacts::new(w, q, mu).expect("finite");
         let polygon = problem.facets(2).expect("small numbers");
         let Outcome::Solved(solution) = polygon.lcp.solve() else { continue };
-        let r = polygon.forces(&solution.z);
+        let r = polygon.forces(&solution.z).expect("it fits");
         assert!(problem.residuals(&r).max() <= 1e-13);
     }
 }

@@ -97,7 +97,7 @@ fn polygons_miss_the_law() {
         for (missed, facets) in missed.iter_mut().zip([8, 16, 32]) {
             let polygon = problem.facets(facets).expect("small numbers");
             let Outcome::Solved(solution) = polygon.lcp.solve() else { panic!("copositive") };
-            let r = polygon.forces(&solution.z);
+            let r = polygon.forces(&solution.z).expect("it fits");
             *missed = missed.max(problem.residuals(&r).max());
         }
     }

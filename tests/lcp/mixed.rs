@@ -90,3 +90,32 @@ fn blocks_that_do_not_fit_are_refused() {
         MixedLcp::new(&one, &one, &DMatrix::from_element(1, 1, f64::NAN), &one, &v1, &v1).unwrap_err();
     assert!(error.to_string().starts_with("entry (0, 0) of D is NaN"), "{error}");
 }
+
+/// Equalities that contradict each other through a singular A are infeasible, whatever quotients of noise satisfy them to rounding.
+#[test]
+fn quotients_of_noise_are_no_solution() {
+    let rows = |n: usize, m: usize, entries: &[f64]| DMatrix::from_row_slice(n, m, entries);
+    let one = |x: f64| DVector::from_element(1, x);
+    let by_symmetric_block = MixedLcp::new(
+        &rows(3, 3, &[11.0, 3.0, 6.0, 3.0, 19.0, 18.0, 6.0, 18.0, 18.0]),
+        &rows(3, 1, &[2.0, -2.0, 0.0]),
+        &rows(1, 3, &[-2.0, 2.0, 0.0]),
+        &rows(1, 1, &[0.0]),
+        &DVector::from_vec(vec![1.0, 0.0, 1.0]),
+        &one(-2.0),
+    );
+    // The second unknown is 1/2, far from the noise of the others.
+    let beside_a_clear_value = MixedLcp::new(
+        &rows(3, 3, &[1.0, 2.0, -1.0, -1.0, 1.0, -2.0, 0.0, 2.0, 0.0]),
+        &rows(3, 1, &[0.0, 1.0, 0.0]),
+        &rows(1, 3, &[-2.0, 1.0, -1.0]),
+        &rows(1, 1, &[1.0]),
+        &DVector::from_vec(vec![-2.0, 1.0, -1.0]),
+        &one(-2.0),
+    );
+    for problem in [by_symmetric_block, beside_a_clear_value].map(Result::unwrap) {
+        let outcome = problem.solve();
+        let Outcome::Infeasible(certificate) = &outcome else { panic!("{outcome}") };
+        assert!(problem.proves_infeasible(&certificate.y));
+    }
+}

@@ -4,7 +4,7 @@
 //! whose determinants come out as 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small part of
 //! its terms. The data as given may even be solved by it: what the solver calls solved is held against rational arithmetic.
 
-use grasp_lcp::lcp::{Basis, Lcp, Outcome};
+use grasp_lcp::lcp::{Basis, Lcp, Outcome, Series, Settings};
 use grasp_lcp::{PolygonCone, planar};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
@@ -114,4 +114,35 @@ fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
         &[1e24, 1.0, 1e16],
     );
     assert_eq!(solved, all);
+}
+
+/// Terms of 1e14 hide what is left of a row: a value of 3 beside them is no noise, nor a slack of -6 a tie. From wherever the path starts.
+#[test]
+fn small_values_beside_large_terms_are_told_from_noise() {
+    let check = |m: &[f64], q: &[f64], z: &[f64]| {
+        let n = q.len();
+        let m = DMatrix::from_row_slice(n, n, m);
+        let q = DVector::from_row_slice(q);
+        let lcp = Lcp::new(m.clone(), q.clone()).expect("finite");
+        let mut series = Series::new(m, Settings::default()).expect("finite");
+        let outcomes = (0..1_u32 << n).map(|bits| {
+            let start = Basis::from_indices(n, (0..n).filter(|i| bits >> i & 1 == 1));
+            lcp.solve_from(&start, &Settings::default())
+        });
+        let by_series = series.solve(&q).expect("finite").into_outcome();
+        for outcome in outcomes.chain([lcp.solve(), by_series]) {
+            let solution = outcome.solution().unwrap_or_else(|| panic!("{outcome}"));
+            // One rounding of the largest term.
+            let rounding = f64::EPSILON * 4e14;
+            assert!(
+                solution.z.iter().zip(z).all(|(found, z)| (found - z).abs() <= rounding),
+                "{}",
+                solution.z
+            );
+            let bounds = lcp.verify(&solution.basis).expect("whole numbers");
+            assert!(bounds.lower.iter().zip(z).all(|(lower, z)| (lower - z).abs() <= 1e-15 * z));
+        }
+    };
+    check(&[2e14, 0.0, 1e14, 2.0], &[-2e14, -1e14 - 6.0], &[1.0, 3.0]);
+    check(&[4e14, 0.0, 1e14, 5.0], &[-8e14, -2e14 - 10.0], &[2.0, 2.0]);
 }
