@@ -35,16 +35,6 @@ impl Workspace {
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Follows that path alone, without the ladder, for a problem that is not prepared yet.
-    pub(super) fn follow_once(&mut self, lcp: &Lcp, settings: &Settings) -> Outcome {
-        if let Some(refused) = self.refuse(lcp, settings) {
-            return refused.into();
-        }
-        self.prepare(lcp);
-        let failure = self.first_path(lcp, settings);
-        self.answer(failure).into_outcome()
-    }
-
     /// Where the settings do not fit the problem: the end of the solve before it begins.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;

@@ -30,7 +30,9 @@ impl Workspace {
             Outcome::PivotLimit { .. } if settings.max_pivots.is_some() => return Some(first),
             _ => {}
         }
-        if let Some(infeasible) = linear_program::proof(lcp, &self.path.scaling, settings) {
+        if settings.prove_infeasible
+            && let Some(infeasible) = linear_program::proof(lcp, &self.path.scaling, settings)
+        {
             return Some(infeasible.after(self.path.pivots));
         }
         for attempt in 1..=settings.retries {

@@ -90,8 +90,8 @@ impl Path {
 
     /// The blocking row for the entering variable, from a dictionary that can be trusted.
     ///
-    /// A dictionary that has drifted from the data, or that offers only a doubtful pivot or none,
-    /// is computed anew first.
+    /// A dictionary that has drifted from the data, or that offers no pivot, is computed anew first. So is one that offers only a
+    /// doubtful pivot, unless a step of refinement leaves the column as it is.
     pub(super) fn blocking_row(
         &mut self,
         entering: Unknown,
@@ -106,6 +106,7 @@ impl Path {
                 self.correct();
             }
         }
+        let mut is_refined = false;
         loop {
             let size = largest(&self.dictionary.u).max(1.0);
             if size == f64::INFINITY {
@@ -118,8 +119,11 @@ impl Path {
             let certain = settings.pivot_tolerance * size;
             let row = blocking_row(&self.dictionary, COLUMN_NOISE * size, certain, role, settings);
             let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
-            if pivot < DOUBTFUL_PIVOT * size && self.age > 0 {
-                self.refactor(entering, m)?;
+            if pivot < DOUBTFUL_PIVOT * size && self.age > 0 && !is_refined {
+                is_refined = row.is_some_and(|row| self.refine_column(entering, row, m) <= DRIFT);
+                if !is_refined {
+                    self.refactor(entering, m)?;
+                }
                 continue;
             }
             if row.is_some() && pivot <= certain {

@@ -8,7 +8,6 @@ use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints cannot be met: one row of them, or the dual solution of the linear program.
@@ -110,10 +109,10 @@ fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, margin: f64, settings: &S
     }
     q.rows_mut(columns + 1, rows).copy_from(b);
     q[columns] = 1.0;
-    let settings =
-        Settings { covering: None, max_pivots: None, retries: 0, enumerate_up_to: 0, ..settings.clone() };
+    let Settings { pivot_tolerance, tie_tolerance, residual_tolerance, .. } = *settings;
+    let settings = Settings { pivot_tolerance, tie_tolerance, residual_tolerance, ..Settings::one_path() };
     let problem = Lcp::new(m, q).ok()?;
-    let Outcome::Solved(solution) = Workspace::new().follow_once(&problem, &settings) else {
+    let Outcome::Solved(solution) = problem.solve_with(&settings) else {
         return None;
     };
     Some(Program {

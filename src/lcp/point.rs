@@ -33,7 +33,7 @@ impl Point {
 
     /// Measures the violations, once w and its terms are summed.
     pub(super) fn residuals(&self, lcp: &Lcp) -> Residuals {
-        residuals_from(&lcp.m, &self.z, &self.w, &self.terms)
+        residuals_from(&lcp.m, lcp.q.as_slice(), &self.z, &self.w, &self.terms)
     }
 
     /// Sums w and its terms and measures the violations.

@@ -1,6 +1,7 @@
 //! How well a point solves the problem, measured on the data as given.
 
 use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
+use crate::numerics::{ExactSum, times_power_of_two};
 use nalgebra::DMatrix;
 use std::fmt;
 
@@ -118,8 +119,13 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
     }
 }
 
-/// The residuals at z, given w and the sizes a of its terms.
-pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
+/// The terms of a row below this may have lost digits, or themselves, below the range of doubles: they are summed again without rounding.
+///
+/// It is 2¹¹⁴ times the smallest number, so that what larger rows have lost is no part of them. Larger, more rows are summed twice.
+const FAINT: f64 = 1.03e-289;
+
+/// The residuals at z, given w = M z + q and the sizes a of its terms.
+pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
     let mut out = Residuals { equality: 0.0, negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
     if n == 0 {
@@ -128,19 +134,15 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
     if !(z.iter().chain(w).chain(terms).all(|x| x.is_finite())) {
         return Residuals::UNUSABLE;
     }
-    for (((column, &z), &w), &a) in m.as_slice().chunks_exact(n).zip(z).zip(w).zip(terms) {
-        if w < 0.0 {
-            out.negative_w = out.negative_w.max(-w / a);
-        }
-        if z == 0.0 {
-            continue;
-        }
-        let slack = if w > 0.0 { w / a } else { 0.0 };
-        if z > 0.0 && slack <= out.complementarity {
+    let rows = Rows { m, q, z, terms };
+    for (i, ((&z, &w), column)) in z.iter().zip(w).zip(m.as_slice().chunks_exact(n)).enumerate() {
+        let slack = rows.relative_slack(i, w);
+        out.negative_w = out.negative_w.max(-slack);
+        if z == 0.0 || (z > 0.0 && slack <= out.complementarity) {
             continue;
         }
         let enough = if z > 0.0 { slack } else { f64::INFINITY };
-        let share = share(column, z, terms, enough);
+        let share = rows.share(column, z, enough);
         if z < 0.0 {
             out.negative_z = out.negative_z.max(share);
         } else {
@@ -150,20 +152,62 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, z: &[f64], w: &[f64], terms: &[f6
     out
 }
 
-/// s_j, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number
-/// that is at least `enough` too.
-fn share(column: &[f64], z: f64, terms: &[f64], enough: f64) -> f64 {
-    let mut share = None;
-    for (m, a) in column.iter().zip(terms) {
-        // An underflowed product leaves a_i = 0 although M_ij is not zero. Such a row says nothing
-        // about z_j.
-        if *m != 0.0 && *a > 0.0 {
-            let largest = share.unwrap_or(0.0_f64).max(m.abs() * z.abs() / a);
+/// The rows of a problem at a point, with the sizes of their terms.
+struct Rows<'a> {
+    m: &'a DMatrix<f64>,
+    q: &'a [f64],
+    z: &'a [f64],
+    terms: &'a [f64],
+}
+
+impl Rows<'_> {
+    /// w_i / a_i, zero in a row without terms.
+    fn relative_slack(&self, i: usize, w: f64) -> f64 {
+        let a = self.terms[i];
+        if a >= FAINT {
+            return w / a;
+        }
+        self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
+    }
+
+    /// s_j for one column, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is at
+    /// least `enough` too.
+    fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
+        let mut share = None;
+        for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
+            if *m == 0.0 {
+                continue;
+            }
+            let part = if *a >= FAINT {
+                m.abs() * z.abs() / a
+            } else {
+                let Some(a) = self.exact_terms(i) else { continue };
+                ratio(&ExactSum::of_products([(m.abs(), z.abs())]), &a)
+            };
+            let largest = share.unwrap_or(0.0_f64).max(part);
             if largest >= enough {
                 return largest;
             }
             share = Some(largest);
         }
+        share.unwrap_or(1.0)
     }
-    share.unwrap_or(1.0)
+
+    /// The terms of w_i.
+    fn products(&self, i: usize) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
+        let &Self { m, q, z, .. } = self;
+        z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])
+    }
+
+    /// a_i without rounding; `None` for a row without terms.
+    fn exact_terms(&self, i: usize) -> Option<ExactSum> {
+        let sizes = self.products(i).map(|(a, b)| (a.abs(), b.abs()));
+        sizes.clone().any(|(a, b)| a > 0.0 && b > 0.0).then(|| ExactSum::of_products(sizes))
+    }
+}
+
+/// The quotient of two sums, which need not be in the range of doubles.
+fn ratio(sum: &ExactSum, of: &ExactSum) -> f64 {
+    let ((x, k), (y, l)) = (sum.leading(), of.leading());
+    times_power_of_two(x / y, k - l)
 }

@@ -73,6 +73,12 @@ pub struct Settings {
     /// singular. A value below 1e-15 would reject correctly rounded solutions; one above 1e-6 would
     /// accept points that solve a visibly different problem.
     pub residual_tolerance: f64,
+    /// Whether linear programming looks for a proof that no z ≥ 0 has M z + q ≥ 0 (default `true`), where a ray holds none.
+    ///
+    /// It guards against a ray where the answer is known. Up to 64 rows it takes up to four linear programs, beyond that one;
+    /// each is a path of a problem of 2 n + 1 rows. Without it most problems that are infeasible end in
+    /// [`Outcome::Ray`](super::Outcome::Ray), after all retries.
+    pub prove_infeasible: bool,
     /// How many other covering vectors, and as many other starting bases, are tried (default 8).
     /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
     /// that reached no end.
@@ -100,6 +106,7 @@ impl Default for Settings {
             pivot_tolerance: 1e-11,
             tie_tolerance: 1e-12,
             residual_tolerance: 1e-10,
+            prove_infeasible: true,
             retries: 8,
             enumerate_up_to: 10,
         }
@@ -119,6 +126,13 @@ impl Settings {
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);
+        self
+    }
+
+    /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
+    #[must_use]
+    pub fn with_prove_infeasible(mut self, prove_infeasible: bool) -> Self {
+        self.prove_infeasible = prove_infeasible;
         self
     }
 
@@ -160,9 +174,9 @@ impl Settings {
         }
     }
 
-    /// For problems on which Lemke's method cannot fail, positive semidefinite and solvable: one path, nothing after it.
+    /// One path and nothing after it: for problems on which Lemke's method cannot fail, and where something better comes next.
     pub(crate) fn one_path() -> Self {
-        Self { retries: 0, enumerate_up_to: 0, ..Self::default() }
+        Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
 
     /// The pivot limit for a problem of n rows.

@@ -24,7 +24,8 @@ impl Lcp {
     /// have settled nothing:
     ///
     /// 1. the ray itself as a Farkas vector;
-    /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 };
+    /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
+    ///    ([`Settings::prove_infeasible`]);
     /// 3. paths with other covering vectors and from other bases ([`Settings::retries`]);
     /// 4. all 2ⁿ complementary bases of a small problem ([`Settings::enumerate_up_to`]).
     ///
@@ -42,11 +43,6 @@ impl Lcp {
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome {
         Workspace::new().solve(self, settings).into_outcome()
-    }
-
-    /// Where Lemke's first path ends, without the rungs above it: no proof, no other path.
-    pub(crate) fn first_path(&self, settings: &Settings) -> Outcome {
-        Workspace::new().follow_once(self, settings)
     }
 
     /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such

@@ -135,7 +135,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
 pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
     let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
-    let settings = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
+    let settings = lcp::Settings { prove_infeasible: true, ..lcp::Settings::one_path() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 

@@ -18,6 +18,10 @@ use crate::structured;
 const OTHER_PATHS: usize = 3;
 /// The number of those where there are too many contacts to try every combination.
 const OTHER_PATHS_AT_MOST: usize = 16;
+/// From this many contacts on Newton's method and the search for a separating motion come first. With few contacts that method often goes
+/// round in circles, with many hardly ever unless stiffnesses and friction lie decades apart. A linear program hardly finds the proof
+/// that the search has missed.
+pub(super) const MANY: usize = 32;
 /// Few enough contacts to try every combination of their states.
 pub(super) fn enumerable<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
@@ -75,21 +79,17 @@ pub(super) fn propose_dense<const D: usize, const C: usize>(
 ) -> Option<Vec<State<C>>> {
     let form = form(problem)?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // Bases are better enumerated as contact states, where each costs one d x d system and is checked as physics. On the round
-    // cone the tree comes next, which knows more than another path would.
-    let few = problem.round || enumerable(problem, settings);
-    let lcp_settings = lcp::Settings {
-        max_pivots: settings.max_pivots,
-        retries: if few { OTHER_PATHS } else { OTHER_PATHS_AT_MOST },
-        enumerate_up_to: 0,
-        ..lcp::Settings::default()
-    };
-    let outcome = if most_cases(problem, settings) > 0 {
-        form.lcp.first_path(&lcp_settings)
+    // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
+    // states, where each costs one d x d system and is checked as physics.
+    let one_path = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::one_path() };
+    let lcp_settings = if most_cases(problem, settings) > 0 {
+        one_path
     } else {
-        form.lcp.solve_with(&lcp_settings)
+        let few = problem.round || enumerable(problem, settings);
+        let retries = if few { OTHER_PATHS } else { OTHER_PATHS_AT_MOST };
+        lcp::Settings { prove_infeasible: problem.len() < MANY, retries, ..one_path }
     };
-    match outcome {
+    match form.lcp.solve_with(&lcp_settings) {
         Outcome::Solved(solution) => {
             log.effort.pivots += solution.pivots;
             return Some(states(problem, &form, &solution.basis));

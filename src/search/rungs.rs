@@ -4,7 +4,7 @@ use super::answer::{Doubt, Rung, Settled};
 use super::candidate::{Verdict, admit};
 use super::enumerate::search;
 use super::polish::polish_from;
-use super::proposals::{climb, enumerable, propose_dense, propose_structured};
+use super::proposals::{MANY, climb, enumerable, propose_dense, propose_structured};
 use super::scene::{Attempt, Log, Scene};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
@@ -17,9 +17,6 @@ use crate::structured::propose_by_newton;
 /// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
 /// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
 const STRUCTURED_FROM: usize = 8;
-/// From this many contacts on Newton's method is tried before: with few contacts it often goes round in circles, with many hardly ever
-/// unless stiffnesses and friction lie decades apart.
-const MANY: usize = 32;
 /// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
 const MOST_DENSE_ROWS: usize = 2000;
 /// Whether dense matrices can be made for this problem.

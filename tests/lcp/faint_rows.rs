@@ -1,0 +1,36 @@
+//! A row whose terms lie below the range of doubles is measured as any other.
+
+use grasp_lcp::lcp::{Lcp, Outcome};
+use nalgebra::{DMatrix, DVector};
+
+fn problem(n: usize, rows: &[f64], q: &[f64]) -> Lcp {
+    Lcp::new(DMatrix::from_row_slice(n, n, rows), DVector::from_row_slice(q)).expect("finite")
+}
+
+#[test]
+fn a_slack_beside_a_positive_unknown_is_seen_whatever_its_size() {
+    // w = 1e-400 beside z = 1e-200.
+    let alone = problem(1, &[1e-200], &[0.0]).residuals(&DVector::from_element(1, 1e-200));
+    assert_eq!((alone.complementarity, alone.negative_w), (1.0, 0.0));
+    // w₁ = (f − 1) 1e-400 from terms of (f + 1) 1e-400.
+    for (f, part) in [(0.5, 1.0 / 3.0), (1.0, 0.0), (0.25, 0.6)] {
+        let rows = [f * 1e-200, -1e-200, 0.0, 1.0];
+        let residuals = problem(2, &rows, &[0.0, -1e-200]).residuals(&DVector::from_element(2, 1e-200));
+        assert!((residuals.negative_w - part).abs() < 1e-15, "{residuals:?}");
+    }
+}
+
+#[test]
+fn an_unknown_below_the_smallest_number_is_not_taken_for_zero() {
+    // z₂ = 2e-202 by row 1, and w₂ = 0 asks for z₀ = 4e-465: no doubles solve this.
+    let rows = [
+        [-2e-24, 0.0, -1e118, 1e43],
+        [0.0, 0.0, 1e78, 1e59],
+        [-1e114, 1e-111, 2e-149, 0.0],
+        [1e124, 1e56, 0.0, 2e-85],
+    ];
+    let lcp = problem(4, rows.as_flattened(), &[2e-46, -2e-124, 0.0, 2e-81]);
+    let outcome = lcp.solve();
+    assert!(!matches!(outcome, Outcome::Solved(_)), "{outcome}");
+    assert!(!outcome.is_infeasible(), "{outcome}");
+}
