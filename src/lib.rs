@@ -51,7 +51,8 @@
 //!
 //! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body
 //! along with the finger, so F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with
-//! contacts that may also open; the sign of its equation 3.B.5 is a misprint. Units are SI in the docs; any consistent ones will do.
+//! contacts that may also open; the sign of its equation 3.B.5 is a misprint. Units are SI in the docs.
+//! Any consistent ones will do.
 //!
 //! # The map
 //!

@@ -9,8 +9,8 @@ use nalgebra::SVector;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, Zero};
 
-use crate::contact::{Label, Sector};
-use crate::grasp::{Contact, Grasp, Wrench};
+use crate::contact::{Label, LocalLaw, Sector};
+use crate::grasp::{Contact, Grasp, Site, Wrench};
 use crate::object::Problem;
 use crate::proofs::{ESCAPE, Step, check};
 use crate::search::{Settings, refute};
@@ -38,15 +38,14 @@ struct Exact {
 }
 
 impl Exact {
-    fn new(problem: &Problem<'_, 6, 3>, contact: usize) -> Self {
-        let (site, local) = (&problem.sites[contact], problem.local(contact));
+    fn new((site, local): (&Site<6, 3>, LocalLaw<'_, 3>), drive: &SVector<f64, 3>) -> Self {
         let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
         let axes = |x: &SVector<f64, 3>| std::array::from_fn(|axis| exact(x[axis]));
         Self {
             map: std::array::from_fn(|axis| std::array::from_fn(|k| entry(k, axis))),
             stiffness: axes(&local.springs.force(&SVector::repeat(1.0))),
             friction: exact(local.cone().limit(1.0)),
-            drive: axes(&problem.drives[contact]),
+            drive: axes(drive),
         }
     }
 
@@ -191,7 +190,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let problem = grasp.problem_under(&load, &settings)?;
         let (steps, cases) = refute(&problem, &settings).expect("too heavy");
         let escape = check(&problem, &steps).expect("a proof");
-        let contacts: Vec<_> = (0..problem.len()).map(|i| Exact::new(&problem, i)).collect();
+        let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.drives);
+        let contacts: Vec<_> = laws.map(|(law, drive)| Exact::new(law, drive)).collect();
         // Data as in `check`: the trial state in √J.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");

@@ -231,8 +231,10 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
     }
 }
 
-/// Whether a is a P-matrix: its first entry is positive, and both a without its first row and
-/// column and the Schur complement of that entry are P-matrices.
+/// Whether a is a P-matrix.
+///
+/// Its first entry must be positive. P-matrices must also be a without its first row and column, and the Schur complement of that
+/// entry.
 ///
 /// m holds the diagonal given, in the order of a, as a measure.
 fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {

@@ -23,8 +23,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// contact.
     ///
     /// # Errors
-    /// [`Error::Size`] if the command changes are not one for each contact of the scene,
-    /// [`Error::JointCommands`] if those of joints are not one for each joint and each tendon.
+    /// [`Error::Size`] unless there is one command change for each contact of the scene.
+    /// [`Error::JointCommands`] unless there is one for each joint and each tendon.
     pub fn ramp<const W: usize>(&self, asked: &RampAsked<D, C>) -> Result<Ramp<W, C>, Error> {
         let mut ramp = Ramp::load(asked.base.resized(), asked.direction.resized());
         if let Some(change) = &asked.command_change {
@@ -40,8 +40,8 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// contact.
     ///
     /// # Errors
-    /// [`Error::Size`] if the commands of a leg are not one for each contact of the scene,
-    /// [`Error::JointCommands`] if those of joints are not one for each joint and each tendon.
+    /// [`Error::Size`] unless a leg has one command for each contact of the scene.
+    /// [`Error::JointCommands`] unless it has one for each joint and each tendon.
     pub fn legs<const W: usize>(&self, legs: &[Leg<D, C>]) -> Result<Vec<load_path::Leg<W, C>>, Error> {
         legs.iter().map(|leg| self.leg(leg)).collect()
     }
