@@ -83,6 +83,16 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A load that turns about nothing, or not at all.
+    #[error("turn: {what} is {value}, must be {allowed}")]
+    Turn {
+        /// Which of its data: the length of the axis, or the angle (rad).
+        what: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A grasp has fewer coordinates than the hand needs that it is made of.
     #[error("a grasp in {given} coordinates, must be at least {needed}: the object's, and those of the hand")]
     Coordinates {

@@ -31,6 +31,10 @@ pub type ContactState = crate::equilibrium::ContactState<2>;
 pub type Decomposition = crate::equilibrium::Decomposition<2>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<3, 2>;
+/// A load that turns; see [`crate::load_path::Turn`].
+pub type Turn = crate::load_path::Turn<3, 2>;
+/// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].
+pub type TurnOnset<const D: usize = 3> = crate::load_path::TurnOnset<D, 2>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
 pub type Onset<const D: usize = 3> = crate::load_path::Onset<D, 2>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].

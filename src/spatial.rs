@@ -32,6 +32,10 @@ pub type Bracket<const D: usize = 6> = crate::equilibrium::Bracket<D, 3>;
 pub type Decomposition = crate::equilibrium::Decomposition<3>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<6, 3>;
+/// A load that turns; see [`crate::load_path::Turn`].
+pub type Turn = crate::load_path::Turn<6, 3>;
+/// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].
+pub type TurnOnset<const D: usize = 6> = crate::load_path::TurnOnset<D, 3>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
 pub type Onset<const D: usize = 6> = crate::load_path::Onset<D, 3>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].

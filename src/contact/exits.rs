@@ -88,7 +88,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Whether the edge of the cone is that of the round one.
-    fn has_a_round_edge(&self) -> bool {
+    pub(super) fn has_a_round_edge(&self) -> bool {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
 

@@ -16,6 +16,7 @@
 //! | `hull` | where only part of its state is known: all that its law allows |
 //! | `most_work` | what a contact can do against a virtual motion |
 //! | `exits` | how far a straight line stays in a state |
+//! | `turning_exits` | how far a load can turn before it leaves a state |
 //! | `stand` | what it stands on at an event, and the law of its rates |
 //! | `tolerances` | what counts as zero |
 
@@ -35,6 +36,7 @@ mod state;
 mod tangent;
 mod tangential;
 mod tolerances;
+mod turning_exits;
 
 pub use polygon::{Fit, PolygonCone};
 
@@ -55,3 +57,4 @@ pub(crate) use state::{Mode, PolygonState, State};
 pub(crate) use tangent::Tangent;
 pub(crate) use tangential::{cross, tangential, tangential_norm};
 pub(crate) use tolerances::{SMALLEST, WEIGHTLESS, ZERO_SLACK};
+pub(crate) use turning_exits::{TurningExit, Wave};

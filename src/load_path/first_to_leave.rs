@@ -5,12 +5,14 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::onset::{Leaving, OnsetEvent};
+use super::onset::{Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
-use crate::contact::{Exit, Line, Stand, State};
+use super::turn::{InsideTurn, Turn};
+use super::turning_load::FirstOnTurn;
+use crate::contact::{At, Exit, Line, LocalLaw, Stand};
 use crate::equilibrium::ACCURATE;
-use crate::grasp::Site;
+use crate::grasp::{Site, Wrench};
 use crate::object::{Piece, PieceState};
 use crate::search::{Found, Rung};
 
@@ -30,13 +32,12 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     ramp: &Ramp<D, C>,
 ) -> Option<OnsetEvent<D, C>> {
     let problem = &segment.problem;
-    let states = problem.unjumped();
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
         return None;
     }
     let rate = piece.solve_roughly(&segment.change, &segment.direction);
-    let First { contact, exit, line } = first_exit(segment, &states, &piece, &rate)?;
+    let First { contact, exit, line } = first_exit(segment, &piece, &rate)?;
     // Again at the onset: found from afar the factor carries the rounding of what the forces are at the base.
     let mut factor = exit.step;
     let load = problem.wrench + segment.direction * factor;
@@ -48,11 +49,87 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     factor += more;
     there.twist += rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
+    Some(event(segment, (factor, factor, ramp.load_at(factor)), (contact, &exit), there))
+}
+
+/// The same while a load turns: the event, or that there is none. `None` where the case is another one.
+pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
+    segment: &mut Segment<'_, D, C>,
+    turn: &Turn<D, C>,
+    inside: &InsideTurn<D>,
+) -> Option<Onset<D, C>> {
+    let problem = &segment.problem;
+    let piece = problem.trial();
+    if !piece.free_motions().is_empty() {
+        return None;
+    }
+    let states = problem.unjumped();
+    let at_rest = vec![SVector::zeros(); problem.len()];
+    let parts = [
+        piece.solve_roughly(&problem.drives, &inside.constant),
+        piece.solve_roughly(&at_rest, &inside.cosine),
+        piece.solve_roughly(&at_rest, &inside.sine),
+    ];
+    let twist = parts[0].twist + parts[1].twist;
+    let forces: Vec<_> = parts[0].forces.iter().zip(&parts[1].forces).map(|(f, more)| f + more).collect();
+    let base = PieceState { forces, twist };
+    let largest = problem.largest_force(&base.forces, &base.twist);
+    let at = |i: usize| problem.at(i, &base.forces[i], &base.twist, largest);
+    if !problem.locals().enumerate().all(|(i, local)| clearly_rolls(&local, &at(i))) {
+        return None;
+    }
+    let waves = segment.waves(inside, &parts);
+    let exits = problem.locals().zip(&states).zip(&waves);
+    let exits =
+        exits.map(|((local, state), [force, gap])| local.turning_exits(state, [force, gap], turn.angle));
+    let first = FirstOnTurn::of(exits.enumerate().collect());
+    if !first.touches.is_empty() {
+        return None;
+    }
+    let Some((mut angle, standing)) = first.exits else { return Some(Onset::Never) };
+    let [(contact, exits)] = &standing[..] else { return None };
+    let [exit] = exits[..] else { return None };
+    if exit.uncertainty > ROUGHLY * angle {
+        return None;
+    }
+    let load = inside.from(angle).load_and_rate()[0];
+    let mut there = piece.solve(problem.sites, &problem.drives, &load).ok()?;
+    let rate = waves[*contact][0].rate_at(angle);
+    let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
+    if more.abs() > ROUGHLY * angle || !is_balanced(problem.sites, &load, &there.forces) {
+        return None;
+    }
+    angle += more;
+    there.forces.iter_mut().zip(&waves).for_each(|(force, [wave, _])| *force += wave.rate_at(angle) * more);
+    let onward = inside.from(angle);
+    let (sin, cos) = angle.sin_cos();
+    there.twist += (parts[2].twist * cos - parts[1].twist * sin) * more;
+    segment.turn_to(&onward);
+    let (contact, exit) = (*contact, exit);
+    Some(Onset::At(Box::new(event(segment, (angle, 0.0, turn.load_at(angle)), (contact, &exit), there))))
+}
+
+/// One contact leaves at a factor of the course, which is another of the segment.
+fn event<const D: usize, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    place: (f64, f64, Wrench<D, C>),
+    (contact, exit): (usize, &Exit<C>),
+    there: PieceState<D, C>,
+) -> OnsetEvent<D, C> {
+    let states = segment.problem.unjumped();
     let mut stands = vec![Stand::NOWHERE; states.len()];
-    stands[contact].reach(&states[contact], &[exit]);
-    let leaving = vec![Leaving::driven_out(contact, &stands[contact], &problem.sites[contact].frame)];
+    stands[contact].reach(&states[contact], &[*exit]);
+    let frame = &segment.problem.sites[contact].frame;
+    let leaving = vec![Leaving::driven_out(contact, &stands[contact], frame)];
     let found = Found::new(states, there.forces, there.twist);
-    Some(OnsetEvent::new(segment, ramp, factor, leaving, stands, (found, Rung::EverythingRolls)))
+    OnsetEvent::new(segment, place, leaving, stands, (found, Rung::EverythingRolls))
+}
+
+/// Whether a contact meets all conditions of its unjumped state by more than rounding.
+fn clearly_rolls<const C: usize>(local: &LocalLaw<'_, C>, at: &At<'_, C>) -> bool {
+    let mut clear = true;
+    local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > CLEARLY * size);
+    clear
 }
 
 /// The contact that reaches the edge of its cone before all others, with its way there.
@@ -65,7 +142,6 @@ struct First<const C: usize> {
 /// The first way out, if everything clearly rolls at the base and no other comes near it.
 fn first_exit<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    states: &[State<C>],
     piece: &Piece<D, C>,
     rate: &PieceState<D, C>,
 ) -> Option<First<C>> {
@@ -75,12 +151,9 @@ fn first_exit<const D: usize, const C: usize>(
     let fastest = rate.forces.iter().map(Matrix::norm).fold(segment.direction.norm(), f64::max);
     let mut first: Option<First<C>> = None;
     let mut next = f64::INFINITY;
-    for (contact, state) in states.iter().enumerate() {
-        let (local, site) = (problem.local(contact), &problem.sites[contact]);
+    for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         let at = problem.at(contact, &base.forces[contact], &base.twist, largest);
-        let mut clear = true;
-        local.for_each_condition(state, &at, |value, size| clear &= value > CLEARLY * size);
-        if !clear {
+        if !clearly_rolls(&local, &at) {
             return None;
         }
         let span_rate = site.span(&segment.change[contact], &rate.twist);

@@ -8,6 +8,14 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn)), as a weight does in the frame of an object that is tilted:
+//! while everything rolls, forces turn with it, and a margin is a trigonometric polynomial whose first fall below zero is found in closed
+//! form.
+//!
+//! ```text
+//! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
+//! ```
+//!
 //! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates. A gap or a slip grows
 //! only where the normal force or the friction in reserve stays zero; a contact that stands on no edge is bonded or absent. The solution says
 //! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends ([`Loss`]). Whether another exists just beyond ([`Beyond`]) is asked for by itself:
@@ -27,6 +35,7 @@
 
 mod arc;
 mod beyond;
+mod course;
 mod crossing;
 mod drive_change;
 mod energy;
@@ -52,7 +61,10 @@ mod straight;
 mod stretch;
 mod told_apart;
 mod transition;
+mod turn;
+mod turn_questions;
 mod turning;
+mod turning_load;
 mod walk;
 mod watch;
 
@@ -69,3 +81,4 @@ pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
+pub use turn::{Touch, Turn, TurnOnset};

@@ -3,7 +3,6 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::drive_change::DriveChange;
-use super::ramp::Ramp;
 use super::segment::Segment;
 use crate::contact::Stand;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
@@ -62,9 +61,9 @@ impl<const D: usize, const C: usize> Onset<D, C> {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct OnsetEvent<const D: usize, const C: usize> {
-    /// Load factor τ, exact up to rounding.
+    /// Load factor τ of a ramp, or the angle of a turn in rad, exact up to rounding.
     pub factor: f64,
-    /// The load there, `base + τ direction`.
+    /// The load there.
     pub load: Wrench<D, C>,
     /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
@@ -94,11 +93,10 @@ pub(super) struct RollingState<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> OnsetEvent<D, C> {
-    /// The event at a factor of a ramp, with the rolling state there and what its contacts stand on.
+    /// The event at a factor of a course and a factor of its segment, with the load and the rolling state there and what contacts stand on.
     pub(super) fn new(
         segment: &Segment<'_, D, C>,
-        ramp: &Ramp<D, C>,
-        factor: f64,
+        (factor, at, load): (f64, f64, Wrench<D, C>),
         leaving: Vec<Leaving<C>>,
         stands: Vec<Stand<C>>,
         (found, rule): (Found<D, C>, Rung),
@@ -108,14 +106,14 @@ impl<const D: usize, const C: usize> OnsetEvent<D, C> {
             rule,
             stands,
             leaving: leaving.iter().map(|leaving| leaving.contact).collect(),
-            wrench: segment.problem.wrench + segment.direction * factor,
+            wrench: segment.problem.wrench + segment.direction * at,
             wrench_rate: segment.direction,
-            drives: segment.drives(factor),
+            drives: segment.drives(at),
             drive_rates: segment.change.clone(),
             slips: segment.problem.slips.clone(),
         };
         let (leaving, drives) = segment.grasp.leaving_apart(leaving);
-        Self { factor, load: ramp.load_at(factor), leaving, drives, cone: segment.cone, local }
+        Self { factor, load, leaving, drives, cone: segment.cone, local }
     }
 }
 

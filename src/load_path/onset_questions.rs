@@ -6,12 +6,14 @@
 //! close on the way; it starts with F_t = 0 and rolls on if the rates lie in its cone.
 
 use super::beyond::{Beyond, End, beyond_end, continuation};
+use super::course::Course;
 use super::first_to_leave::first_to_leave;
 use super::loss::leaving_motion;
 use super::onset::{Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::transition::everything_slides;
+use super::turn::TurnOnset;
 use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
@@ -111,11 +113,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         if let Some(event) = first_to_leave(&segment, ramp) {
             return Ok(Onset::At(Box::new(event)));
         }
-        let (found, rule) = match self.rolling_base(&segment.problem, ramp, settings, cone) {
+        Ok(self.walked(segment, Course::Ramp(ramp), settings).onset)
+    }
+
+    /// The onset along a course from where the segment begins, with all that may happen on the way.
+    pub(super) fn walked<'a>(
+        &'a self,
+        segment: Segment<'a, D, C>,
+        course: Course<'a, D, C>,
+        settings: &'a Settings,
+    ) -> TurnOnset<D, C> {
+        let (found, rule) = match self.rolling_base(&segment, &course, settings) {
             Ok(base) => base,
-            Err(onset) => return Ok(*onset),
+            Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
         };
-        Ok(Walk { segment, ramp, settings, rule, factor: 0.0 }.run(found.states))
+        let mut walk = Walk { segment, course, settings, rule, factor: 0.0, at: 0.0, touches: Vec::new() };
+        let onset = walk.run(found.states);
+        TurnOnset { onset, touches: walk.touches }
     }
 
     /// The equilibrium at an onset: everything rolls, the leaving contacts stand on the edge of their cone. `None` for the event of a grasp
@@ -193,11 +207,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibrium at factor 0 if nothing slides there.
     fn rolling_base(
         &self,
-        problem: &Problem<D, C>,
-        ramp: &Ramp<D, C>,
+        segment: &Segment<'_, D, C>,
+        course: &Course<'_, D, C>,
         settings: &Settings,
-        cone: Cone,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<D, C>>> {
+        let (problem, cone) = (&segment.problem, segment.cone);
         let slides = |found: &Found<D, C>| found.states.iter().any(State::slides);
         let (settled, effort) = settle(problem, settings);
         match &settled {
@@ -206,7 +220,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &ramp.base, settled, &effort, cone) {
+        Err(Box::new(match self.outcome(problem, &course.load_at(0.0), settled, &effort, cone) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),

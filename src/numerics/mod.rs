@@ -7,6 +7,7 @@
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
+//! | `trigonometric` | where a trigonometric polynomial first falls below zero |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `dormand_prince` | one step of a differential equation |
@@ -30,6 +31,7 @@ mod orthogonal;
 mod pairwise;
 mod partial_pivoting;
 mod pseudo_random;
+mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
@@ -46,6 +48,7 @@ pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
+pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Loop, wide};
 pub(crate) use waiting_line::WaitingLine;

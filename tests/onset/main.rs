@@ -6,3 +6,5 @@ mod every_direction;
 mod invariance;
 mod search;
 mod sensitivity;
+mod turn;
+mod turn_exact;

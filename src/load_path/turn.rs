@@ -1,0 +1,218 @@
+//! A load that turns.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use super::onset::Onset;
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+
+/// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
+///
+/// Such is the weight of an object that is tilted with its grasp, seen from the object, as grasps are: see [`Turn::tilting`].
+///
+/// ```
+/// use grasp_lcp::planar::{Turn, Wrench};
+///
+/// // A weight of 2 N at (0, 0.1), and a cable that pulls with 1 N whatever the tilt.
+/// let cable = Wrench::force([1.0, 0.0]);
+/// let turn = Turn::tilting([0.0, -2.0], [0.0, 0.1]).beside(cable);
+/// // On its side by a quarter turn against the clock, the object feels its weight along -x.
+/// let load = turn.load_at(std::f64::consts::FRAC_PI_2);
+/// assert!((load.resultant()[0] + 1.0).abs() < 1e-15 && load.resultant()[1].abs() < 1e-15);
+/// assert!((load.moment() - 0.2).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn<const D: usize, const C: usize> {
+    pub(super) constant: Wrench<D, C>,
+    pub(super) cosine: Wrench<D, C>,
+    pub(super) sine: Wrench<D, C>,
+    /// How far it turns, rad.
+    pub(super) angle: f64,
+}
+
+impl<const D: usize, const C: usize> Turn<D, C> {
+    /// From its three parts, N and N m; one full turn.
+    #[must_use]
+    pub fn new(constant: Wrench<D, C>, cosine: Wrench<D, C>, sine: Wrench<D, C>) -> Self {
+        Self { constant, cosine, sine, angle: TAU }
+    }
+
+    /// This turn beside another load, which stays as it is.
+    #[must_use]
+    pub fn beside(mut self, load: Wrench<D, C>) -> Self {
+        self.constant = self.constant + load;
+        self
+    }
+
+    /// This turn up to another angle, rad, more than zero; any number of full turns.
+    #[must_use]
+    pub fn up_to(mut self, angle: f64) -> Self {
+        self.angle = angle;
+        self
+    }
+
+    /// The other way round.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.sine = -self.sine;
+        self
+    }
+
+    /// The constant part, that of cos θ and that of sin θ.
+    #[must_use]
+    pub fn parts(&self) -> [Wrench<D, C>; 3] {
+        [self.constant, self.cosine, self.sine]
+    }
+
+    /// The load at an angle, rad.
+    #[must_use]
+    pub fn load_at(&self, angle: f64) -> Wrench<D, C> {
+        let (sin, cos) = angle.sin_cos();
+        self.constant + self.cosine * cos + self.sine * sin
+    }
+
+    /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.constant.check("constant load")?;
+        self.cosine.check("cosine of the load")?;
+        self.sine.check("sine of the load")?;
+        // Beyond, an angle says nothing any more of where in its turn the load is.
+        if !(self.angle > 0.0 && self.angle <= 1e6) {
+            let allowed = "more than 0 and at most 1e6";
+            return Err(Error::Turn { what: "angle", value: self.angle, allowed });
+        }
+        Ok(())
+    }
+
+    /// A force that turns, given by its parts along the axis, at θ = 0 and a quarter turn on.
+    fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<D, C>) -> Self {
+        let [constant, cosine, sine] = parts.map(wrench);
+        Self::new(constant, cosine, sine)
+    }
+}
+
+impl<const D: usize> Turn<D, 2> {
+    /// A force (N) through `point` (m) that turns from x to y.
+    #[must_use]
+    pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
+        let ([x, y], point) = (force.into(), point.into());
+        let parts = [SVector::zeros(), SVector::from([x, y]), SVector::from([-y, x])];
+        Self::of_forces(parts, |force| Wrench::<D, 2>::force_at(force, point))
+    }
+
+    /// A weight (N) whose centre is at `point` (m), while the object is tilted from x to y together with its grasp.
+    #[must_use]
+    pub fn tilting(weight: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
+        Self::force_at(weight, point).reversed()
+    }
+}
+
+impl<const D: usize> Turn<D, 3> {
+    /// A force (N) through `point` (m) that turns about an axis by the right-hand rule; the axis has any length but zero.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::Turn;
+    ///
+    /// // About the direction (0, 0, 1), from x to y; what lies along the axis stays.
+    /// let turn = Turn::force_at([2.0, 0.0, -1.0], [0.0; 3], [0.0, 0.0, 5.0])?;
+    /// let [x, y, z] = turn.load_at(std::f64::consts::FRAC_PI_2).resultant();
+    /// assert!(x.abs() < 1e-15 && (y - 2.0).abs() < 1e-15 && z == -1.0);
+    ///
+    /// let refused = Turn::force_at([2.0, 0.0, -1.0], [0.0; 3], [0.0; 3]).unwrap_err();
+    /// assert_eq!(refused.to_string(), "turn: length of the axis is 0, must be more than 0 and at most 1e50");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Turn`] if the axis has no direction.
+    pub fn force_at(
+        force: impl Into<[f64; 3]>,
+        point: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+    ) -> Result<Self, Error> {
+        let (force, point, axis) =
+            (SVector::<f64, 3>::from(force.into()), point.into(), SVector::<f64, 3>::from(axis.into()));
+        // Of the largest component first, so that no square leaves the range of numbers.
+        let scale = axis.amax();
+        let length = scale * (axis / scale).norm();
+        if !(length > 0.0 && length <= 1e50) {
+            let (what, allowed) = ("length of the axis", "more than 0 and at most 1e50");
+            let value = if scale == 0.0 { 0.0 } else { length };
+            return Err(Error::Turn { what, value, allowed });
+        }
+        let axis = axis / scale / (length / scale);
+        let along = axis * axis.dot(&force);
+        let parts = [along, force - along, axis.cross(&force)];
+        Ok(Self::of_forces(parts, |force| Wrench::<D, 3>::force_at(force, point)))
+    }
+
+    /// A weight (N) whose centre is at `point` (m), while the object is tilted about an axis together with its grasp, by the right-hand
+    /// rule.
+    ///
+    /// # Errors
+    /// As for [`Self::force_at`].
+    pub fn tilting(
+        weight: impl Into<[f64; 3]>,
+        point: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+    ) -> Result<Self, Error> {
+        Ok(Self::force_at(weight, point, axis)?.reversed())
+    }
+}
+
+/// The answer to "at which angle does the first contact leave rolling?"
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct TurnOnset<const D: usize, const C: usize> {
+    /// When that is; its factor is the angle, rad. [`Onset::Never`] holds for the angle that was asked for.
+    pub onset: Onset<D, C>,
+    /// Where contacts come as near to the edge of their cone as rounding without crossing it, up to the onset. Where there are some, the last
+    /// digits of the question may make one of them the onset.
+    pub touches: Vec<Touch>,
+}
+
+/// A contact touches the edge of its cone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Touch {
+    /// The contact, from 0; behind them the drives of a hand.
+    pub contact: usize,
+    /// Where, rad.
+    pub angle: f64,
+}
+
+/// A turn in inside coordinates.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct InsideTurn<const D: usize> {
+    pub(super) constant: SVector<f64, D>,
+    pub(super) cosine: SVector<f64, D>,
+    pub(super) sine: SVector<f64, D>,
+}
+
+impl<const D: usize> InsideTurn<D> {
+    /// Of a turn that was checked; what acts on joints whatever they do belongs to the constant part.
+    pub(super) fn of<const C: usize>(grasp: &Grasp<D, C>, turn: &Turn<D, C>) -> Self {
+        Self {
+            constant: grasp.load_unchecked(&turn.constant),
+            cosine: grasp.inside_unchecked(&turn.cosine),
+            sine: grasp.inside_unchecked(&turn.sine),
+        }
+    }
+
+    /// The same turn as it goes on from an angle.
+    pub(super) fn from(&self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self {
+            constant: self.constant,
+            cosine: self.cosine * cos + self.sine * sin,
+            sine: self.sine * cos - self.cosine * sin,
+        }
+    }
+
+    /// The load at its beginning, and its rate for one radian.
+    pub(super) fn load_and_rate(&self) -> [SVector<f64, D>; 2] {
+        [self.constant + self.cosine, self.sine]
+    }
+}
