@@ -3,8 +3,9 @@
 //! `cargo run --release --example squeeze_design`
 
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Ramp, Turn, WeakestDirection, Wrench};
 use grasp_lcp::{Error, Settings};
+use support::Failure;
 
 /// A box in a three-finger hand: two fingers on the left, a thumb on the right, pressed by `squeeze` (m).
 fn hand(squeeze: f64) -> Result<Grasp, Error> {
@@ -29,23 +30,25 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let weight = Wrench::force_at([0.0, -4.0], [0.004, 0.0]);
     let reserve = 1.5;
 
-    // Start from far too much squeeze and let go: the factor at which the first contact slides under 1.5 times the weight is the
-    // least squeeze, found in one go.
-    let (plenty, per_unit) = (0.03, -1.0);
-    let generous = hand(plenty)?;
-    let change: Vec<_> = [1.0, 1.0, 1.2].map(|share| [per_unit * share, 0.0]).to_vec();
-    let release = Ramp::commands(weight * reserve, change);
-    let Onset::At(event) = generous.onset_with(&release, &settings)? else {
-        return Err("slides when released".into());
+    // The commands for 1 mm, and the least factor of them.
+    let by_millimetres = hand(1e-3)?;
+    let needed = |loads: Loads| -> Result<_, Failure> {
+        match by_millimetres.least_squeeze_with(&loads, &settings)? {
+            LeastSqueeze::Factor { factor, binding, .. } => {
+                Ok((1e-3 * factor, binding.map(|(contact, _)| contact)))
+            }
+            other => Err(format!("no squeeze suffices: {other:?}").into()),
+        }
     };
-    let least = plenty - event.factor;
+    let (least, first) = needed(Loads::Each(vec![weight * reserve]))?;
     println!("Least squeeze that carries {reserve} times the weight without sliding: {:.9} mm", 1e3 * least);
-    for leaving in &event.leaving {
-        println!(
-            "  below it {} slides first",
-            generous.contacts()[leaving.contact].label_text(leaving.contact)
-        );
+    if let Some(contact) = first {
+        println!("  below it {} slides first", by_millimetres.contacts()[contact].label_text(contact));
     }
+    let upside_down = Turn::tilting([0.0, -4.0 * reserve], [0.004, 0.0]);
+    println!("  turned over and back: {:.9} mm", 1e3 * needed(Loads::Turn(upside_down))?.0);
+    let any = Loads::AnyForce { base: weight, size: 1.0, point: [0.0, 0.0] };
+    println!("  the weight alone and 1 N of any direction beside it: {:.9} mm", 1e3 * needed(any)?.0);
 
     // Check: with that squeeze the onset along the weight is at the reserve asked for.
     let grasp = hand(least)?;
@@ -53,6 +56,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let onset = grasp.onset_with(&ramp, &settings)?;
     let event = onset.event().ok_or("slides at some load")?;
     println!("  onset of sliding with it: {:.12} times the weight", event.factor);
+    if let WeakestDirection::Force { size, direction: [x, y], .. } =
+        grasp.weakest_direction(&weight, [0.0, 0.0])?
+    {
+        println!("  beside the weight a force of {size:.6} N slides first, towards ({x:.6}, {y:.6})");
+    }
     let both = grasp.reserve_with(&ramp, 100.0, &settings)?;
     match both.limit {
         Some(limit) => {

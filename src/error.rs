@@ -83,10 +83,10 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A load that turns about nothing, or not at all.
-    #[error("turn: {what} is {value}, must be {allowed}")]
-    Turn {
-        /// Which of its data: the length of the axis, or the angle (rad).
+    /// A number of a question that is none of a contact, a load or a hand.
+    #[error("{what} is {value}, must be {allowed}")]
+    Argument {
+        /// Which number, such as "angle of the turn".
         what: &'static str,
         /// What was given.
         value: f64,

@@ -31,6 +31,12 @@ pub type ContactState = crate::equilibrium::ContactState<2>;
 pub type Decomposition = crate::equilibrium::Decomposition<2>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<3, 2>;
+/// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
+pub type Loads = crate::squeeze::Loads<3, 2>;
+/// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].
+pub type LeastSqueeze = crate::squeeze::LeastSqueeze<3, 2>;
+/// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
+pub type WeakestDirection = crate::squeeze::WeakestDirection<3, 2>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<3, 2>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].

@@ -32,6 +32,12 @@ pub type Bracket<const D: usize = 6> = crate::equilibrium::Bracket<D, 3>;
 pub type Decomposition = crate::equilibrium::Decomposition<3>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<6, 3>;
+/// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
+pub type Loads = crate::squeeze::Loads<6, 3>;
+/// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].
+pub type LeastSqueeze = crate::squeeze::LeastSqueeze<6, 3>;
+/// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
+pub type WeakestDirection = crate::squeeze::WeakestDirection<6, 3>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<6, 3>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].

@@ -15,6 +15,7 @@
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `hull` | where only part of its state is known: all that its law allows |
 //! | `most_work` | what a contact can do against a virtual motion |
+//! | `edges` | what a rolling contact asks of its force |
 //! | `exits` | how far a straight line stays in a state |
 //! | `turning_exits` | how far a load can turn before it leaves a state |
 //! | `stand` | what it stands on at an event, and the law of its rates |
@@ -24,6 +25,7 @@ mod answer;
 mod compliance;
 mod conditions;
 mod coulomb;
+mod edges;
 mod exits;
 mod hull;
 mod law;
@@ -44,6 +46,7 @@ pub(crate) use answer::Answer;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;
+pub(crate) use edges::Edges;
 pub(crate) use exits::{Exit, GapLine, Line};
 #[cfg(test)]
 pub(crate) use hull::Sector;

@@ -8,8 +8,8 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn)), as a weight does in the frame of an object that is tilted:
-//! while everything rolls, forces turn with it, and a margin is a trigonometric polynomial whose first fall below zero is found in closed
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn)), as a weight does in the frame of an object that is tilted.
+//! While everything rolls, forces turn with it. A margin then is a trigonometric polynomial, whose first fall below zero is found in closed
 //! form.
 //!
 //! ```text
@@ -82,3 +82,5 @@ pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
 pub use turn::{Touch, Turn, TurnOnset};
+
+pub(crate) use turn::InsideTurn;

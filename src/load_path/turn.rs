@@ -73,15 +73,20 @@ impl<const D: usize, const C: usize> Turn<D, C> {
         self.constant + self.cosine * cos + self.sine * sin
     }
 
+    /// How far it turns, or a full turn if that is less: all loads that there are.
+    pub(crate) fn whole_angle(&self) -> f64 {
+        self.angle.min(TAU)
+    }
+
     /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         self.constant.check("constant load")?;
         self.cosine.check("cosine of the load")?;
         self.sine.check("sine of the load")?;
         // Beyond, an angle says nothing any more of where in its turn the load is.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6";
-            return Err(Error::Turn { what: "angle", value: self.angle, allowed });
+            return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
         }
         Ok(())
     }
@@ -121,12 +126,12 @@ impl<const D: usize> Turn<D, 3> {
     /// assert!(x.abs() < 1e-15 && (y - 2.0).abs() < 1e-15 && z == -1.0);
     ///
     /// let refused = Turn::force_at([2.0, 0.0, -1.0], [0.0; 3], [0.0; 3]).unwrap_err();
-    /// assert_eq!(refused.to_string(), "turn: length of the axis is 0, must be more than 0 and at most 1e50");
+    /// assert_eq!(refused.to_string(), "length of the axis is 0, must be more than 0 and at most 1e50");
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::Turn`] if the axis has no direction.
+    /// [`Error::Argument`] if the axis has no direction.
     pub fn force_at(
         force: impl Into<[f64; 3]>,
         point: impl Into<[f64; 3]>,
@@ -140,7 +145,7 @@ impl<const D: usize> Turn<D, 3> {
         if !(length > 0.0 && length <= 1e50) {
             let (what, allowed) = ("length of the axis", "more than 0 and at most 1e50");
             let value = if scale == 0.0 { 0.0 } else { length };
-            return Err(Error::Turn { what, value, allowed });
+            return Err(Error::Argument { what, value, allowed });
         }
         let axis = axis / scale / (length / scale);
         let along = axis * axis.dot(&force);
@@ -185,15 +190,15 @@ pub struct Touch {
 
 /// A turn in inside coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct InsideTurn<const D: usize> {
-    pub(super) constant: SVector<f64, D>,
-    pub(super) cosine: SVector<f64, D>,
-    pub(super) sine: SVector<f64, D>,
+pub(crate) struct InsideTurn<const D: usize> {
+    pub(crate) constant: SVector<f64, D>,
+    pub(crate) cosine: SVector<f64, D>,
+    pub(crate) sine: SVector<f64, D>,
 }
 
 impl<const D: usize> InsideTurn<D> {
     /// Of a turn that was checked; what acts on joints whatever they do belongs to the constant part.
-    pub(super) fn of<const C: usize>(grasp: &Grasp<D, C>, turn: &Turn<D, C>) -> Self {
+    pub(crate) fn of<const C: usize>(grasp: &Grasp<D, C>, turn: &Turn<D, C>) -> Self {
         Self {
             constant: grasp.load_unchecked(&turn.constant),
             cosine: grasp.inside_unchecked(&turn.cosine),

@@ -40,7 +40,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Turn`] unless the angle is more than zero, and at
+    /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
     /// most 1e6.
     pub fn onset_of_turn(&self, turn: &Turn<D, C>) -> Result<TurnOnset<D, C>, Error> {
         self.onset_of_turn_with(turn, &Settings::default())

@@ -8,6 +8,7 @@
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
 //! | `trigonometric` | where a trigonometric polynomial first falls below zero |
+//! | `on_a_circle` | where a number is smaller than a vector, while both turn |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `dormand_prince` | one step of a differential equation |
@@ -27,6 +28,7 @@ mod exact_sum;
 mod factors;
 mod linearly_implicit;
 mod nearest_point;
+mod on_a_circle;
 mod orthogonal;
 mod pairwise;
 mod partial_pivoting;
@@ -44,6 +46,7 @@ pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;
+pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
 pub(crate) use partial_pivoting::PartialPivoting;

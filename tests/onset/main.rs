@@ -4,6 +4,7 @@ mod bracket;
 mod closed_forms;
 mod every_direction;
 mod invariance;
+mod least_squeeze;
 mod search;
 mod sensitivity;
 mod turn;

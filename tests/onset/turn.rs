@@ -150,10 +150,10 @@ fn what_is_no_turn_is_refused() {
     let (grasp, turn) = box_on_its_side(12.0);
     for angle in [0.0, -1.0, f64::NAN, f64::INFINITY, 2e6] {
         let refused = grasp.onset_of_turn(&turn.up_to(angle)).unwrap_err();
-        assert!(matches!(refused, Error::Turn { what: "angle", .. }), "{refused}");
+        assert!(matches!(refused, Error::Argument { what: "angle of the turn", .. }), "{refused}");
         assert_eq!(
             refused.to_string(),
-            format!("turn: angle is {angle}, must be more than 0 and at most 1e6")
+            format!("angle of the turn is {angle}, must be more than 0 and at most 1e6")
         );
     }
     let bad = Wrench::force([f64::NAN, 0.0]);
@@ -170,7 +170,7 @@ fn what_is_no_turn_is_refused() {
     }
     for axis in [[0.0; 3], [f64::NAN, 0.0, 1.0], [0.0, f64::INFINITY, 0.0]] {
         let refused = spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], axis).unwrap_err();
-        assert!(matches!(refused, Error::Turn { what: "length of the axis", .. }), "{refused}");
+        assert!(matches!(refused, Error::Argument { what: "length of the axis", .. }), "{refused}");
     }
     // A quarter turn of nothing changes nothing.
     let still = Turn::new(Wrench::force([0.0, -1.0]), Wrench::ZERO, Wrench::ZERO).up_to(FRAC_PI_2.max(PI));

@@ -1,0 +1,36 @@
+//! The edges of a contact's cone, as conditions on its force while it rolls.
+
+use nalgebra::SVector;
+
+use super::law::LocalLaw;
+
+/// What a rolling contact asks of its force.
+#[derive(Debug, Clone)]
+pub(crate) enum Edges<const C: usize> {
+    /// `a·F >= 0` for each of these: facets, or the normal force alone.
+    Rows(Vec<SVector<f64, C>>),
+    /// `limit F_n >= |F_t|`.
+    Round {
+        /// The coefficient of friction.
+        limit: f64,
+    },
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// The conditions of rolling.
+    pub(crate) fn edges(&self) -> Edges<C> {
+        if self.has_a_round_edge() {
+            return Edges::Round { limit: self.cone().limit(1.0) };
+        }
+        if self.is_bonded() {
+            return Edges::Rows(Vec::new());
+        }
+        let facets = self.facets();
+        if facets.is_empty() && self.may_open() {
+            let mut normal = SVector::zeros();
+            normal[0] = 1.0;
+            return Edges::Rows(vec![normal]);
+        }
+        Edges::Rows(facets.iter().map(|h| self.cone().facet_row(h)).collect())
+    }
+}

@@ -1,0 +1,132 @@
+//! Where `N(φ) - |v(φ)|` is negative on a circle, for a number and a vector that turn: `x₀ + x_c cos φ + x_s sin φ`.
+//!
+//! It is nowhere exactly if N is not negative and `N² - |v|²`, a trigonometric polynomial of degree two, does not fall below zero.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use super::trigonometric::{Fall, Trigonometric};
+
+/// The square of a number carries so many roundings of its largest coefficient.
+const SQUARED: f64 = 16.0 * f64::EPSILON;
+/// The least value is looked for in steps of this part of a turn, then by thirds.
+const FIRST_STEP: f64 = 1e-3;
+const THIRDS: usize = 80;
+
+/// N and v.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Turning<const C: usize> {
+    pub(crate) number: [f64; 3],
+    pub(crate) vector: [SVector<f64, C>; 3],
+}
+
+impl<const C: usize> Turning<C> {
+    /// N at an angle.
+    pub(crate) fn number_at(&self, angle: f64) -> f64 {
+        let (sin, cos) = angle.sin_cos();
+        self.number[0] + self.number[1] * cos + self.number[2] * sin
+    }
+
+    /// v at an angle.
+    pub(crate) fn vector_at(&self, angle: f64) -> SVector<f64, C> {
+        let (sin, cos) = angle.sin_cos();
+        self.vector[0] + self.vector[1] * cos + self.vector[2] * sin
+    }
+
+    fn value(&self, angle: f64) -> f64 {
+        self.number_at(angle) - self.vector_at(angle).norm()
+    }
+
+    /// Size of the terms of both.
+    fn size(&self) -> f64 {
+        self.number.iter().map(|x| x.abs()).sum::<f64>() + self.vector.iter().map(SVector::norm).sum::<f64>()
+    }
+
+    /// An angle from 0 to `most` at which the value is negative by more than rounding, least near by; `None` if there is none.
+    pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
+        let rounding = SQUARED * self.size();
+        if self.value(0.0) < -rounding {
+            return Some(self.least_near(0.0, most));
+        }
+        let square = |parts: [f64; 3]| Trigonometric::square_of(parts);
+        let difference =
+            (0..C).fold(square(self.number), |sum, axis| sum.minus(&square(self.vector.map(|v| v[axis]))));
+        let falls = [
+            Trigonometric::linear(self.number).first_fall(most, rounding, 0),
+            difference.first_fall(most, rounding * self.size(), 0),
+        ];
+        falls.into_iter().find_map(|fall| match fall? {
+            Fall::At(angle) => Some(self.least_near(angle, most)),
+            Fall::Touches(_) => None,
+        })
+    }
+
+    /// Down the slope from an angle to where the value is least, between 0 and `most` unless that is a full turn.
+    fn least_near(&self, start: f64, most: f64) -> f64 {
+        let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
+        let way = if self.value(within(start + FIRST_STEP)) <= self.value(within(start - FIRST_STEP)) {
+            1.0
+        } else {
+            -1.0
+        };
+        let (mut before, mut at, mut step) = (within(start - way * FIRST_STEP), start, FIRST_STEP);
+        let mut value = self.value(start);
+        while step < TAU {
+            let next = within(at + way * step);
+            if self.value(next) >= value {
+                break;
+            }
+            (before, at, value) = (at, next, self.value(next));
+            step *= 2.0;
+        }
+        let (mut low, mut high) = (before, within(at + way * step));
+        for _ in 0..THIRDS {
+            let third = (high - low) / 3.0;
+            if self.value(low + third) <= self.value(high - third) { high -= third } else { low += third }
+        }
+        let found = 0.5 * (low + high);
+        if self.value(found) <= value { found } else { at }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::generic;
+
+    #[test]
+    fn what_is_negative_somewhere_is_found() {
+        let mut drawn = 0;
+        let (mut some, mut none) = (0, 0);
+        for _ in 0..2000 {
+            let mut number = || {
+                drawn += 1;
+                2.0 * generic(drawn) - 2.0
+            };
+            let turning = Turning {
+                number: [2.0 + number(), number(), number()],
+                vector: std::array::from_fn(|_| SVector::from([number(), number()])),
+            };
+            let sampled =
+                (0..3000).map(|k| turning.value(TAU * f64::from(k) / 3000.0)).fold(f64::INFINITY, f64::min);
+            if let Some(angle) = turning.deepest(TAU) {
+                assert!(turning.value(angle) < 0.0, "{turning:?}");
+                some += 1;
+            } else {
+                assert!(sampled > -1e-12, "{turning:?}: {sampled}");
+                none += 1;
+            }
+        }
+        assert!(some > 200 && none > 200, "{some} {none}");
+    }
+
+    #[test]
+    fn what_is_the_same_all_round_is_told_apart_by_its_sign() {
+        for (number, negative) in [(1.0, false), (1.0 + 1e-12, false), (1.0 - 1e-12, true)] {
+            let vector = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(SVector::from);
+            let turning = Turning { number: [number, 0.0, 0.0], vector };
+            assert_eq!(turning.deepest(TAU).is_some(), negative, "{number}");
+        }
+    }
+}

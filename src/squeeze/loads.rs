@@ -1,0 +1,56 @@
+//! The loads that a grasp is to hold.
+
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::grasp::{Grasp, Wrench};
+use crate::load_path::Turn;
+
+/// A set of loads.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Loads<const D: usize, const C: usize> {
+    /// Each of these, one at a time.
+    Each(Vec<Wrench<D, C>>),
+    /// A load beside a force of any direction.
+    AnyForce {
+        /// What acts whatever the force does, N and N m.
+        base: Wrench<D, C>,
+        /// The size of the force, N.
+        size: f64,
+        /// The point that it acts at, m.
+        point: [f64; C],
+    },
+    /// A load that turns, over a full turn or as far as it goes.
+    Turn(Turn<D, C>),
+}
+
+impl<const D: usize, const C: usize> Loads<D, C> {
+    /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
+    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+        match self {
+            Self::Each(list) => {
+                if list.is_empty() {
+                    let allowed = "at least 1";
+                    return Err(Error::Argument { what: "number of loads", value: 0.0, allowed });
+                }
+                list.iter().try_for_each(|load| grasp.load_alone(load, "load").map(drop))
+            }
+            Self::AnyForce { base, size, point } => {
+                grasp.load_alone(base, "base load")?;
+                if !(*size >= 0.0 && is_moderate(*size)) {
+                    let allowed = "zero, or more and at most 1e50";
+                    return Err(Error::Argument { what: "size of the force", value: *size, allowed });
+                }
+                check_point(point)
+            }
+            Self::Turn(turn) => turn.check(),
+        }
+    }
+}
+
+/// Refuses a point that is not finite or beyond 1e50.
+pub(super) fn check_point<const C: usize>(point: &[f64; C]) -> Result<(), Error> {
+    match point.iter().find(|x| !is_moderate(**x)) {
+        Some(&value) => Err(Error::Argument { what: "point of the force", value, allowed: MODERATE }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,184 @@
+//! The least force, of all directions, at which something slides.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::SVector;
+
+use super::loads::check_point;
+use super::rolling::{Rolling, felt, is_broken, push, round_row, worst_row};
+use crate::contact::Edges;
+use crate::error::Error;
+use crate::grasp::{Grasp, Twist, Wrench};
+use crate::numerics::Turning;
+use crate::search::Settings;
+
+/// A cut lowers the force by a part that soon is squared; more of them are made by rounding.
+const MOST_CUTS: usize = 200;
+
+/// The answer to "a force of which direction slides first?"
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum WeakestDirection<const D: usize, const C: usize> {
+    /// A force of this size in this direction; no smaller force slides in any direction.
+    #[non_exhaustive]
+    Force {
+        /// Its size, N, exact up to rounding.
+        size: f64,
+        /// Unit direction, coordinate axes.
+        direction: [f64; C],
+        /// The base load with that force.
+        load: Wrench<D, C>,
+        /// The contact that leaves rolling, from 0.
+        contact: usize,
+    },
+    /// However large the force is, everything keeps rolling in every direction.
+    Never,
+    /// Some force works on this motion, which nothing resists.
+    GivesWay {
+        /// A unit motion of the object.
+        motion: Twist<D, C>,
+    },
+    /// Under the base load something slides, is open, or has no equilibrium.
+    NotRolling,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The direction in which the least force through a point (m) makes a contact leave rolling, beside a base load. On the round cone in
+    /// space, with default [`Settings`].
+    ///
+    /// Of each facet the worst direction is known in closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
+    ///
+    /// The round cone has a facet at every angle. The least is found where a trigonometric polynomial falls below zero, see [the room](crate::squeeze).
+    /// So it is least over all directions up to rounding, whatever the number of minima.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};
+    ///
+    /// // Two fingers that press with 10 N, μ = 0.5: along the line of the fingers 20 N open one, across 10 N make both slide. Between, a
+    /// // finger carries F_n = 10 + x/2, F_t = y/2: y/2 = 5 + x/4 is nearest at x = -4, y = 8.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 1000.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let WeakestDirection::Force { size, direction, .. } = grasp.weakest_direction(&Wrench::ZERO, [0.0, 0.0])? else { panic!("it slides") };
+    /// assert!((size - 80_f64.sqrt()).abs() < 1e-14);
+    /// assert!((direction[0].abs() - 0.2_f64.sqrt()).abs() < 1e-15 && (direction[1].abs() - 0.8_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50. [`Error::NotForHands`] for a grasp by a hand.
+    pub fn weakest_direction(
+        &self,
+        base: &Wrench<D, C>,
+        point: impl Into<[f64; C]>,
+    ) -> Result<WeakestDirection<D, C>, Error> {
+        self.weakest_direction_with(base, point, &Settings::default())
+    }
+
+    /// The same with other [`Settings`], which say for which cone.
+    ///
+    /// # Errors
+    /// As for [`Self::weakest_direction`].
+    pub fn weakest_direction_with(
+        &self,
+        base: &Wrench<D, C>,
+        point: impl Into<[f64; C]>,
+        settings: &Settings,
+    ) -> Result<WeakestDirection<D, C>, Error> {
+        self.refuse_hands("weakest_direction")?;
+        let point = point.into();
+        check_point(&point)?;
+        let load = self.load_alone(base, "base load")?;
+        let rolling = Rolling::new(self, settings);
+        let (Ok(forces), pushes) = (rolling.forces(&self.drives(), &load), rolling.forces_of_pushes(&point))
+        else {
+            return Ok(WeakestDirection::NotRolling);
+        };
+        let largest = forces.iter().map(SVector::norm).fold(load.norm(), f64::max);
+        let rolls = |(edges, force): (&Edges<C>, &SVector<f64, C>)| {
+            worst_row(edges, force).is_none_or(|(row, value)| !is_broken(value, &row, largest))
+        };
+        if !rolling.edges.iter().zip(&forces).all(rolls) {
+            return Ok(WeakestDirection::NotRolling);
+        }
+        let columns = match pushes {
+            Ok(columns) => columns,
+            Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
+        };
+        let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), contact: 0 };
+        for (contact, ((edges, force), columns)) in
+            rolling.edges.iter().zip(&forces).zip(&columns).enumerate()
+        {
+            match edges {
+                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(contact, force, columns, row)),
+                Edges::Round { limit } => least.go_round(contact, *limit, force, columns),
+            }
+        }
+        if least.size.is_infinite() {
+            return Ok(WeakestDirection::Never);
+        }
+        let Least { size, direction, contact } = least;
+        let direction = direction.into();
+        Ok(WeakestDirection::Force {
+            size,
+            direction,
+            load: *base + push(&point, &direction) * size,
+            contact,
+        })
+    }
+}
+
+/// The least force known so far.
+struct Least<const C: usize> {
+    size: f64,
+    direction: SVector<f64, C>,
+    contact: usize,
+}
+
+impl<const C: usize> Least<C> {
+    /// The least force that breaks one condition.
+    fn cut(
+        &mut self,
+        contact: usize,
+        force: &SVector<f64, C>,
+        columns: &[SVector<f64, C>; C],
+        row: &SVector<f64, C>,
+    ) {
+        let felt = felt(columns, row);
+        let size = row.dot(force).max(0.0) / felt.norm();
+        if size < self.size {
+            *self = Self { size, direction: -felt.normalize(), contact };
+        }
+    }
+
+    /// The least force that breaks one of the conditions of a round cone.
+    fn go_round(
+        &mut self,
+        contact: usize,
+        limit: f64,
+        force: &SVector<f64, C>,
+        columns: &[SVector<f64, C>; C],
+    ) {
+        // Where to begin: the facets towards and against the friction force, and across.
+        let begin = force[C - 1].atan2(force[1]);
+        for quarter in 0_u8..4 {
+            let angle = begin + f64::from(quarter) * FRAC_PI_2;
+            self.cut(contact, force, columns, &round_row(limit, angle));
+        }
+        let parts = [(limit, 0), (-1.0, 1), (-1.0, C - 1)];
+        let number = parts.map(|(times, axis)| times * force[axis]);
+        let vector = parts.map(|(times, axis)| SVector::from_fn(|k, _| times * columns[k][axis]));
+        for _ in 0..MOST_CUTS {
+            if self.size.is_infinite() {
+                // A force moves no condition, or none at these four angles.
+                return;
+            }
+            let turning = Turning { number, vector: vector.map(|v: SVector<f64, C>| v * self.size) };
+            let Some(angle) = turning.deepest(TAU) else { return };
+            let before = self.size;
+            self.cut(contact, force, columns, &round_row(limit, angle));
+            if self.size >= before {
+                return;
+            }
+        }
+    }
+}

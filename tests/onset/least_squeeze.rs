@@ -1,0 +1,197 @@
+//! The least squeeze and the weakest direction against dense sampling from both sides.
+
+use grasp_lcp::equilibrium::{Outcome, Rung};
+use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
+use grasp_lcp::{Error, planar, spatial};
+use support::numbers::Numbers;
+
+/// A spatial grasp of so many fingers round a ball, whose commands press with `press` N each.
+struct Ball {
+    fingers: Vec<([f64; 3], [f64; 3], f64, f64)>,
+}
+
+impl Ball {
+    fn new(count: usize, numbers: &mut Numbers) -> Self {
+        let finger = |k: usize| {
+            let angle = std::f64::consts::TAU * (k as f64 + 0.2 * numbers.signed()) / count as f64;
+            let point = [angle.cos(), angle.sin(), 0.3 * numbers.signed()];
+            let bent = numbers.three();
+            let normal = std::array::from_fn(|a| 0.15 * bent[a] - point[a]);
+            (point, normal, 1000.0 * (1.0 + numbers.part()), 0.4 + 0.4 * numbers.part())
+        };
+        Self { fingers: (0..count).map(finger).collect() }
+    }
+
+    fn pressed(&self, press: f64) -> Result<spatial::Grasp, Error> {
+        let contact = |(point, normal, k, mu): &([f64; 3], [f64; 3], f64, f64)| {
+            spatial::Contact::new(*point, *normal).series_stiffness(*k, 0.7 * k).friction(*mu).command([
+                press / k,
+                0.0,
+                0.0,
+            ])
+        };
+        spatial::Grasp::new(self.fingers.iter().map(contact))
+    }
+}
+
+/// Whether everything touches and rolls under a load.
+fn rolls(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
+    match grasp.solve(load).expect("a load") {
+        Outcome::Equilibrium(e) => e.rule == Rung::EverythingRolls,
+        _ => false,
+    }
+}
+
+#[test]
+fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
+    let mut numbers = Numbers(21);
+    let mut found = 0;
+    for number in 0..60 {
+        let grasp = Ball::new(3 + number % 3, &mut numbers).pressed(10.0)?;
+        let base = spatial::Wrench::force(numbers.three());
+        let point = numbers.three().map(|x| 0.2 * x);
+        let WeakestDirection::Force { size, direction, load, contact, .. } =
+            grasp.weakest_direction(&base, point)?
+        else {
+            continue;
+        };
+        found += 1;
+        let push = |direction: [f64; 3]| spatial::Wrench::force_at(direction, point);
+        let onset = |direction: [f64; 3]| grasp.onset_of_sliding(&base, &push(direction));
+        let there = onset(direction)?;
+        let event = there.event().expect("slides");
+        assert!((event.factor - size).abs() < 1e-13 * size, "{number}: {} {size}", event.factor);
+        assert!(event.leaving.iter().any(|leaving| leaving.contact == contact));
+        assert!((load.as_vector() - event.load.as_vector()).norm() < 1e-12 * size);
+        let mut least = f64::INFINITY;
+        for _ in 0..2000 {
+            let v = numbers.three();
+            let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("rolls at rest"));
+        }
+        // Beside it, too: where it would be weaker if it were not the least near by.
+        for step in [1e-2, 1e-4] {
+            let near = numbers.three();
+            let v: [f64; 3] = std::array::from_fn(|a| direction[a] + step * near[a]);
+            let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("rolls at rest"));
+        }
+        assert!(least >= size * (1.0 - 1e-12) && least < 1.05 * size, "{number}: {least} {size}");
+    }
+    assert!(found > 40, "{found}");
+    Ok(())
+}
+
+#[test]
+fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
+    let mut numbers = Numbers(22);
+    let mut factors = [0; 3];
+    for number in 0..60 {
+        let ball = Ball::new(3 + number % 3, &mut numbers);
+        let base = spatial::Wrench::force(numbers.three());
+        let point = numbers.three().map(|x| 0.1 * x);
+        let loads = match number % 3 {
+            0 => Loads::Each(
+                (0..4).map(|_| base + spatial::Wrench::force(numbers.three().map(|x| 4.0 * x))).collect(),
+            ),
+            1 => Loads::AnyForce { base, size: 2.0, point },
+            _ => Loads::Turn(spatial::Turn::tilting([0.0, 0.0, -3.0], point, numbers.three())?.beside(base)),
+        };
+        // One newton each: the factor counts newtons.
+        let answer = ball.pressed(1.0)?.least_squeeze(&loads)?;
+        let LeastSqueeze::Factor { factor, binding: Some((_, worst)), .. } = answer else { continue };
+        factors[number % 3] += 1;
+        let samples: Vec<spatial::Wrench> = match &loads {
+            Loads::Each(list) => list.clone(),
+            Loads::AnyForce { .. } => (0..400)
+                .map(|_| {
+                    let v = numbers.three();
+                    let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+                    base + spatial::Wrench::force_at(v.map(|x| 2.0 * x / norm), point)
+                })
+                .collect(),
+            Loads::Turn(turn) => {
+                (0..400).map(|k| turn.load_at(f64::from(k) / 400.0 * std::f64::consts::TAU)).collect()
+            }
+            other => panic!("{other:?}"),
+        };
+        let enough = ball.pressed(factor * (1.0 + 1e-9))?;
+        assert!(samples.iter().all(|load| rolls(&enough, load)), "{number}: {factor}");
+        assert!(rolls(&enough, &worst), "{number}: {factor}");
+        let less = ball.pressed(factor * (1.0 - 1e-9))?;
+        assert!(!rolls(&less, &worst), "{number}: {factor}");
+    }
+    assert!(factors.iter().all(|count| *count > 8), "{factors:?}");
+    Ok(())
+}
+
+#[test]
+fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
+    // Two palms below: to press them harder lifts the box, and carries nothing sideways without weight.
+    let palm = |x: f64| {
+        planar::Contact::new([x, 0.0], [0.0, 1.0])
+            .series_stiffness(1000.0, 800.0)
+            .friction(0.5)
+            .pressed_with(1.0)
+    };
+    let tray = planar::Grasp::new([palm(-1.0), palm(1.0)])?;
+    let aside = planar::Wrench::force([3.0, -4.0]);
+    assert!(matches!(tray.least_squeeze(&Loads::Each(vec![aside]))?, LeastSqueeze::None { .. }));
+    // What needs none.
+    let little = planar::Wrench::force([1.0, -4.0]);
+    assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
+    // Two fingers on a line do not resist a turn about it.
+    let finger = |x: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(1e3, 1e3)
+            .friction(0.5)
+            .pressed_with(1.0)
+    };
+    let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
+    let off = Loads::AnyForce { base: spatial::Wrench::ZERO, size: 1.0, point: [0.0, 0.1, 0.0] };
+    assert!(matches!(pinch.least_squeeze(&off)?, LeastSqueeze::GivesWay { .. }));
+    assert!(matches!(
+        pinch.weakest_direction(&spatial::Wrench::ZERO, [0.0, 0.1, 0.0])?,
+        WeakestDirection::GivesWay { .. }
+    ));
+    // On the line it is as strong all round: μ F_n at each finger across, and nearer in between, as in the plane.
+    let WeakestDirection::Force { size, .. } = pinch.weakest_direction(&spatial::Wrench::ZERO, [0.0; 3])?
+    else {
+        panic!("slides")
+    };
+    assert!((size - 0.8_f64.sqrt()).abs() < 1e-15, "{size}");
+    // A base load that slides already.
+    let heavy = spatial::Wrench::force([0.0, 0.0, -1.5]);
+    assert!(matches!(pinch.weakest_direction(&heavy, [0.0; 3])?, WeakestDirection::NotRolling));
+    Ok(())
+}
+
+fn factor_of_none() -> LeastSqueeze<3, 2> {
+    let free = planar::Grasp::new([planar::Contact::new([0.0, 0.0], [0.0, 1.0])
+        .series_stiffness(1.0, 1.0)
+        .kept_closed()]);
+    free.and_then(|grasp| grasp.least_squeeze(&Loads::Each(vec![planar::Wrench::ZERO]))).expect("no squeeze")
+}
+
+#[test]
+fn what_is_no_set_of_loads_is_refused() {
+    let palm = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0])
+            .series_stiffness(1000.0, 800.0)
+            .friction(0.5)
+            .pressed_with(1.0)
+    };
+    let palms = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
+    let told = |loads: Loads<3, 2>| palms.least_squeeze(&loads).unwrap_err().to_string();
+    assert_eq!(told(Loads::Each(Vec::new())), "number of loads is 0, must be at least 1");
+    let any = |size: f64, point: [f64; 2]| Loads::AnyForce { base: planar::Wrench::ZERO, size, point };
+    assert_eq!(told(any(-1.0, [0.0; 2])), "size of the force is -1, must be zero, or more and at most 1e50");
+    assert_eq!(
+        told(any(1.0, [0.0, f64::NAN])),
+        "point of the force is NaN, must be finite and at most 1e50 in size"
+    );
+    let turn = planar::Turn::tilting([0.0, -1.0], [0.0, 0.0]).up_to(0.0);
+    assert_eq!(told(Loads::Turn(turn)), "angle of the turn is 0, must be more than 0 and at most 1e6");
+    let refused = palms.weakest_direction(&planar::Wrench::ZERO, [0.0, f64::INFINITY]).unwrap_err();
+    assert_eq!(refused.to_string(), "point of the force is inf, must be finite and at most 1e50 in size");
+}
