@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("What one percent more of each parameter does to the onset (percent):");
     println!("            friction   k_n        k_t        command");
-    let gradient = grasp.onset_gradients(&ramp, event).into_iter().next().ok_or("a gradient")?;
+    let gradient = grasp.onset_gradients(event).into_iter().next().ok_or("a gradient")?;
     let mut strongest = (0.0, String::new());
     for (i, contact) in grasp.contacts().iter().enumerate() {
         let name = contact.label_text(i);

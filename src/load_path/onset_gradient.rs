@@ -2,8 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::onset::OnsetEvent;
-use super::ramp::Ramp;
+use super::onset::{OnsetEvent, RollingState};
 use super::sensitivity::{Local, Parameter};
 use crate::contact::tangential;
 use crate::equilibrium::Cone;
@@ -28,8 +27,8 @@ pub struct OnsetGradient<const D: usize, const C: usize> {
     pub joint_stiffness: Vec<f64>,
     /// By their limits, 1/(N m) or 1/N.
     pub joint_limit: Vec<f64>,
-    /// By the components of the base load, 1/N and 1/(N m); those by the load direction are the factor times these. Not a number
-    /// where a component works on a motion that nothing resists: with such a load there is no equilibrium.
+    /// By the components of the base load, or of the constant part of one that turns, 1/N and 1/(N m). Those by the load direction are the
+    /// factor times these, those by the parts that turn cos θ and sin θ times. Not a number where a component works on a motion that nothing resists: with such a load there is no equilibrium.
     pub base_load: SVector<f64, D>,
 }
 
@@ -45,9 +44,9 @@ pub enum Leaver {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'` with the margin that vanishes,
-    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. `ramp` and `event` must be those of the same
-    /// question. Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or if event or
-    /// ramp have another number of contacts.
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. Of a load that turns they are those of the angle.
+    /// Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or if the event has another
+    /// number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -59,12 +58,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
     /// let onset = grasp.onset(&ramp)?;
     /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
-    /// let gradient = &grasp.onset_gradients(&ramp, onset.event().expect("slides"))[0];
+    /// let gradient = &grasp.onset_gradients(onset.event().expect("slides"))[0];
     /// assert!((gradient.friction[0] - 20.0).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn onset_gradients(&self, ramp: &Ramp<D, C>, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
+    pub fn onset_gradients(&self, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
         let Some(state) = self.state_at_onset(event) else { return Vec::new() };
         let Some(local) = Local::new(self, &state) else { return Vec::new() };
         let has_slipped = |i: usize| {
@@ -74,9 +73,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         if (0..self.len()).any(has_slipped) {
             return Vec::new();
         }
-        let Ok(change) = ramp.drive_changes(self) else { return Vec::new() };
-        let Ok(rates) = local.piece.solve(self.sites(), &change, &self.inside_unchecked(&ramp.direction))
-        else {
+        let OnsetEvent { local: RollingState { drive_rates, wrench_rate, .. }, .. } = event;
+        let Ok(rates) = local.piece.solve(self.sites(), drive_rates, wrench_rate) else {
             return Vec::new();
         };
         let one = |site: &usize| self.onset_gradient(&local, event.cone, *site, &rates.forces[*site]);

@@ -79,7 +79,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
     let onset = |data: &Data| grasp(data, Limit::Slips).onset(&ramp).expect("a ramp");
     let event = onset(&data);
     let event = event.event().expect("leaves");
-    let gradient = &grasp(&data, Limit::Slips).onset_gradients(&ramp, event)[0];
+    let gradient = &grasp(&data, Limit::Slips).onset_gradients(event)[0];
     assert_eq!(gradient.leaving, Leaver::Drive(HandPart::Joint(0)));
     for kind in 0..3 {
         for joint in 0..3 {

@@ -172,7 +172,7 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
         let grasp = scene.grasp();
         let ramp = Ramp::load(Wrench::from_vector(scene.load), Wrench::from_vector(scene.direction));
         let onset = grasp.onset(&ramp).unwrap();
-        let gradients = grasp.onset_gradients(&ramp, onset.event().unwrap());
+        let gradients = grasp.onset_gradients(onset.event().unwrap());
         let [gradient] = &gradients[..] else { continue };
         for by in scene.parameters() {
             let step = 0.1 * Scene::<D, C>::step(by);

@@ -146,6 +146,48 @@ fn the_state_at_the_onset_and_what_comes_beyond() {
 }
 
 #[test]
+fn gradients_are_those_of_small_changes() {
+    let grasp = |[mu, k, command]: [f64; 3]| {
+        let finger = |angle: f64, [mu, k, command]: [f64; 3]| {
+            let point = [angle.cos(), angle.sin(), 0.1 * angle.sin()];
+            spatial::Contact::new(point, point.map(|x| -x))
+                .series_stiffness(k, 0.7 * k)
+                .friction(mu)
+                .command([command, 0.0, 0.0])
+        };
+        let usual = [0.6, 1000.0, 6e-3];
+        spatial::Grasp::new([finger(0.3, [mu, k, command]), finger(2.1, usual), finger(4.4, usual)]).unwrap()
+    };
+    let turn = |aside: f64| {
+        spatial::Turn::tilting([0.5, 0.0, -8.5], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2])
+            .unwrap()
+            .beside(spatial::Wrench::force([0.0, aside, 0.0]))
+    };
+    let data = [0.6, 1000.0, 6e-3];
+    let angle =
+        |data: [f64; 3], aside: f64| grasp(data).onset_of_turn(&turn(aside)).unwrap().onset.factor().unwrap();
+    let onset = grasp(data).onset_of_turn(&turn(0.0)).unwrap().onset;
+    let gradient = &grasp(data).onset_gradients(onset.event().expect("slides"))[0];
+    let by_axis = gradient.stiffness[0];
+    let stiffness = by_axis[0] + 0.7 * (by_axis[1] + by_axis[2]);
+    let known = [gradient.friction[0], stiffness, gradient.command[0][0]];
+    let mut felt = 0;
+    for (k, known) in known.into_iter().enumerate() {
+        let step = 1e-5 * data[k];
+        let moved = |by: f64| angle(std::array::from_fn(|j| data[j] + if j == k { by } else { 0.0 }), 0.0);
+        let difference = (moved(step) - moved(-step)) / (2.0 * step);
+        assert!(
+            (difference - known).abs() < 1e-7 * (1.0 / data[k] + known.abs()),
+            "{k}: {difference} {known}"
+        );
+        felt += usize::from(known.abs() * data[k] > 1e-3);
+    }
+    let difference = (angle(data, 1e-5) - angle(data, -1e-5)) / 2e-5;
+    assert!((difference - gradient.base_load[1]).abs() < 1e-7, "{difference} {}", gradient.base_load[1]);
+    assert!(felt >= 2 && gradient.base_load[1].abs() > 1e-3);
+}
+
+#[test]
 fn what_is_no_turn_is_refused() {
     let (grasp, turn) = box_on_its_side(12.0);
     for angle in [0.0, -1.0, f64::NAN, f64::INFINITY, 2e6] {
