@@ -93,6 +93,8 @@ pub mod hand {
     pub type Wrench<const D: usize> = crate::grasp::Wrench<D, 2>;
     /// A motion of the object, and of joints behind it; see [`crate::grasp::Twist`].
     pub type Twist<const D: usize> = crate::grasp::Twist<D, 2>;
+    /// A load that turns; see [`crate::load_path::Turn`].
+    pub type Turn<const D: usize> = crate::load_path::Turn<D, 2>;
     /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
     pub type Ramp<const D: usize> = crate::load_path::Ramp<D, 2>;
     /// One leg of a load program; see [`crate::load_path::Leg`].

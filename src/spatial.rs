@@ -94,6 +94,8 @@ pub mod hand {
     pub type Wrench<const D: usize> = crate::grasp::Wrench<D, 3>;
     /// A motion of the object, and of joints behind it; see [`crate::grasp::Twist`].
     pub type Twist<const D: usize> = crate::grasp::Twist<D, 3>;
+    /// A load that turns; see [`crate::load_path::Turn`].
+    pub type Turn<const D: usize> = crate::load_path::Turn<D, 3>;
     /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
     pub type Ramp<const D: usize> = crate::load_path::Ramp<D, 3>;
     /// One leg of a load program; see [`crate::load_path::Leg`].

@@ -3,7 +3,8 @@
 use grasp_lcp::energy::{MinimumOutcome, StabilityVerdict, Unknowns};
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Leg, Ramp, Tendon, Wrench};
+use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Leg, Ramp, Tendon, Turn, Wrench};
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::structured::Workspace;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Limit, PolygonCone};
@@ -76,6 +77,14 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
         grasp.beyond(event).expect("its own");
         assert!(!grasp.onset_gradients(event).is_empty());
+        // A load that turns along a line goes as far as the ramp.
+        let straight = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads").factor().expect("rolls");
+        let most = 1.5 * straight;
+        let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
+        let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
+        assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
+        refused(grasp.weakest_direction(&load, [0.0; 2]).err());
+        refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         grasp.reserve(&ramp, 50.0).expect("a ramp");
         grasp.rolling_range(&ramp).expect("a ramp");
         let mut path = grasp
