@@ -66,6 +66,7 @@
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
+//! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`squeeze`] | how much squeeze suffices for a set of loads, and which direction is weakest |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
 //! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
@@ -113,6 +114,7 @@ pub mod screening;
 mod search;
 pub mod spatial;
 pub mod squeeze;
+pub mod statics;
 pub mod structured;
 pub mod sweep;
 

@@ -31,6 +31,8 @@ pub type ContactState = crate::equilibrium::ContactState<2>;
 pub type Decomposition = crate::equilibrium::Decomposition<2>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<3, 2>;
+/// Whether contact forces could balance any load; see [`crate::statics::Closure`].
+pub type Closure = crate::statics::Closure<3, 2>;
 /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
 pub type Loads = crate::squeeze::Loads<3, 2>;
 /// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].

@@ -32,6 +32,8 @@ pub type Bracket<const D: usize = 6> = crate::equilibrium::Bracket<D, 3>;
 pub type Decomposition = crate::equilibrium::Decomposition<3>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
 pub type Ramp = crate::load_path::Ramp<6, 3>;
+/// Whether contact forces could balance any load; see [`crate::statics::Closure`].
+pub type Closure = crate::statics::Closure<6, 3>;
 /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
 pub type Loads = crate::squeeze::Loads<6, 3>;
 /// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].

@@ -28,6 +28,66 @@ const JOINS: f64 = 1e-13;
 /// Generators that may join: near the boundary of round cones each comes closer to the last by a part only.
 const MOST_JOINING: usize = 200;
 
+/// A force of one contact whose wrench is one unit long.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Generator<const D: usize, const C: usize> {
+    pub(crate) contact: usize,
+    pub(crate) force: SVector<f64, C>,
+    pub(crate) wrench: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Generator<D, C> {
+    /// Along a force of any length.
+    pub(crate) fn along(contact: usize, site: &Site<D, C>, force: SVector<f64, C>) -> Self {
+        let wrench = site.map * force;
+        let size = wrench.norm();
+        Self { contact, force: force / size, wrench: wrench / size }
+    }
+}
+
+/// The sum of admissible forces whose wrench is nearest to a target.
+pub(crate) struct NearestForces<const D: usize, const C: usize> {
+    /// What is missing, the other way round: no generator works against it, but for rounding.
+    pub(crate) motion: SVector<f64, D>,
+    /// How much one does.
+    pub(crate) against: f64,
+    /// The generators that have a share, with it.
+    pub(crate) shares: Vec<(Generator<D, C>, f64)>,
+}
+
+/// That sum, of the generators that are known and of those of round cones as they are needed.
+pub(crate) fn nearest_forces<const D: usize, const C: usize>(
+    straight: &[Generator<D, C>],
+    round: impl Fn(&SVector<f64, D>) -> Vec<Generator<D, C>>,
+    target: &SVector<f64, D>,
+) -> NearestForces<D, C> {
+    let mut nearest = NearestPoint::new(target.as_slice());
+    // By its number a straight generator joins once; generators of round cones are all different.
+    let mut joined: Vec<Generator<D, C>> = Vec::new();
+    let mut joins_left = MOST_JOINING;
+    let (motion, against) = loop {
+        let v = -SVector::<f64, D>::from_column_slice(nearest.residual());
+        let known = straight.iter().enumerate().map(|(k, g)| (k, *g));
+        let next = straight.len() + joined.len();
+        let all = known.chain(round(&v).into_iter().map(|g| (next, g)));
+        let worst = all.map(|(k, g)| (k, g, g.wrench.dot(&v))).min_by(|a, b| a.2.total_cmp(&b.2));
+        let Some((tag, generator, work)) = worst else { break (v, 0.0) };
+        let joins = work < -JOINS * v.norm() && v.norm() > CLEAR && !nearest.has(tag);
+        if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
+        {
+            break (v, -work);
+        }
+        joins_left -= 1;
+        if tag == next {
+            joined.push(generator);
+        }
+        nearest.settle(target.as_slice());
+    };
+    let of_tag = |tag: usize| straight.get(tag).copied().unwrap_or_else(|| joined[tag - straight.len()]);
+    let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).collect();
+    NearestForces { motion, against, shares }
+}
+
 /// The unit separating motion in inside coordinates, if there is a clear one.
 pub(crate) fn separating_motion<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
@@ -38,25 +98,8 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
     }
     let straight = straight_generators(problem)?;
     let target = -problem.wrench / load;
-    let mut nearest = NearestPoint::new(target.as_slice());
-    // By its number a straight generator joins once; generators of round cones are all different.
-    let mut next = straight.len();
-    let (v, against) = loop {
-        let v = -SVector::<f64, D>::from_column_slice(nearest.residual());
-        let works = straight.iter().enumerate().map(|(k, g)| (k, *g, g.dot(&v)));
-        let all = works.chain(round_generators(problem, &v).map(|g| (next, g, g.dot(&v))));
-        let worst = all.min_by(|a, b| a.2.total_cmp(&b.2));
-        let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        let joins = work < -JOINS * v.norm() && v.norm() > CLEAR && !nearest.has(tag);
-        if !joins || next == straight.len() + MOST_JOINING {
-            break (v, -work);
-        }
-        next += 1;
-        if !nearest.take_in(tag, generator.as_slice(), target.as_slice()) {
-            break (v, -work);
-        }
-        nearest.settle(target.as_slice());
-    };
+    let NearestForces { motion: v, against, .. } =
+        nearest_forces(&straight, |v| round_generators(problem, v).collect(), &target);
     // Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load.
     // What escapes is measured against load and squeeze together.
     let distance = v.norm();
@@ -73,16 +116,16 @@ fn squeeze<const D: usize, const C: usize>(problem: &Problem<D, C>) -> f64 {
 }
 
 /// Of every round cone the unit wrench that does most against a motion.
-fn round_generators<const D: usize, const C: usize>(
+pub(crate) fn round_generators<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     v: &SVector<f64, D>,
-) -> impl Iterator<Item = SVector<f64, D>> {
-    let contacts = problem.locals().zip(problem.sites).filter(|(local, _)| local.is_round());
-    contacts.map(move |(local, site)| {
+) -> impl Iterator<Item = Generator<D, C>> {
+    let contacts = problem.locals().zip(problem.sites).enumerate();
+    contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
         let u = site.map.tr_mul(v);
         let length = tangential_norm(&u);
         let along = if length > 0.0 { -tangential(&u) / length } else { unit(1) };
-        (site.map * local.cone().generator(&along)).normalize()
+        Generator::along(contact, site, local.cone().generator(&along))
     })
 }
 
@@ -97,7 +140,7 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
 ) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
-    let against = all.map(|g| -g.dot(motion)).fold(0.0, f64::max);
+    let against = all.map(|g| -g.wrench.dot(motion)).fold(0.0, f64::max);
     // The next load is one by as much again as there are load and squeeze.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
@@ -105,12 +148,15 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
 }
 
 /// The unit wrenches that generate the friction cones that are not round; `None` where the law is not a cone of forces at rest.
-fn straight_generators<const D: usize, const C: usize>(
+pub(crate) fn straight_generators<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
-) -> Option<Vec<SVector<f64, D>>> {
+) -> Option<Vec<Generator<D, C>>> {
     let mut list = Vec::new();
-    for (local, site) in problem.locals().zip(problem.sites).filter(|(local, _)| !local.is_round()) {
-        let mut push = |force: SVector<f64, C>| list.push((site.map * force).normalize());
+    for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
+        if local.is_round() {
+            continue;
+        }
+        let mut push = |force: SVector<f64, C>| list.push(Generator::along(contact, site, force));
         match local.law {
             Law::Absent => continue,
             Law::Edge(_) => return None,

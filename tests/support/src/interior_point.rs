@@ -8,7 +8,7 @@ use clarabel::solver::{
 use grasp_lcp::energy::QuadraticProgram;
 use nalgebra::{DMatrix, DVector};
 
-fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
+pub(crate) fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
     let (rows, columns) = m.shape();
     let (mut starts, mut row_of, mut values) = (vec![0], Vec::new(), Vec::new());
     for j in 0..columns {

@@ -12,6 +12,7 @@
 mod affine;
 pub mod best_time;
 mod close;
+pub mod closure_margin;
 pub mod dyadic;
 pub mod ends;
 pub mod exact;

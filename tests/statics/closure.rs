@@ -1,0 +1,171 @@
+//! Force closure against a theorem in the plane and a second-order cone program in space; form closure against closed forms.
+
+use grasp_lcp::grasp::Grasp;
+use grasp_lcp::nalgebra::{DMatrix, SVector};
+use grasp_lcp::statics::Closure;
+use grasp_lcp::{Error, planar, spatial};
+use support::closure_margin::closure_margin;
+use support::numbers::Numbers;
+
+/// The wrench of a force at a point.
+fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> {
+    let planes: &[(usize, usize)] = if C == 2 { &[(0, 1)] } else { &[(1, 2), (2, 0), (0, 1)] };
+    let moment = |&(i, j): &(usize, usize)| point[i] * force[j] - point[j] * force[i];
+    force.iter().copied().chain(planes.iter().map(moment)).collect()
+}
+
+/// Checks what an answer says of itself; whether it is closed, if that is told.
+fn is_closed<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    points: &[[f64; C]],
+    mu: &[f64],
+) -> Option<bool> {
+    match grasp.force_closure().expect("no hand") {
+        Closure::Closed { internal, .. } => {
+            let mut sum = [0.0; 6];
+            for (((force, frame), point), mu) in internal.iter().zip(grasp.frames()).zip(points).zip(mu) {
+                for (sum, x) in sum.iter_mut().zip(wrench(*point, &(frame * force))) {
+                    *sum += x;
+                }
+                let friction = force.rows(1, C - 1).norm();
+                assert!(friction < mu * force[0] * (1.0 - 1e-9), "inside: {force:?}");
+            }
+            assert!(sum.iter().all(|x| x.abs() < 1e-8), "{sum:?}");
+            Some(true)
+        }
+        Closure::Open { motion, .. } => {
+            for ((frame, point), mu) in grasp.frames().zip(points).zip(mu) {
+                // The work of a unit force along each axis.
+                let local = SVector::<f64, C>::from_fn(|axis, _| {
+                    let unit = wrench(*point, &frame.column(axis).into_owned());
+                    unit.iter().zip(motion.as_vector().iter()).map(|(w, v)| w * v).sum()
+                });
+                assert!(local[0] - mu * local.rows(1, C - 1).norm() > -1e-7, "works against {local:?}");
+            }
+            Some(false)
+        }
+        _ => None,
+    }
+}
+
+#[test]
+fn two_fingers_in_the_plane_by_the_line_between_them() {
+    // V.-D. Nguyen, Constructing force-closure grasps, 1988: the line between the contacts lies inside both cones, and they face each other.
+    let mut numbers = Numbers(31);
+    let (mut counts, mut told) = ([0; 2], 0);
+    for _ in 0..4000 {
+        let point = |numbers: &mut Numbers| [numbers.signed(), numbers.signed()];
+        let (a, b) = (point(&mut numbers), point(&mut numbers));
+        let along = SVector::<f64, 2>::new(b[0] - a[0], b[1] - a[1]).normalize();
+        let mut normal = |towards: SVector<f64, 2>| {
+            (towards + 0.8 * SVector::<f64, 2>::new(numbers.signed(), numbers.signed())).normalize()
+        };
+        let (na, nb) = (normal(along), normal(-along));
+        let mu = 0.2 + 0.5 * numbers.part();
+        let contact = |p: [f64; 2], n: SVector<f64, 2>| {
+            planar::Contact::new(p, n).series_stiffness(100.0, 50.0).friction(mu)
+        };
+        let grasp = planar::Grasp::new([contact(a, na), contact(b, nb)]).expect("two fingers");
+        let cosine = 1.0 / mu.hypot(1.0);
+        let (x, y) = (along.dot(&na), -along.dot(&nb));
+        // Both inside, or both inside the opposite cones.
+        let known = (x > cosine && y > cosine) || (x < -cosine && y < -cosine);
+        let clear = (x.abs() - cosine).abs() > 1e-6 && (y.abs() - cosine).abs() > 1e-6;
+        let Some(closed) = is_closed(&grasp, &[a, b], &[mu, mu]) else { continue };
+        told += 1;
+        if clear {
+            assert_eq!(closed, known, "{a:?} {na:?} {b:?} {nb:?} {mu}");
+            counts[usize::from(closed)] += 1;
+        }
+    }
+    assert!(told > 3990 && counts[0] > 1000 && counts[1] > 500, "{told} {counts:?}");
+}
+
+#[test]
+fn on_the_round_cone_by_an_interior_point_method() {
+    let mut numbers = Numbers(32);
+    let (mut counts, mut unclear) = ([0; 2], 0);
+    for number in 0..500 {
+        let count = 3 + number % 3;
+        let (mut contacts, mut points, mut friction) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..count {
+            let outward = numbers.three();
+            let size = outward.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let point = outward.map(|x| x / size);
+            let bent = numbers.three();
+            let normal: [f64; 3] = std::array::from_fn(|a| 0.5 * bent[a] - point[a]);
+            let mu = 0.2 + 0.6 * numbers.part();
+            contacts.push(spatial::Contact::new(point, normal).series_stiffness(1e3, 7e2).friction(mu));
+            points.push(point);
+            friction.push(mu);
+        }
+        let grasp = spatial::Grasp::new(contacts).expect("well posed");
+        let map = |(point, frame): (&[f64; 3], &grasp_lcp::nalgebra::SMatrix<f64, 3, 3>)| {
+            let columns = (0..3).flat_map(|a| wrench(*point, &frame.column(a).into_owned()));
+            DMatrix::from_vec(6, 3, columns.collect())
+        };
+        let maps = points.iter().zip(grasp.frames()).map(map);
+        let contacts: Vec<_> = maps.zip(friction.iter().copied()).collect();
+        let margin = closure_margin(&contacts);
+        let Some(closed) = is_closed(&grasp, &points, &friction) else {
+            assert!(margin.is_none_or(|margin| margin.abs() < 1e-4), "{number}: {margin:?}");
+            continue;
+        };
+        match margin {
+            Some(margin) if margin.abs() > 1e-6 => {
+                assert_eq!(closed, margin > 0.0, "{number}: {margin}");
+                counts[usize::from(closed)] += 1;
+            }
+            // The largest t is zero where the cones have no force in common but none.
+            Some(_) if !closed => counts[0] += 1,
+            _ => unclear += 1,
+        }
+    }
+    assert!(counts[0] > 100 && counts[1] > 100 && unclear < 5, "{counts:?} {unclear}");
+}
+
+#[test]
+fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
+    // A square held at the middles of its sides turns about its centre; held off the middles, the same way round, it does not.
+    let square = |off: f64| {
+        let side =
+            |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0).friction(0.3);
+        planar::Grasp::new([
+            side([-1.0, off], [1.0, 0.0]),
+            side([1.0, -off], [-1.0, 0.0]),
+            side([off, 1.0], [0.0, -1.0]),
+            side([-off, -1.0], [0.0, 1.0]),
+        ])
+    };
+    assert!(matches!(square(0.0)?.form_closure()?, Closure::Open { .. }));
+    assert!(matches!(square(0.0)?.force_closure()?, Closure::Closed { .. }));
+    // All moments the same way round: it turns the other way.
+    let Closure::Open { motion, .. } = square(0.3)?.form_closure()? else { panic!("it turns") };
+    assert!(motion.rotation().abs() > 0.1);
+    // Two one way, two the other.
+    let side = |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0);
+    let held = planar::Grasp::new([
+        side([-1.0, 0.3], [1.0, 0.0]),
+        side([1.0, -0.3], [-1.0, 0.0]),
+        side([-0.3, 1.0], [0.0, -1.0]),
+        side([0.3, -1.0], [0.0, 1.0]),
+    ])?;
+    let Closure::Closed { internal, .. } = held.form_closure()? else { panic!("it is held") };
+    assert!(internal.iter().all(|force| force[0] > 0.1 && force[1] == 0.0), "{internal:?}");
+    // Without friction they are one question.
+    assert!(matches!(held.force_closure()?, Closure::Closed { .. }));
+    Ok(())
+}
+
+#[test]
+fn a_pinch_in_space_turns_about_its_line() -> Result<(), Error> {
+    let finger = |x: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(0.5)
+    };
+    let Closure::Open { motion, .. } = spatial::Grasp::new([finger(-1.0), finger(1.0)])?.force_closure()?
+    else {
+        panic!("it turns")
+    };
+    assert!((motion.rotation()[0].abs() - 1.0).abs() < 1e-12, "{motion:?}");
+    Ok(())
+}

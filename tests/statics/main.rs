@@ -1,0 +1,3 @@
+//! What contact forces could balance, whatever the fingers press.
+
+mod closure;
