@@ -8,7 +8,6 @@ use super::finger::Finger;
 use super::fingertip::Fingertip;
 use super::object;
 use super::question::Question;
-use super::width::WithGrasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Grasp, Hand, Tendon};
@@ -92,7 +91,7 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
             }
             if setup.is_held_by_a_hand() {
                 // Numbers of joints are judged together with what they move.
-                setup.with_grasp(Built).map_err(|error| error.to_string())?;
+                setup.check_hand().map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
                 setup.check(question).map_err(|error| format!("question {index}: {error}"))?;
@@ -100,14 +99,6 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
             Ok(setup)
         })
     }
-}
-
-/// Whether the grasp can be built is all that is asked.
-struct Built;
-
-impl<const C: usize> WithGrasp<C> for Built {
-    type Output = ();
-    fn with<const W: usize>(self, _: &Grasp<W, C>) {}
 }
 
 impl From<&Grasp<3, 2>> for Setup<3, 2> {

@@ -20,7 +20,20 @@ pub trait WithGrasp<const C: usize> {
     fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output;
 }
 
+/// Whether the grasp can be built is all that is asked.
+struct Built;
+
+impl<const C: usize> WithGrasp<C> for Built {
+    type Output = ();
+    fn with<const W: usize>(self, _: &Grasp<W, C>) {}
+}
+
 impl<const D: usize, const C: usize> Setup<D, C> {
+    /// Whether the hand that holds the object can be built, and is one of those compiled here.
+    pub(super) fn check_hand(&self) -> Result<(), Error> {
+        self.with_grasp(Built)
+    }
+
     /// Does something with the grasp: for scenes with and without a hand alike.
     ///
     /// ```
