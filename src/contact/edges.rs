@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
+use super::tangential::tangential;
 
 /// What a rolling contact asks of its force.
 #[derive(Debug, Clone)]
@@ -14,6 +15,25 @@ pub(crate) enum Edges<const C: usize> {
         /// The coefficient of friction.
         limit: f64,
     },
+}
+
+impl<const C: usize> Edges<C> {
+    /// The row that a force breaks most, or keeps with the least to spare, with the value of its condition; `None` if there are no conditions.
+    pub(crate) fn worst(&self, force: &SVector<f64, C>) -> Option<(SVector<f64, C>, f64)> {
+        match self {
+            Self::Rows(rows) => {
+                let values = rows.iter().map(|row| (*row, row.dot(force)));
+                values.min_by(|(_, a), (_, b)| a.total_cmp(b))
+            }
+            Self::Round { limit } => {
+                let friction = tangential(force);
+                let size = friction.norm();
+                let mut row = friction / -size.max(f64::MIN_POSITIVE);
+                row[0] = *limit;
+                Some((row, limit * force[0] - size))
+            }
+        }
+    }
 }
 
 impl<const C: usize> LocalLaw<'_, C> {

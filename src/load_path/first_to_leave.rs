@@ -78,7 +78,12 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     if !problem.locals().enumerate().all(|(i, local)| clearly_rolls(&local, &at(i))) {
         return None;
     }
-    let waves = segment.waves(inside, &parts);
+    let mut waves = segment.waves(inside, &parts);
+    // Rough states carry the rounding of the largest force everywhere; what that could change is for the walk to tell.
+    let roughly = parts.iter().map(|part| problem.largest_force(&part.forces, &part.twist)).sum::<f64>();
+    for [force, _] in &mut waves {
+        force.size = force.size.max(roughly);
+    }
     let exits = problem.locals().zip(&states).zip(&waves);
     let exits =
         exits.map(|((local, state), [force, gap])| local.turning_exits(state, [force, gap], turn.angle));

@@ -9,23 +9,25 @@ use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::grasp::{HandPart, Wrench};
 use crate::search::{Found, Rung};
 
-/// The answer to "at which load factor τ >= 0 does the first contact leave rolling?"
+/// The answer to "at which load factor τ >= 0 does the first contact leave rolling?", or at which angle of a load that turns.
+///
+/// Of a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is where the turn begins.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const D: usize, const C: usize> {
     /// At this factor.
     At(Box<OnsetEvent<D, C>>),
-    /// However far the load goes along this direction, everything keeps rolling.
+    /// However far the load goes along this direction, everything keeps rolling; of a turn, up to its last angle.
     Never,
     /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there rolls, and may leave at 0.)
     AlreadySliding(Box<Equilibrium<D, C>>),
     /// No equilibrium exists at factor 0.
     NoBase(NoEquilibrium<D, C>),
-    /// No contact leaves rolling, but from this factor on nothing resists the load's direction: the reason.
+    /// No contact leaves rolling, but from this factor on nothing resists the load: the reason.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
-        /// Why it does not hold beyond; the work in it is that of the load direction, J for one unit of the factor.
+        /// Why it does not hold beyond; the work in it is that of the load's rate, J for one unit of the factor (J/rad of a turn).
         reason: NoEquilibrium<D, C>,
     },
     /// Nothing can be said about the equilibrium at factor 0.

@@ -16,7 +16,7 @@ use crate::search::Settings;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The angle at which the first contact leaves rolling while a load turns, with default [`Settings`]: in the plane exact, in space on
-    /// the round cone. No stepping: roots in closed form, none lost between them.
+    /// the round cone. No stepping: each margin's roots are isolated between its turning points, so that none is lost.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

@@ -1,11 +1,11 @@
-//! A load that turns: while states last, forces and gaps turn with it, and the first way out is a root in closed form.
+//! A load that turns: while states last, forces and gaps turn with it, and the first way out is a root of a trigonometric polynomial.
 
-use nalgebra::{Matrix, SVector};
+use nalgebra::SVector;
 
 use super::segment::{Segment, Standing};
 use super::turn::{InsideTurn, Touch};
 use crate::contact::{Exit, State, TurningExit, Wave};
-use crate::object::{Piece, PieceState, Unbalanced, largest_force};
+use crate::object::{Piece, PieceState, Unbalanced};
 
 /// What happens first to the contacts while a load turns.
 pub(super) struct FirstOnTurn<const C: usize> {
@@ -84,32 +84,17 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
         let at_rest = vec![SVector::zeros(); sites.len()];
         let drives = [&problem.drives, &at_rest, &at_rest];
         let loads = [turn.constant, turn.cosine, turn.sine];
-        let largest: [f64; 3] = std::array::from_fn(|k| {
-            let forces = parts[k].forces.iter().map(Matrix::norm);
-            largest_force(sites, drives[k], &parts[k].twist, loads[k].norm(), forces)
-        });
+        let sizes: [_; 3] =
+            std::array::from_fn(|k| problem.force_sizes(drives[k], loads[k].norm(), &parts[k]));
         let wave = |i: usize| {
-            let (site, local) = (&sites[i], problem.local(i));
-            let mut force = Wave {
-                size: 0.0,
-                constant: SVector::zeros(),
-                cosine: SVector::zeros(),
-                sine: SVector::zeros(),
-            };
+            let site = &sites[i];
+            let [constant, cosine, sine] = std::array::from_fn(|k| parts[k].forces[i]);
+            let force = Wave { constant, cosine, sine, size: sizes.iter().map(|sizes| sizes[i]).sum() };
+            let [constant, cosine, sine] =
+                std::array::from_fn(|k| -site.stretch(&drives[k][i], &parts[k].twist));
             // Drives count from the slip so far, and have its rounding where they cancel.
-            let mut gap = Wave { size: problem.slips[i].norm(), ..force };
-            let into = [
-                (&mut force.constant, &mut gap.constant),
-                (&mut force.cosine, &mut gap.cosine),
-                (&mut force.sine, &mut gap.sine),
-            ];
-            for (k, (to, gap_to)) in into.into_iter().enumerate() {
-                let span = site.span(&drives[k][i], &parts[k].twist);
-                *to = parts[k].forces[i];
-                *gap_to = -site.stretch(&drives[k][i], &parts[k].twist);
-                gap.size += span;
-                force.size += local.force_size(to, span, largest[k]);
-            }
+            let spans = drives.iter().zip(parts).map(|(drives, part)| site.span(&drives[i], &part.twist));
+            let gap = Wave { constant, cosine, sine, size: problem.slips[i].norm() + spans.sum::<f64>() };
             [force, gap]
         };
         (0..sites.len()).map(wave).collect()

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::piece::PieceState;
 use super::problem::Problem;
 use crate::contact::At;
 use crate::grasp::Site;
@@ -41,6 +42,20 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
+    }
+
+    /// What the rounding of each force is measured against, of a state with these drives under a load of this size.
+    pub(crate) fn force_sizes(
+        &self,
+        drives: &[SVector<f64, C>],
+        load: f64,
+        state: &PieceState<D, C>,
+    ) -> Vec<f64> {
+        let norms = state.forces.iter().map(nalgebra::Matrix::norm);
+        let largest = largest_force(self.sites, drives, &state.twist, load, norms);
+        let spans = self.sites.iter().zip(drives).map(|(site, drive)| site.span(drive, &state.twist));
+        let sites = self.locals().zip(&state.forces).zip(spans);
+        sites.map(|((local, force), span)| local.force_size(force, span, largest)).collect()
     }
 
     /// Size of the displacements at a contact.

@@ -22,15 +22,15 @@ pub enum LeastSqueeze<const D: usize, const C: usize> {
         /// The contact that stands on the edge of its cone then, from 0, and the load under which it does; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<D, C>)>,
     },
-    /// No factor suffices: under this load a contact leaves rolling at some factor at which more squeeze only makes that worse, and less does not do
-    /// for another load or contact.
+    /// No factor suffices. Under this load the contact does not roll with this factor, nor with any larger one; smaller ones do not do for another
+    /// load or contact.
     #[non_exhaustive]
-    None {
+    NoFactor {
         /// The contact, from 0.
         contact: usize,
         /// The load.
         load: Wrench<D, C>,
-        /// The factor up to which something else is broken.
+        /// What other conditions need at least.
         factor: f64,
     },
     /// Some load works on this motion, which nothing resists however much the fingers press.
@@ -98,13 +98,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(&rolling, factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });
             };
-            let gain = row.dot(&parts.squeeze[contact]);
+            let gain = parts.gain(contact, &row);
             if gain <= 0.0 {
-                return Ok(LeastSqueeze::None { contact, load, factor });
+                return Ok(LeastSqueeze::NoFactor { contact, load, factor });
             }
             let next = factor - value / gain;
             if next.is_nan() || next <= factor {
-                return Ok(LeastSqueeze::Factor { factor, binding });
+                break;
             }
             (factor, binding) = (next, Some((contact, load)));
         }

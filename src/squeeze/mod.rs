@@ -8,8 +8,8 @@
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|
 //! ```
 //!
-//! and as φ goes round, both are trigonometric polynomials. Where the difference is negative is found without a root lost
-//! (`numerics/on_a_circle`). Each condition that is broken is linear in the squeeze: it says how much is needed at least. The
+//! and as φ goes round, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials. Where the difference is negative is found without a
+//! root lost (`numerics/on_a_circle`). Each condition that is broken is linear in the squeeze: it says how much is needed at least. The
 //! next squeeze is that, until none is broken. What is needed at least and what suffices then are one number, up to rounding.
 //!
 //! | file | idea |

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::loads::Loads;
-use super::rolling::{Rolling, felt, is_broken, push, round_row, worst_row};
-use crate::contact::Edges;
+use super::rolling::{Forces, Push, Rolling, is_broken, push, round_parts, round_row};
+use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Twist, Wrench};
 use crate::load_path::{InsideTurn, Turn};
 use crate::numerics::Turning;
@@ -22,11 +22,10 @@ pub(super) struct Condition<const D: usize, const C: usize> {
 /// Forces contact by contact, of the whole squeeze and of the loads without it.
 pub(super) struct Parts<'l, const D: usize, const C: usize> {
     loads: &'l Loads<D, C>,
-    pub(super) squeeze: Vec<SVector<f64, C>>,
+    squeeze: Forces<C>,
     /// For each load of a list; of a turn its three parts; of forces of any direction that of the base.
-    base: Vec<Vec<SVector<f64, C>>>,
-    /// Of 1 N along each axis.
-    pushes: Vec<[SVector<f64, C>; C]>,
+    base: Vec<Forces<C>>,
+    pushes: Vec<Push<C>>,
 }
 
 impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
@@ -43,7 +42,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
             Loads::AnyForce { base, point, .. } => {
-                pushes = rolling.forces_of_pushes(point)?;
+                pushes = rolling.pushes(point)?;
                 vec![under(base)?]
             }
             Loads::Turn(turn) => {
@@ -77,7 +76,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
                 if !is_broken(condition.value, &condition.row, condition.size) {
                     continue;
                 }
-                let gain = condition.row.dot(&self.squeeze[contact]);
+                let gain = self.gain(contact, &condition.row);
                 let missing = if gain > 0.0 { -condition.value / gain } else { f64::INFINITY };
                 if most.as_ref().is_none_or(|(known, ..)| missing > *known) {
                     most = Some((missing, contact, condition));
@@ -87,6 +86,17 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
+    /// How much a condition gains by the whole squeeze; zero where that is rounding.
+    pub(super) fn gain(&self, contact: usize, row: &SVector<f64, C>) -> f64 {
+        let gain = row.dot(&self.squeeze.of[contact]);
+        if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
+    }
+
+    /// The force of some of the squeeze, and its size.
+    fn pressed(&self, contact: usize, factor: f64) -> (SVector<f64, C>, f64) {
+        (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor)
+    }
+
     /// Under each load of a list the condition that its force breaks most.
     fn under_each(
         &self,
@@ -94,11 +104,10 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
-        let squeeze = self.squeeze[contact] * factor;
-        let worst = |(load, forces): (&Wrench<D, C>, &Vec<SVector<f64, C>>)| {
-            let size = forces[contact].norm() + squeeze.norm();
-            let (row, value) = worst_row(edges, &(forces[contact] + squeeze))?;
-            Some(Condition { row, value, size, load: *load })
+        let (squeeze, size) = self.pressed(contact, factor);
+        let worst = |(load, forces): (&Wrench<D, C>, &Forces<C>)| {
+            let (row, value) = edges.worst(&(forces.of[contact] + squeeze))?;
+            Some(Condition { row, value, size: forces.sizes[contact] + size, load: *load })
         };
         list.iter().zip(&self.base).filter_map(worst).collect()
     }
@@ -110,28 +119,21 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
-        let (forces, columns) = (self.base[0][contact], &self.pushes[contact]);
-        let squeeze = self.squeeze[contact] * factor;
-        let force = forces + squeeze;
-        let reach = columns.iter().map(SVector::norm).sum::<f64>() * size;
+        let (forces, pushes) = (&self.base[0], &self.pushes[contact]);
+        let (squeeze, pressed) = self.pressed(contact, factor);
+        let force = forces.of[contact] + squeeze;
+        let sizes = forces.sizes[contact] + pressed + pushes.size * size;
         let condition = |row: SVector<f64, C>| {
-            let felt = felt(columns, &row);
+            let felt = pushes.felt(&row);
             let against: [f64; C] = (felt / -felt.norm().max(f64::MIN_POSITIVE)).into();
             let value = row.dot(&force) - size * felt.norm();
-            let load = *base + push(point, &against) * size;
-            Condition { row, value, size: forces.norm() + squeeze.norm() + reach, load }
+            Condition { row, value, size: sizes, load: *base + push(point, &against) * size }
         };
         match edges {
             Edges::Rows(rows) => rows.iter().copied().map(condition).collect(),
             Edges::Round { limit } => {
-                let parts = [(*limit, 0), (-1.0, 1), (-1.0, C - 1)];
-                let along = |(times, axis): (f64, usize)| {
-                    SVector::<f64, C>::from_fn(|k, _| times * size * columns[k][axis])
-                };
-                let turning = Turning {
-                    number: parts.map(|(times, axis)| times * force[axis]),
-                    vector: parts.map(along),
-                };
+                let number = round_parts::<C>(*limit).map(|(times, axis)| times * force[axis]);
+                let turning = Turning { number, vector: pushes.turning(*limit, size) };
                 turning.deepest(TAU).map(|angle| condition(round_row(*limit, angle))).into_iter().collect()
             }
         }
@@ -144,12 +146,10 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
-        let parts: [_; 3] = std::array::from_fn(|k| self.base[k][contact]);
-        let squeeze = self.squeeze[contact] * factor;
+        let parts: [_; 3] = std::array::from_fn(|k| self.base[k].of[contact]);
+        let (squeeze, pressed) = self.pressed(contact, factor);
         let waves = [parts[0] + squeeze, parts[1], parts[2]];
-        let size = squeeze.norm() + parts.iter().map(SVector::norm).sum::<f64>();
-        let tangential =
-            |x: SVector<f64, C>| SVector::<f64, C>::from_fn(|k, _| if k == 0 { 0.0 } else { x[k] });
+        let size = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
         let margins: Vec<Turning<C>> = match edges {
             Edges::Rows(rows) => {
                 let margin = |row: &SVector<f64, C>| Turning {
@@ -159,12 +159,12 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
                 rows.iter().map(margin).collect()
             }
             Edges::Round { limit } => {
-                vec![Turning { number: waves.map(|x| limit * x[0]), vector: waves.map(tangential) }]
+                vec![Turning { number: waves.map(|x| limit * x[0]), vector: waves.map(|x| tangential(&x)) }]
             }
         };
         let broken = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
-            let (row, value) = worst_row(edges, &(waves[0] + waves[1] * cos + waves[2] * sin))?;
+            let (row, value) = edges.worst(&(waves[0] + waves[1] * cos + waves[2] * sin))?;
             Some(Condition { row, value, size, load: turn.load_at(angle) })
         };
         margins.iter().filter_map(|margin| broken(margin.deepest(turn.whole_angle())?)).collect()

@@ -15,8 +15,39 @@ pub(super) struct Rolling<'g, const D: usize, const C: usize> {
     pub(super) edges: Vec<Edges<C>>,
 }
 
-/// Forces contact by contact, or the motion on which a load works though nothing resists it.
-pub(super) type Forces<const D: usize, const C: usize> = Result<Vec<SVector<f64, C>>, Twist<D, C>>;
+/// Forces contact by contact, and what their rounding is measured against.
+#[derive(Debug, Clone)]
+pub(super) struct Forces<const C: usize> {
+    pub(super) of: Vec<SVector<f64, C>>,
+    pub(super) sizes: Vec<f64>,
+}
+
+/// What a force of 1 N along each coordinate axis changes at one contact.
+pub(super) struct Push<const C: usize> {
+    /// A, column by column.
+    pub(super) columns: [SVector<f64, C>; C],
+    /// Sum of the sizes of its columns.
+    pub(super) size: f64,
+}
+
+impl<const C: usize> Push<C> {
+    /// `Aᵀa`: how much a condition falls for 1 N along each axis against it; zero where it is rounding.
+    pub(super) fn felt(&self, row: &SVector<f64, C>) -> SVector<f64, C> {
+        let felt = SVector::<f64, C>::from_fn(|k, _| self.columns[k].dot(row));
+        if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }
+    }
+
+    /// `Aᵀa` for the facets `a = (limit, -cos φ, -sin φ)` of a round cone, times a number, as it turns.
+    pub(super) fn turning(&self, limit: f64, times: f64) -> [SVector<f64, C>; 3] {
+        round_parts::<C>(limit)
+            .map(|(part, axis)| SVector::from_fn(|k, _| times * part * self.columns[k][axis]))
+    }
+}
+
+/// The facets of a round cone as they turn: the multiple and the axis of a force that the constant, the cosine and the sine take.
+pub(super) fn round_parts<const C: usize>(limit: f64) -> [(f64, usize); 3] {
+    [(limit, 0), (-1.0, 1), (-1.0, C - 1)]
+}
 
 impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
     pub(super) fn new(grasp: &'g Grasp<D, C>, settings: &Settings) -> Self {
@@ -28,10 +59,17 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
         Self { grasp, problem, piece, edges }
     }
 
-    /// Forces with these drives under a load in inside coordinates.
-    pub(super) fn forces(&self, drives: &[SVector<f64, C>], load: &SVector<f64, D>) -> Forces<D, C> {
+    /// Forces with these drives under a load in inside coordinates; or the motion on which it works though nothing resists it.
+    pub(super) fn forces(
+        &self,
+        drives: &[SVector<f64, C>],
+        load: &SVector<f64, D>,
+    ) -> Result<Forces<C>, Twist<D, C>> {
         match self.piece.solve(self.problem.sites, drives, load) {
-            Ok(state) => Ok(state.forces),
+            Ok(state) => {
+                let sizes = self.problem.force_sizes(drives, load.norm(), &state);
+                Ok(Forces { of: state.forces, sizes })
+            }
             Err(unbalanced) => {
                 let motion = unbalanced.motion.unwrap_or_else(SVector::zeros);
                 Err(self.grasp.outside(&motion))
@@ -39,24 +77,20 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
         }
     }
 
-    /// What a load alone changes.
-    pub(super) fn forces_of(&self, load: &Wrench<D, C>) -> Forces<D, C> {
-        self.forces(&vec![SVector::zeros(); self.problem.len()], &self.grasp.inside_unchecked(load))
-    }
-
-    /// What a force of 1 N along each coordinate axis changes, contact by contact: column k of A is that of axis k.
-    pub(super) fn forces_of_pushes(
-        &self,
-        point: &[f64; C],
-    ) -> Result<Vec<[SVector<f64, C>; C]>, Twist<D, C>> {
-        let mut columns = vec![[SVector::zeros(); C]; self.problem.len()];
+    /// What forces through a point change, contact by contact.
+    pub(super) fn pushes(&self, point: &[f64; C]) -> Result<Vec<Push<C>>, Twist<D, C>> {
+        let at_rest = vec![SVector::zeros(); self.problem.len()];
+        let mut pushes: Vec<_> =
+            at_rest.iter().map(|_| Push { columns: [SVector::zeros(); C], size: 0.0 }).collect();
         for axis in 0..C {
-            let push = push(point, &std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
-            for (columns, force) in columns.iter_mut().zip(self.forces_of(&push)?) {
-                columns[axis] = force;
+            let along = push(point, &std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
+            let forces = self.forces(&at_rest, &self.grasp.inside_unchecked(&along))?;
+            for ((push, force), size) in pushes.iter_mut().zip(forces.of).zip(forces.sizes) {
+                push.columns[axis] = force;
+                push.size += size;
             }
         }
-        Ok(columns)
+        Ok(pushes)
     }
 }
 
@@ -65,36 +99,10 @@ pub(super) fn push<const D: usize, const C: usize>(point: &[f64; C], force: &[f6
     Wrench::from_vector(wrench_of::<D, C>(&SVector::from(*point), &SVector::from(*force)))
 }
 
-/// `Aᵀa`: how much a condition falls for 1 N along each axis against it.
-pub(super) fn felt<const C: usize>(columns: &[SVector<f64, C>; C], row: &SVector<f64, C>) -> SVector<f64, C> {
-    SVector::from_fn(|k, _| columns[k].dot(row))
-}
-
 /// The row `(limit, -cos φ, -sin φ)` of a round cone.
 pub(super) fn round_row<const C: usize>(limit: f64, angle: f64) -> SVector<f64, C> {
     let (sin, cos) = angle.sin_cos();
     SVector::from_fn(|axis, _| [limit, -cos, -sin].get(axis).copied().unwrap_or(0.0))
-}
-
-/// The row that a force breaks most, or keeps with the least to spare, with the value of the condition there.
-pub(super) fn worst_row<const C: usize>(
-    edges: &Edges<C>,
-    force: &SVector<f64, C>,
-) -> Option<(SVector<f64, C>, f64)> {
-    match edges {
-        Edges::Rows(rows) => {
-            let values = rows.iter().map(|row| (*row, row.dot(force)));
-            values.min_by(|(_, a), (_, b)| a.total_cmp(b))
-        }
-        Edges::Round { limit } => {
-            let mut row = -force;
-            row[0] = 0.0;
-            let friction = row.norm();
-            row /= friction.max(f64::MIN_POSITIVE);
-            row[0] = *limit;
-            Some((row, limit * force[0] - friction))
-        }
-    }
 }
 
 /// Whether a condition with this value is broken by more than rounding of terms of this size.

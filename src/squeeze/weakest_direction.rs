@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::SVector;
 
 use super::loads::check_point;
-use super::rolling::{Rolling, felt, is_broken, push, round_row, worst_row};
+use super::rolling::{Push, Rolling, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Grasp, Twist, Wrench};
@@ -40,6 +40,8 @@ pub enum WeakestDirection<const D: usize, const C: usize> {
     },
     /// Under the base load something slides, is open, or has no equilibrium.
     NotRolling,
+    /// Rounding keeps the search from ending.
+    Undecided,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -89,28 +91,29 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
         let rolling = Rolling::new(self, settings);
-        let (Ok(forces), pushes) = (rolling.forces(&self.drives(), &load), rolling.forces_of_pushes(&point))
-        else {
+        let Ok(forces) = rolling.forces(&self.drives(), &load) else {
             return Ok(WeakestDirection::NotRolling);
         };
-        let largest = forces.iter().map(SVector::norm).fold(load.norm(), f64::max);
-        let rolls = |(edges, force): (&Edges<C>, &SVector<f64, C>)| {
-            worst_row(edges, force).is_none_or(|(row, value)| !is_broken(value, &row, largest))
+        let rolls = |((edges, force), size): ((&Edges<C>, &SVector<f64, C>), &f64)| {
+            edges.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, *size))
         };
-        if !rolling.edges.iter().zip(&forces).all(rolls) {
+        if !rolling.edges.iter().zip(&forces.of).zip(&forces.sizes).all(rolls) {
             return Ok(WeakestDirection::NotRolling);
         }
-        let columns = match pushes {
-            Ok(columns) => columns,
+        let pushes = match rolling.pushes(&point) {
+            Ok(pushes) => pushes,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
         let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), contact: 0 };
-        for (contact, ((edges, force), columns)) in
-            rolling.edges.iter().zip(&forces).zip(&columns).enumerate()
-        {
+        let contacts = rolling.edges.iter().zip(&forces.of).zip(&pushes);
+        for (contact, ((edges, force), pushes)) in contacts.enumerate() {
             match edges {
-                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(contact, force, columns, row)),
-                Edges::Round { limit } => least.go_round(contact, *limit, force, columns),
+                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(contact, force, pushes, row)),
+                Edges::Round { limit } => {
+                    if !least.go_round(contact, *limit, force, pushes) {
+                        return Ok(WeakestDirection::Undecided);
+                    }
+                }
             }
         }
         if least.size.is_infinite() {
@@ -136,49 +139,37 @@ struct Least<const C: usize> {
 
 impl<const C: usize> Least<C> {
     /// The least force that breaks one condition.
-    fn cut(
-        &mut self,
-        contact: usize,
-        force: &SVector<f64, C>,
-        columns: &[SVector<f64, C>; C],
-        row: &SVector<f64, C>,
-    ) {
-        let felt = felt(columns, row);
+    fn cut(&mut self, contact: usize, force: &SVector<f64, C>, pushes: &Push<C>, row: &SVector<f64, C>) {
+        let felt = pushes.felt(row);
         let size = row.dot(force).max(0.0) / felt.norm();
         if size < self.size {
             *self = Self { size, direction: -felt.normalize(), contact };
         }
     }
 
-    /// The least force that breaks one of the conditions of a round cone.
-    fn go_round(
-        &mut self,
-        contact: usize,
-        limit: f64,
-        force: &SVector<f64, C>,
-        columns: &[SVector<f64, C>; C],
-    ) {
+    /// The least force that breaks one of the conditions of a round cone. Whether it was found before cuts ran out.
+    fn go_round(&mut self, contact: usize, limit: f64, force: &SVector<f64, C>, pushes: &Push<C>) -> bool {
         // Where to begin: the facets towards and against the friction force, and across.
         let begin = force[C - 1].atan2(force[1]);
         for quarter in 0_u8..4 {
             let angle = begin + f64::from(quarter) * FRAC_PI_2;
-            self.cut(contact, force, columns, &round_row(limit, angle));
+            self.cut(contact, force, pushes, &round_row(limit, angle));
         }
-        let parts = [(limit, 0), (-1.0, 1), (-1.0, C - 1)];
-        let number = parts.map(|(times, axis)| times * force[axis]);
-        let vector = parts.map(|(times, axis)| SVector::from_fn(|k, _| times * columns[k][axis]));
+        if self.size.is_infinite() {
+            // What moves no condition at four angles moves none: three vectors say how all of them move.
+            return true;
+        }
+        let number = round_parts::<C>(limit).map(|(times, axis)| times * force[axis]);
         for _ in 0..MOST_CUTS {
-            if self.size.is_infinite() {
-                // A force moves no condition, or none at these four angles.
-                return;
-            }
-            let turning = Turning { number, vector: vector.map(|v: SVector<f64, C>| v * self.size) };
-            let Some(angle) = turning.deepest(TAU) else { return };
+            let turning = Turning { number, vector: pushes.turning(limit, self.size) };
+            let Some(angle) = turning.deepest(TAU) else { return true };
             let before = self.size;
-            self.cut(contact, force, columns, &round_row(limit, angle));
+            self.cut(contact, force, pushes, &round_row(limit, angle));
             if self.size >= before {
-                return;
+                // What is left is rounding.
+                return true;
             }
         }
+        false
     }
 }

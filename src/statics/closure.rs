@@ -1,13 +1,16 @@
 //! Force closure and form closure, each with what proves it.
 //!
 //! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no
-//! motion is free. Take a unit normal force at every contact. What is missing to balance their sum is looked for in the cones: if it is
-//! found, all forces together are such; if not, the rest is a motion against which no force works (see `proofs/wrench_cone`). (J. K.
-//! Salisbury and B. Roth 1983; A. Bicchi, *On the closure properties of robotic grasping*, 1995.)
+//! motion is free. Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
+//! `proofs/wrench_cone`). If it is not found, the rest is a motion against which no force works. If it is found, all forces together are
+//! projected onto those that balance each other to the last digit, and must then lie clearly inside.
+//!
+//! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
+//! robotic grasping*, 1995.
 
 use nalgebra::SVector;
 
-use crate::contact::Polygon;
+use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
 use crate::grasp::{Grasp, Twist};
 use crate::numerics::{Orthogonal, unit};
@@ -15,10 +18,14 @@ use crate::object::{Load, Problem};
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
 
-/// What is missing of a sum of unit wrenches, as a part of it, and still counts as found: it is computed.
-const FOUND: f64 = 1e-9;
-/// A generator may work against a motion by this part of it.
+/// What is missing of a sum of unit wrenches, as a part of it, is worth the question whether a motion separates it.
+///
+/// Smaller, what the search has left is taken for a motion; larger, a grasp that is nearly closed is called on the boundary.
+const MISSING: f64 = 1e-9;
+/// A generator may work against a motion by this part of it: the rounding of the search, that stops at 1e-13.
 const NO_WORK: f64 = 1e-9;
+/// Forces lie inside their cone by this part of the largest at least: balanced to 1e-14 of it, they stay inside whatever the rounding.
+const CLEARLY_INSIDE: f64 = 1e-9;
 
 /// The answer to "could contact forces balance any load?"
 #[derive(Debug, Clone, PartialEq)]
@@ -27,15 +34,14 @@ pub enum Closure<const D: usize, const C: usize> {
     /// They could.
     #[non_exhaustive]
     Closed {
-        /// Forces in the contact frames, the largest 1 N, strictly inside their cones, that balance each other: the grasp can be squeezed
-        /// with them as much as a load needs.
+        /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. The grasp can be
+        /// squeezed with them as much as a load needs.
         internal: Vec<SVector<f64, C>>,
     },
     /// They could not.
     #[non_exhaustive]
     Open {
-        /// A unit motion against which no contact force works. A load that works along it cannot be balanced, unless some contact
-        /// force does, too.
+        /// A unit motion v against which no contact force works. A load that works along it, W·v > 0, cannot be balanced.
         motion: Twist<D, C>,
     },
     /// On the boundary, as far as rounding can tell.
@@ -72,12 +78,17 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn force_closure_with(&self, settings: &Settings) -> Result<Closure<D, C>, Error> {
         self.refuse_hands("force_closure")?;
         let problem = self.without_load(settings);
-        if let Some(motion) = problem.trial().free_motions().first() {
-            return Ok(Closure::Open { motion: self.outside(motion) });
-        }
-        // Sites that keep a whole cone at rest always have generators.
+        let axes =
+            |(i, local): (usize, LocalLaw<'_, C>)| (0..local.springs.axes()).map(move |axis| (i, axis));
+        let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).collect();
+        // At rest every contact has a cone of forces.
         let straight = straight_generators(&problem).unwrap_or_default();
-        Ok(self.closure(&straight, |v| round_generators(&problem, v).collect()))
+        let inside = |forces: &[SVector<f64, C>]| {
+            problem.locals().zip(forces).all(|(local, force)| {
+                local.edges().worst(force).is_none_or(|(row, value)| value > CLEARLY_INSIDE * row.norm())
+            })
+        };
+        Ok(self.closure(&axes, &straight, |v| round_generators(&problem, v).collect(), inside))
     }
 
     /// Whether the contacts hold the object without any friction: normal forces could balance any load, and no motion is left, to first
@@ -87,48 +98,51 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::NotForHands`] for a grasp by a hand.
     pub fn form_closure(&self) -> Result<Closure<D, C>, Error> {
         self.refuse_hands("form_closure")?;
+        let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
-        let factor = Orthogonal::new(normals.iter().map(|generator| generator.wrench).collect());
-        if let Some(motion) = factor.null_space().first() {
-            return Ok(Closure::Open { motion: self.outside(motion) });
-        }
-        Ok(self.closure(&normals, |_| Vec::new()))
+        let inside = |forces: &[SVector<f64, C>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
+        Ok(self.closure(&axes, &normals, |_| Vec::new(), inside))
     }
 
-    /// The closure of cones with these generators and those of round cones, of a grasp that leaves no motion free.
+    /// The closure of cones with these generators and those of round cones, whose forces have these axes of the contacts.
     fn closure(
         &self,
+        axes: &[(usize, usize)],
         straight: &[Generator<D, C>],
         round: impl Fn(&SVector<f64, D>) -> Vec<Generator<D, C>>,
+        inside: impl Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<D, C> {
-        let sum = self.normals().fold(SVector::zeros(), |sum, normal| sum + normal.wrench);
-        let size = sum.norm();
+        let sites = self.sites();
+        let factor =
+            Orthogonal::new(axes.iter().map(|&(i, axis)| sites[i].map.column(axis).into_owned()).collect());
+        if let Some(motion) = factor.null_space().first() {
+            return Closure::Open { motion: self.outside(motion) };
+        }
         let mut forces = vec![SVector::zeros(); self.len()];
+        let mut sum = SVector::zeros();
         for normal in self.normals() {
             forces[normal.contact] += normal.force;
+            sum += normal.wrench;
         }
+        let size = sum.norm();
         if size > 0.0 {
             let NearestForces { motion, against, shares } = nearest_forces(straight, round, &(-sum / size));
             let missing = motion.norm();
-            if missing > FOUND {
-                let no_work = against <= NO_WORK * missing;
-                return if no_work {
-                    Closure::Open { motion: self.outside(&(motion / missing)) }
-                } else {
-                    Closure::Boundary
-                };
+            if missing > MISSING && against <= NO_WORK * missing {
+                return Closure::Open { motion: self.outside(&(motion / missing)) };
             }
             for (generator, share) in shares {
                 forces[generator.contact] += generator.force * (share * size);
             }
         }
-        // Near the boundary the forces that are needed beside the normal ones grow without bound.
-        let largest = forces.iter().map(SVector::norm).fold(0.0, f64::max);
-        let least = self.normals().map(|normal| normal.force.norm()).fold(f64::INFINITY, f64::min);
-        if least <= FOUND * largest {
-            return Closure::Boundary;
+        let mut x: Vec<f64> = axes.iter().map(|&(i, axis)| forces[i][axis]).collect();
+        factor.project(&mut x, &SVector::zeros());
+        for (&(i, axis), x) in axes.iter().zip(&x) {
+            forces[i][axis] = *x;
         }
-        Closure::Closed { internal: forces.into_iter().map(|force| force / largest).collect() }
+        let largest = forces.iter().map(SVector::norm).fold(0.0, f64::max);
+        let internal: Vec<_> = forces.into_iter().map(|force| force / largest).collect();
+        if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
     /// A unit wrench along every normal.

@@ -136,7 +136,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     };
     let tray = planar::Grasp::new([palm(-1.0), palm(1.0)])?;
     let aside = planar::Wrench::force([3.0, -4.0]);
-    assert!(matches!(tray.least_squeeze(&Loads::Each(vec![aside]))?, LeastSqueeze::None { .. }));
+    assert!(matches!(tray.least_squeeze(&Loads::Each(vec![aside]))?, LeastSqueeze::NoFactor { .. }));
     // What needs none.
     let little = planar::Wrench::force([1.0, -4.0]);
     assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
@@ -194,4 +194,24 @@ fn what_is_no_set_of_loads_is_refused() {
     assert_eq!(told(Loads::Turn(turn)), "angle of the turn is 0, must be more than 0 and at most 1e6");
     let refused = palms.weakest_direction(&planar::Wrench::ZERO, [0.0, f64::INFINITY]).unwrap_err();
     assert_eq!(refused.to_string(), "point of the force is inf, must be finite and at most 1e50 in size");
+}
+
+#[test]
+fn a_squeeze_that_presses_nothing_helps_nothing() {
+    // Fingers that all carry from below only lift what they carry, wherever they are: what is left of their forces is rounding.
+    let mut numbers = Numbers(23);
+    for _ in 0..300 {
+        let finger = |numbers: &mut Numbers| {
+            let [x, y, _] = numbers.three();
+            let k = 1000.0 * 10_f64.powf(numbers.signed());
+            spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
+                .series_stiffness(k, 0.7 * k)
+                .friction(0.5)
+                .command([1e-3, 0.0, 0.0])
+        };
+        let grasp = spatial::Grasp::new([0; 3].map(|_| finger(&mut numbers))).unwrap();
+        let aside = spatial::Wrench::force([3.0, 1.0, -1.0]);
+        let told = grasp.least_squeeze(&Loads::Each(vec![aside])).unwrap();
+        assert!(matches!(told, LeastSqueeze::NoFactor { .. }), "{told:?}");
+    }
 }

@@ -81,8 +81,11 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
         let event = path.find(|event| event.changes.contains(&(2, planar::Change::Opens))).expect("opens");
         (3.0 * (event.leg as f64 + event.fraction) / chords as f64 - angle).abs()
     };
-    let [coarse, fine] = [20, 320].map(error);
-    assert!(coarse < 3e-3 && fine < coarse / 30.0, "{coarse:e} {fine:e}");
+    // How large it is depends on where in a chord it falls: the worst of some numbers of chords near each other.
+    let worst = |about: usize| (about..about + 8).map(error).fold(0.0, f64::max);
+    let [coarse, fine] = [20, 320].map(worst);
+    let order = (coarse / fine).log2() / 16_f64.log2();
+    assert!((order - 2.0).abs() < 0.15, "{coarse:e} {fine:e} {order}");
 }
 
 #[test]
