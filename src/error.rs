@@ -93,6 +93,15 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// Commands that change while the load turns: events would have no exact angles.
+    #[error("commands of a leg: change while the load turns, must stay")]
+    CommandsWhileTurning,
+    /// A load that turns where only straight ones can be followed.
+    #[error("{method}: the load of a leg turns, must go straight")]
+    StraightOnly {
+        /// The method that was called.
+        method: &'static str,
+    },
     /// A grasp has fewer coordinates than the hand needs that it is made of.
     #[error("a grasp in {given} coordinates, must be at least {needed}: the object's, and those of the hand")]
     Coordinates {

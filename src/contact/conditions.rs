@@ -54,22 +54,35 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         let give = self.springs.give(f);
         let motion_size = SMALLEST + at.span + give.lp_norm(1);
-        let slip = || self.springs.slip(&at.stretch, f);
         match state {
             Mode::Open if self.may_open() => visit(-at.stretch[0], motion_size),
             Mode::Open | Mode::Rolling => {}
-            Mode::Round(slide) => visit(slip().dot(&slide.direction), motion_size),
+            _ => {
+                let along = self.slips_along(state, &self.springs.slip(&at.stretch, f));
+                along.iter().flatten().for_each(|[value, weight]| visit(*value, motion_size * weight));
+            }
+        }
+    }
+
+    /// The parts of a slip that only grow in a sliding state, each with its size for a slip of one: along the facet or the round slide, along both facets of
+    /// a corner.
+    pub(super) fn slips_along(&self, state: &State<C>, slip: &SVector<f64, C>) -> [Option<[f64; 2]>; 2] {
+        let facets = self.facets();
+        match state {
+            Mode::Open | Mode::Rolling => [None; 2],
+            Mode::Round(slide) => [Some([slip.dot(&slide.direction), 1.0]), None],
             Mode::Facet(j) => {
-                let h = &self.facets()[usize::from(*j)];
-                visit(slip().dot(h) / h.norm(), motion_size);
+                let h = &facets[usize::from(*j)];
+                [Some([slip.dot(h) / h.norm(), 1.0]), None]
             }
             Mode::Corner(j) => {
                 // slip = σ₁ h₁ + σ₂ h₂, each σ with the sign of the other normal's right angle to it.
-                let facets = self.facets();
                 let (h1, h2) = (facets[usize::from(*j)], facets[(usize::from(*j) + 1) % facets.len()]);
-                let (slip, turn) = (slip(), cross(&h1, &h2));
-                visit(cross(&slip, &h2) / turn, motion_size * h2.norm() / turn.abs());
-                visit(cross(&h1, &slip) / turn, motion_size * h1.norm() / turn.abs());
+                let turn = cross(&h1, &h2);
+                [
+                    Some([cross(slip, &h2) / turn, h2.norm() / turn.abs()]),
+                    Some([cross(&h1, slip) / turn, h1.norm() / turn.abs()]),
+                ]
             }
         }
     }

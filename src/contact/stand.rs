@@ -107,17 +107,32 @@ impl<const C: usize> LocalLaw<'_, C> {
             }
             stand.facets.retain(|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
         } else {
-            let facets = self.facets();
             if stand.apex {
                 stand.apex = stays_at_the_apex();
-                stand.facets = facets.to_vec();
+                stand.facets = self.facets().to_vec();
             }
-            let own = state.own_facets(facets.len());
             stand.facets.retain(|h| {
-                own.iter().flatten().any(|&j| facets[j] == *h)
+                self.slides_on(state, h)
                     || falls_short(cone.facet_margin(&line.rate, h), cone.facet_weight(h))
             });
         }
+    }
+
+    /// Forgets what the contact stood on and is away from with this force.
+    pub(crate) fn leave_behind(&self, stand: &mut Stand<C>, state: &State<C>, line: &Line<C>) {
+        let there = self.stand(line);
+        stand.apex &= there.apex;
+        if !self.on_round_cone {
+            stand.facets.retain(|h| self.slides_on(state, h) || there.facets.contains(h));
+        } else if state.is_rolling() && !stand.facets.is_empty() {
+            stand.facets = there.facets;
+        }
+    }
+
+    /// Whether a facet is one on which the contact slides.
+    fn slides_on(&self, state: &State<C>, facet: &SVector<f64, C>) -> bool {
+        let facets = self.facets();
+        state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
     /// Whether a rolling contact on the edge of the round cone goes along a tangent of it with these rates, which leads outside: it

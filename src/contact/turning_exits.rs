@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Fall, Trigonometric};
+use crate::numerics::{Fall, Harmonic, Trigonometric};
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that its square has left.
 const POLISHING_STEPS: usize = 3;
@@ -19,36 +19,20 @@ const SQUARED: f64 = 16.0 * f64::EPSILON;
 /// Polishing moves an angle by this many radians at most: the square root of what squares have lost, with room.
 const NEAR: f64 = 1e-3;
 
-/// A force, or a gap in its first component, for an angle φ from here on, with the size that its rounding is measured against.
+/// A force, or a motion of the body over the finger, for an angle φ from here on.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave<const C: usize> {
-    pub(crate) constant: SVector<f64, C>,
-    pub(crate) cosine: SVector<f64, C>,
-    pub(crate) sine: SVector<f64, C>,
+    pub(crate) of: Harmonic<SVector<f64, C>>,
+    /// What the rounding of its values is measured against.
     pub(crate) size: f64,
+    /// What that of its rates is measured against: the part of the size that turns.
+    pub(crate) turning_size: f64,
 }
 
 impl<const C: usize> Wave<C> {
-    /// At this angle.
-    pub(crate) fn at(&self, angle: f64) -> SVector<f64, C> {
-        let (sin, cos) = angle.sin_cos();
-        self.constant + self.cosine * cos + self.sine * sin
-    }
-
-    /// Its rate there, for one radian.
-    pub(crate) fn rate_at(&self, angle: f64) -> SVector<f64, C> {
-        let (sin, cos) = angle.sin_cos();
-        self.sine * cos - self.cosine * sin
-    }
-
-    /// The largest that its rate can be.
-    fn fastest(&self) -> f64 {
-        self.cosine.norm() + self.sine.norm()
-    }
-
     /// What a linear function takes from it.
     fn seen(&self, by: impl Fn(&SVector<f64, C>) -> f64) -> Trigonometric {
-        Trigonometric::linear([by(&self.constant), by(&self.cosine), by(&self.sine)])
+        Trigonometric::linear(&self.of.map(by))
     }
 }
 
@@ -62,34 +46,60 @@ pub(crate) enum TurningExit<const C: usize> {
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The ways out of a state, rolling or open, within an angle of `most`, each where it is first reached. What turns is the force, or
-    /// the gap.
+    /// The ways out of a state within an angle of `most`, each where it is first reached, from how force and stretch turn. A slide on the
+    /// round cone is none that turns with the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State<C>,
-        [force, gap]: [&Wave<C>; 2],
+        [force, stretch]: [&Wave<C>; 2],
         most: f64,
     ) -> Vec<TurningExit<C>> {
-        let along_n = |x: &SVector<f64, C>| x[0];
         let nowhere = SVector::zeros();
-        if matches!(state, Mode::Open) {
-            return linear_exit(gap, along_n, 1.0, nowhere, most).into_iter().collect();
-        }
-        if self.has_a_round_edge() {
-            return self.round_turning_exit(force, most).into_iter().collect();
-        }
         let mut exits = Vec::new();
-        if !self.is_bonded() {
-            let (cone, facets) = (self.cone(), self.facets());
-            if facets.is_empty() && self.may_open() {
-                exits.extend(linear_exit(force, along_n, 1.0, nowhere, most));
-            }
-            for h in facets {
-                let margin = |f: &SVector<f64, C>| cone.facet_margin(f, h);
-                exits.extend(linear_exit(force, margin, cone.facet_weight(h), *h, most));
+        match state {
+            Mode::Round(_) => {}
+            Mode::Open => exits.extend(linear_exit(stretch, |v| -v[0], 1.0, nowhere, most)),
+            Mode::Rolling if self.has_a_round_edge() => exits.extend(self.round_turning_exit(force, most)),
+            Mode::Rolling | Mode::Facet(_) | Mode::Corner(_) if self.is_bonded() => {}
+            Mode::Rolling | Mode::Facet(_) | Mode::Corner(_) => {
+                let (cone, facets) = (self.cone(), self.facets());
+                let own = state.own_facets(facets.len());
+                if facets.is_empty() && self.may_open() {
+                    exits.extend(linear_exit(force, |f| f[0], 1.0, nowhere, most));
+                }
+                for (j, h) in facets.iter().enumerate().filter(|(j, _)| !own.contains(&Some(*j))) {
+                    let margin = |f: &SVector<f64, C>| cone.facet_margin(f, h);
+                    exits.extend(linear_exit(force, margin, cone.facet_weight(h), facets[j], most));
+                }
+                exits.extend(self.stops(state, [force, stretch], most));
             }
         }
         exits
+    }
+
+    /// Where a sliding contact stops: where a part of its slip that only grows would begin to shrink. It stands on its facets there.
+    fn stops(
+        &self,
+        state: &State<C>,
+        [force, stretch]: [&Wave<C>; 2],
+        most: f64,
+    ) -> impl Iterator<Item = TurningExit<C>> {
+        let rate = Harmonic {
+            constant: SVector::zeros(),
+            cosine: self.springs.slip(&stretch.of.sine, &force.of.sine),
+            sine: -self.springs.slip(&stretch.of.cosine, &force.of.cosine),
+        };
+        let give = |force: &SVector<f64, C>| self.springs.give(force).lp_norm(1);
+        let size = stretch.turning_size + give(&force.of.cosine) + give(&force.of.sine);
+        let rate = Wave { of: rate, size, turning_size: size };
+        let facets = self.facets();
+        let own = state.own_facets(facets.len());
+        (0..2).filter_map(move |k| {
+            let (facet, [_, weight]) = (facets[own[k]?], self.slips_along(state, &rate.of.cosine)[k]?);
+            let along =
+                |slip: &SVector<f64, C>| self.slips_along(state, slip)[k].map_or(0.0, |[value, _]| value);
+            linear_exit(&rate, along, weight, facet, most)
+        })
     }
 
     /// Where a force leaves the round cone: where `(μF_n)² - |F_t|²` falls below zero, or through the apex, where F_n does.
@@ -97,13 +107,13 @@ impl<const C: usize> LocalLaw<'_, C> {
         let cone = self.cone();
         let weight = cone.round_weight();
         let slack = ZERO_SLACK * wave.size * weight;
-        let here = wave.at(0.0);
+        let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
             // On the edge the facet that touches it tells whether the force goes in or out.
             let outward = friction.normalize();
             let margin = wave.seen(|f| cone.facet_margin(f, &outward));
-            if Start::of(&margin, slack, ZERO_SLACK * weight * wave.fastest()) == Start::Falls {
+            if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
                 return linear_exit(wave, |f| cone.facet_margin(f, &outward), weight, outward, most);
             }
         }
@@ -115,21 +125,19 @@ impl<const C: usize> LocalLaw<'_, C> {
         };
         // Through the apex both are one root.
         if let Some(TurningExit::Leaves(through)) = apex
-            && (through.step <= step || tangential(&wave.at(through.step)).norm() <= slack)
+            && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
             return apex;
         }
-        let facet = outward(&wave.at(step));
-        let rate = cone.facet_margin(&wave.rate_at(step), &facet);
-        let uncertainty = uncertainty(slack, rate, weight * wave.fastest());
+        let facet = outward(&wave.of.at(step));
+        let rate = cone.facet_margin(&wave.of.rate_at(step), &facet);
+        let uncertainty = uncertainty(slack, rate, weight * wave.turning_size);
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
     /// Where `(μF_n)² - |F_t|²` first falls below zero.
     fn fall_of_the_square(&self, wave: &Wave<C>, most: f64) -> Option<Fall> {
-        let square = |axis: usize, times: f64| {
-            Trigonometric::square_of([&wave.constant, &wave.cosine, &wave.sine].map(|x| x[axis] * times))
-        };
+        let square = |axis: usize, times: f64| Trigonometric::square_of(&wave.of.map(|x| x[axis] * times));
         let limit = square(0, self.cone().limit(1.0));
         let difference = (1..C).fold(limit, |sum, axis| sum.minus(&square(axis, 1.0)));
         let rounding = SQUARED * (self.cone().round_weight() * wave.size).powi(2);
@@ -145,7 +153,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let cone = self.cone();
         let mut step = angle;
         for _ in 0..POLISHING_STEPS {
-            let (at, rate) = (wave.at(step), wave.rate_at(step));
+            let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= NEAR {
@@ -177,8 +185,12 @@ impl Start {
     /// Values are zero within `slack`, rates within `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
+        // Where the end of an arc is known to the error of its steps, a margin that begins to grow may shrink by no more than rounding before.
+        let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }
+        } else if slope < -rate_slack && dips {
+            Self::Above { roots: 0 }
         } else if slope < -rate_slack || bend < -rate_slack {
             Self::Falls
         } else if bend > rate_slack {
@@ -198,7 +210,7 @@ fn linear_exit<const C: usize>(
     most: f64,
 ) -> Option<TurningExit<C>> {
     let margin = wave.seen(&seen);
-    let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.fastest());
+    let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.turning_size);
     let step = match Start::of(&margin, slack, ZERO_SLACK * fastest) {
         Start::Stays => return None,
         Start::Falls => 0.0,
@@ -207,7 +219,7 @@ fn linear_exit<const C: usize>(
             Fall::Touches(angle) => return Some(TurningExit::Touches(angle)),
         },
     };
-    let uncertainty = uncertainty(slack, seen(&wave.rate_at(step)), fastest);
+    let uncertainty = uncertainty(slack, seen(&wave.of.rate_at(step)), fastest);
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 

@@ -1,7 +1,8 @@
 //! States that stay along a way on which directions of sliding turn, and the linear algebra of a point on it.
 //!
 //! A contact that slides along p = F_t / |F_t| with `|F_t| = μ F_n` has the tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see
-//! [`Tangent`], which depends on p alone. With drives a and a load W that are affine in the factor λ, twist and factor change together:
+//! [`Tangent`], which depends on p alone. With drives a that are affine in the factor λ, and a load W that is or turns with it, twist and factor
+//! change together:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -44,7 +45,7 @@ pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
     unit: f64,
     /// T of what does not slide; motions that nothing resists are held.
     fixed: SMatrix<f64, D, D>,
-    /// b of what does not slide.
+    /// b of what does not slide, but for the rate of the load.
     push: SVector<f64, D>,
     /// Whether commands change.
     pub(super) driven: bool,
@@ -74,7 +75,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
-        let (mut fixed, mut push, mut stiffest) = (SMatrix::zeros(), segment.direction, 0.0_f64);
+        let (mut fixed, mut push, mut stiffest) = (SMatrix::zeros(), SVector::zeros(), 0.0_f64);
         for (i, site) in sites.iter().enumerate() {
             stiffest = stiffest.max(site.springs.stiffest());
             if !states[i].slides() {
@@ -95,9 +96,14 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         self.segment.grasp.sites()
     }
 
+    /// b of what does not slide, at a factor.
+    fn push_at(&self, factor: f64) -> SVector<f64, D> {
+        self.segment.course.rate_at(factor) + self.push
+    }
+
     /// `|b|` of what does not slide, N.
-    pub(super) fn load_rate(&self) -> f64 {
-        self.push.norm()
+    pub(super) fn load_rate(&self, factor: f64) -> f64 {
+        self.push_at(factor).norm()
     }
 
     /// How a sliding contact with this friction force gives way; without one it sets out the way it slides.
@@ -114,9 +120,14 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).collect()
     }
 
-    /// `[T u | -b]` with a row across the path, and the size of its entries.
-    fn bordered(&self, tangents: &[Tangent<C>], across: &Direction<D>) -> Option<(Bordered<D>, f64)> {
-        let (mut t, mut push) = (self.fixed, self.push);
+    /// `[T u | -b]` at a factor with a row across the path, and the size of its entries.
+    fn bordered(
+        &self,
+        tangents: &[Tangent<C>],
+        factor: f64,
+        across: &Direction<D>,
+    ) -> Option<(Bordered<D>, f64)> {
+        let (mut t, mut push) = (self.fixed, self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
@@ -135,9 +146,14 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         (bordered.least_pivot() > SINGULAR).then_some((bordered, scale))
     }
 
-    /// The direction of the path with these tangents, for one unit of arclength, that goes along a given one.
-    pub(super) fn direction(&self, tangents: &[Tangent<C>], along: &Direction<D>) -> Option<Direction<D>> {
-        let (bordered, scale) = self.bordered(tangents, along)?;
+    /// The direction of the path at a factor with these tangents, for one unit of arclength, that goes along a given one.
+    pub(super) fn direction(
+        &self,
+        tangents: &[Tangent<C>],
+        factor: f64,
+        along: &Direction<D>,
+    ) -> Option<Direction<D>> {
+        let (bordered, scale) = self.bordered(tangents, factor, along)?;
         let (x, factor) = bordered.solve(&SVector::zeros(), scale);
         let length = (x.norm_squared() + factor * factor).sqrt();
         let turned = 1.0 / length >= LEAST_COSINE;
@@ -176,13 +192,13 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         frictions: &[SVector<f64, C>],
     ) -> Option<(PieceState<D, C>, f64)> {
         let tangents = self.tangents(frictions.iter().copied());
-        let (bordered, _) = self.bordered(&tangents, across)?;
+        let (bordered, _) = self.bordered(&tangents, factor, across)?;
         for _ in 0..PASSES {
             let mut forces = self.forces_at(&twist, factor, frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
             for _ in 0..CORRECTIONS {
-                let load = self.segment.problem.wrench + self.segment.direction * factor;
+                let load = self.segment.course.at(factor);
                 let (mut left, mut carried) = (load, 0.0);
                 for (site, force) in self.sites().iter().zip(&forces) {
                     left += site.map * force;
@@ -244,8 +260,8 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
     ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
         let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
-            .solve(self.problem.sites, &self.change, &self.direction)
-            .map_err(|u| self.unbalanced(u.motion))?;
+            .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
+            .map_err(|u| self.unbalanced(factor, u.motion))?;
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
         let arc = Arc::new(self, states, piece.free_motions(), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);

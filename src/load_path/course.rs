@@ -1,22 +1,38 @@
-//! The way that a load takes from where the question for an onset starts.
+//! The way that a load takes while a factor grows: straight on, or round.
 
-use super::ramp::Ramp;
-use super::turn::{InsideTurn, Turn};
-use crate::grasp::Wrench;
+use std::ops::{Add, Mul, Sub};
 
-/// A ramp, or a turn with its parts in inside coordinates.
+use crate::numerics::Harmonic;
+
+/// A way, of wrenches as the question has them or in inside coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Course<'a, const D: usize, const C: usize> {
-    Ramp(&'a Ramp<D, C>),
-    Turn(&'a Turn<D, C>, InsideTurn<D>),
+pub(super) enum Course<X> {
+    Straight {
+        from: X,
+        /// For one unit of the factor.
+        rate: X,
+    },
+    Turn {
+        load: Harmonic<X>,
+        /// For one unit of the factor, rad.
+        angle: f64,
+    },
 }
 
-impl<const D: usize, const C: usize> Course<'_, D, C> {
-    /// The load at a factor, which is the angle of a turn.
-    pub(super) fn load_at(&self, factor: f64) -> Wrench<D, C> {
+impl<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Course<X> {
+    /// The load at a factor.
+    pub(super) fn at(&self, factor: f64) -> X {
         match self {
-            Self::Ramp(ramp) => ramp.load_at(factor),
-            Self::Turn(turn, _) => turn.load_at(factor),
+            Self::Straight { from, rate } => *from + *rate * factor,
+            Self::Turn { load, angle } => load.at(angle * factor),
+        }
+    }
+
+    /// Its rate there, for one unit of the factor.
+    pub(super) fn rate_at(&self, factor: f64) -> X {
+        match self {
+            Self::Straight { rate, .. } => *rate,
+            Self::Turn { load, angle } => load.rate_at(angle * factor) * *angle,
         }
     }
 }

@@ -3,10 +3,12 @@
 use nalgebra::SVector;
 
 use super::segment::{Here, Segment};
+use super::turned::Turned;
 use crate::contact::State;
 use crate::grasp::Site;
+use crate::numerics::Harmonic;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, so that every integral is exact; where contacts
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and with a load that turns they turn, so that every integral is exact; where contacts
 /// slide on the round cone works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
@@ -56,7 +58,7 @@ impl Energy {
         self.turnover += part.turnover;
     }
 
-    /// Adds a straight piece from a factor on.
+    /// Adds a piece from a factor on, along which states stay and nothing slides on a round cone.
     pub(super) fn add<const D: usize, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,
@@ -65,7 +67,11 @@ impl Energy {
         factor: f64,
         step: f64,
     ) {
-        let middle = segment.problem.wrench + segment.direction * (factor + 0.5 * step);
+        if let Some(turned) = &here.turned {
+            self.add_turned(segment, states, turned, step);
+            return;
+        }
+        let middle = segment.course.at(factor + 0.5 * step);
         let works = middle.component_mul(&here.twist_rate) * step;
         self.load_work += works.sum();
         self.turnover += works.abs().sum();
@@ -84,6 +90,43 @@ impl Energy {
                 self.stored += stored;
                 self.dissipated += dissipated;
                 self.turnover += pushed.abs() + stored.abs() + dissipated.abs();
+            }
+        }
+    }
+
+    /// Adds a piece along which everything turns with the load: works of one harmonic on another.
+    fn add_turned<const D: usize, const C: usize>(
+        &mut self,
+        segment: &Segment<D, C>,
+        states: &[State<C>],
+        turned: &Turned<D, C>,
+        step: f64,
+    ) {
+        let angle = turned.angle * step;
+        for k in 0..D {
+            let work = turned.load.map(|load| load[k]).work_on(&turned.twist.map(|twist| twist[k]), angle);
+            self.load_work += work;
+            self.turnover += work.abs();
+        }
+        let sites = segment.grasp.sites();
+        let [before, after] = [0.0, angle]
+            .map(|angle| turned.waves.iter().map(|[force, _]| force.of.at(angle)).collect::<Vec<_>>());
+        self.store(sites, &before, &after);
+        for ((site, [force, stretch]), _) in
+            sites.iter().zip(&turned.waves).zip(states).filter(|(_, state)| state.slides())
+        {
+            let slip = Harmonic {
+                constant: SVector::zeros(),
+                cosine: site.springs.slip(&stretch.of.cosine, &force.of.cosine),
+                sine: site.springs.slip(&stretch.of.sine, &force.of.sine),
+            };
+            for axis in 1..C {
+                let dissipated = force
+                    .of
+                    .map(|force| force[axis])
+                    .work_on(&slip.map(|slip: &SVector<f64, C>| slip[axis]), angle);
+                self.dissipated += dissipated;
+                self.turnover += dissipated.abs();
             }
         }
     }

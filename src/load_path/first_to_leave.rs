@@ -8,11 +8,11 @@ use nalgebra::{Matrix, SVector};
 use super::onset::{Leaving, Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
-use super::turn::{InsideTurn, Turn};
-use super::turning_load::FirstOnTurn;
+use super::turn::Turn;
 use crate::contact::{At, Exit, Line, LocalLaw, Stand};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
+use crate::numerics::Harmonic;
 use crate::object::{Piece, PieceState};
 use crate::search::{Found, Rung};
 
@@ -36,11 +36,12 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     if !piece.free_motions().is_empty() {
         return None;
     }
-    let rate = piece.solve_roughly(&segment.change, &segment.direction);
-    let First { contact, exit, line } = first_exit(segment, &piece, &rate)?;
+    let direction = segment.course.rate_at(0.0);
+    let rate = piece.solve_roughly(&segment.change, &direction);
+    let First { contact, exit, line } = first_exit(segment, &piece, (&direction, &rate))?;
     // Again at the onset: found from afar the factor carries the rounding of what the forces are at the base.
     let mut factor = exit.step;
-    let load = problem.wrench + segment.direction * factor;
+    let load = segment.course.at(factor);
     let mut there = piece.solve(problem.sites, &segment.drives(factor), &load).ok()?;
     let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
     if more.abs() > ROUGHLY * factor || !is_balanced(problem.sites, &load, &there.forces) {
@@ -49,14 +50,14 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     factor += more;
     there.twist += rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
-    Some(event(segment, (factor, factor, ramp.load_at(factor)), (contact, &exit), there))
+    Some(event(segment, (factor, ramp.load_at(factor)), (contact, &exit), there))
 }
 
 /// The same while a load turns: the event, or that there is none. `None` where the case is another one.
 pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
-    segment: &mut Segment<'_, D, C>,
+    segment: &Segment<'_, D, C>,
     turn: &Turn<D, C>,
-    inside: &InsideTurn<D>,
+    inside: &Harmonic<SVector<f64, D>>,
 ) -> Option<Onset<D, C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -65,59 +66,56 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     }
     let states = problem.unjumped();
     let at_rest = vec![SVector::zeros(); problem.len()];
-    let parts = [
-        piece.solve_roughly(&problem.drives, &inside.constant),
-        piece.solve_roughly(&at_rest, &inside.cosine),
-        piece.solve_roughly(&at_rest, &inside.sine),
-    ];
-    let twist = parts[0].twist + parts[1].twist;
-    let forces: Vec<_> = parts[0].forces.iter().zip(&parts[1].forces).map(|(f, more)| f + more).collect();
+    let parts = Harmonic {
+        constant: piece.solve_roughly(&problem.drives, &inside.constant),
+        cosine: piece.solve_roughly(&at_rest, &inside.cosine),
+        sine: piece.solve_roughly(&at_rest, &inside.sine),
+    };
+    let twist = parts.constant.twist + parts.cosine.twist;
+    let forces: Vec<_> =
+        parts.constant.forces.iter().zip(&parts.cosine.forces).map(|(f, more)| f + more).collect();
     let base = PieceState { forces, twist };
     let largest = problem.largest_force(&base.forces, &base.twist);
     let at = |i: usize| problem.at(i, &base.forces[i], &base.twist, largest);
     if !problem.locals().enumerate().all(|(i, local)| clearly_rolls(&local, &at(i))) {
         return None;
     }
-    let mut waves = segment.waves(inside, &parts);
+    let mut turned = segment.turned(inside, 1.0, &parts);
     // Rough states carry the rounding of the largest force everywhere; what that could change is for the walk to tell.
-    let roughly = parts.iter().map(|part| problem.largest_force(&part.forces, &part.twist)).sum::<f64>();
-    for [force, _] in &mut waves {
+    let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
+    let roughly = roughly.parts().into_iter().sum::<f64>();
+    for [force, _] in &mut turned.waves {
         force.size = force.size.max(roughly);
     }
-    let exits = problem.locals().zip(&states).zip(&waves);
-    let exits =
-        exits.map(|((local, state), [force, gap])| local.turning_exits(state, [force, gap], turn.angle));
-    let first = FirstOnTurn::of(exits.enumerate().collect());
+    let first = turned.first_exits(problem, &states, turn.angle);
     if !first.touches.is_empty() {
         return None;
     }
-    let Some((mut angle, standing)) = first.exits else { return Some(Onset::Never) };
+    let Some((mut angle, standing)) = first.standing else { return Some(Onset::Never) };
     let [(contact, exits)] = &standing[..] else { return None };
     let [exit] = exits[..] else { return None };
     if exit.uncertainty > ROUGHLY * angle {
         return None;
     }
-    let load = inside.from(angle).load_and_rate()[0];
+    let load = inside.at(angle);
     let mut there = piece.solve(problem.sites, &problem.drives, &load).ok()?;
-    let rate = waves[*contact][0].rate_at(angle);
+    let rate = turned.waves[*contact][0].of.rate_at(angle);
     let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
     if more.abs() > ROUGHLY * angle || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
     angle += more;
-    there.forces.iter_mut().zip(&waves).for_each(|(force, [wave, _])| *force += wave.rate_at(angle) * more);
-    let onward = inside.from(angle);
-    let (sin, cos) = angle.sin_cos();
-    there.twist += (parts[2].twist * cos - parts[1].twist * sin) * more;
-    segment.turn_to(&onward);
-    let (contact, exit) = (*contact, exit);
-    Some(Onset::At(Box::new(event(segment, (angle, 0.0, turn.load_at(angle)), (contact, &exit), there))))
+    for (force, [wave, _]) in there.forces.iter_mut().zip(&turned.waves) {
+        *force += wave.of.rate_at(angle) * more;
+    }
+    there.twist += turned.twist.rate_at(angle) * more;
+    Some(Onset::At(Box::new(event(segment, (angle, turn.load_at(angle)), (*contact, &exit), there))))
 }
 
-/// One contact leaves at a factor of the course, which is another of the segment.
+/// One contact leaves at a factor of the course, under the load there.
 fn event<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    place: (f64, f64, Wrench<D, C>),
+    place: (f64, Wrench<D, C>),
     (contact, exit): (usize, &Exit<C>),
     there: PieceState<D, C>,
 ) -> OnsetEvent<D, C> {
@@ -148,12 +146,12 @@ struct First<const C: usize> {
 fn first_exit<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     piece: &Piece<D, C>,
-    rate: &PieceState<D, C>,
+    (direction, rate): (&SVector<f64, D>, &PieceState<D, C>),
 ) -> Option<First<C>> {
     let problem = &segment.problem;
     let base = piece.solve_roughly(&problem.drives, &problem.wrench);
     let largest = problem.largest_force(&base.forces, &base.twist);
-    let fastest = rate.forces.iter().map(Matrix::norm).fold(segment.direction.norm(), f64::max);
+    let fastest = rate.forces.iter().map(Matrix::norm).fold(direction.norm(), f64::max);
     let mut first: Option<First<C>> = None;
     let mut next = f64::INFINITY;
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

@@ -113,7 +113,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
     ) -> Self {
         let sites = segment.grasp.sites();
         let drives = segment.drives(from);
-        let load = (segment.problem.wrench + segment.direction * from).norm();
+        let load = segment.course.at(from).norm();
         let forces = here.lines.iter().map(|line| line.force.norm());
         let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
         let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
@@ -168,7 +168,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let factor = self.from + y[load];
         let mut frictions: Vec<_> = self.frictions(&y).collect();
         let tangents = self.arc.tangents(frictions.iter().copied());
-        let way = self.arc.direction(&tangents, &self.onward())?;
+        let way = self.arc.direction(&tangents, factor, &self.onward())?;
         let stays = (factor - goal.factor).abs() <= goal.near;
         let (at, to) = if stays {
             // The rest of the way along the tangent, which the friction forces go as well.
@@ -200,7 +200,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
         let tangents = self.arc.tangents(self.frictions(y));
-        let way = self.arc.direction(&tangents, &self.onward())?;
+        let way = self.arc.direction(&tangents, self.from + y[load], &self.onward())?;
         out[load - D..load].copy_from_slice(way.twist.as_slice());
         out[load] = way.factor;
         let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
@@ -217,8 +217,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             turnover += dissipated.abs();
         }
         let fingers = if self.arc.driven { self.power_of_fingers(y) * way.factor } else { 0.0 };
-        let worked =
-            (segment.problem.wrench + segment.direction * (self.from + y[load])).component_mul(&way.twist);
+        let worked = segment.course.at(self.from + y[load]).component_mul(&way.twist);
         turnover += fingers.abs() + worked.abs().sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         Some(backwards > 0.0)
@@ -262,7 +261,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (C - 1));
         let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
         let of_forces = of_frictions.chunks_exact(C - 1).map(norm).fold(0.0, f64::max);
-        let of_load = others[D].abs() * self.arc.load_rate();
+        let of_load = others[D].abs() * self.arc.load_rate(self.from);
         (norm(&others[..D]) / travel).max(of_forces / force).max(of_load / force)
     }
 

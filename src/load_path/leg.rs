@@ -4,7 +4,9 @@ use std::ops::Add;
 
 use nalgebra::SVector;
 
+use super::course::Course;
 use super::ramp::{Ramp, vectors};
+use super::turn::{Turn, inside};
 use crate::error::{Error, Field};
 use crate::grasp::{Grasp, Wrench};
 
@@ -38,7 +40,7 @@ use crate::grasp::{Grasp, Wrench};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const D: usize, const C: usize> {
-    load: Goal<Wrench<D, C>>,
+    load: LoadGoal<D, C>,
     commands: Goal<Vec<SVector<f64, C>>>,
     joints: Goal<Vec<f64>>,
 }
@@ -51,18 +53,46 @@ enum Goal<T> {
 }
 
 impl<const D: usize, const C: usize> Leg<D, C> {
-    const STAY: Self = Self { load: Goal::Stay, commands: Goal::Stay, joints: Goal::Stay };
+    const STAY: Self =
+        Self { load: LoadGoal::Straight(Goal::Stay), commands: Goal::Stay, joints: Goal::Stay };
 
     /// The load changes by this much.
     #[must_use]
     pub fn load_by(change: Wrench<D, C>) -> Self {
-        Self { load: Goal::By(change), ..Self::STAY }
+        Self { load: LoadGoal::Straight(Goal::By(change)), ..Self::STAY }
     }
 
     /// The load changes to this.
     #[must_use]
     pub fn load_to(load: Wrench<D, C>) -> Self {
-        Self { load: Goal::To(load), ..Self::STAY }
+        Self { load: LoadGoal::Straight(Goal::To(load)), ..Self::STAY }
+    }
+
+    /// The load changes as this one does: from what it is, by what the turn takes away and adds. What else acts stays; the constant part of
+    /// the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};
+    /// use std::f64::consts::{FRAC_PI_2, TAU};
+    ///
+    /// // A block on two feet that press with 1 N each, pulled to and fro: 0.6 N times the sine.
+    /// let foot = |x: f64, mu: f64| {
+    ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu).command([0.1, 0.0])
+    /// };
+    /// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
+    /// let block = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
+    /// let pull = Turn::new(Wrench::ZERO, Wrench::ZERO, Wrench::force([0.6, 0.0]));
+    /// let events = block.follow(&Wrench::ZERO, &[Leg::turn(&pull)])?.run();
+    /// // The second foot slides when it carries 0.25 · 50/51 N, half of the pull, and sticks where the pull turns back.
+    /// let angle = |event: usize| events[event].fraction * TAU;
+    /// assert!((angle(0) - (0.5 * 50.0 / 51.0 / 0.6_f64).asin()).abs() < 1e-14);
+    /// assert!((angle(1) - FRAC_PI_2).abs() < 1e-14);
+    /// assert!(matches!(events[1].changes[..], [(1, Change::Sticks)]));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn turn(turn: &Turn<D, C>) -> Self {
+        Self { load: LoadGoal::Turn(*turn), ..Self::STAY }
     }
 
     /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
@@ -80,13 +110,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     /// Meanwhile the load changes by this much.
     #[must_use]
     pub fn and_load_by(self, change: Wrench<D, C>) -> Self {
-        Self { load: Goal::By(change), ..self }
+        Self { load: LoadGoal::Straight(Goal::By(change)), ..self }
     }
 
     /// Meanwhile the load changes to this.
     #[must_use]
     pub fn and_load_to(self, load: Wrench<D, C>) -> Self {
-        Self { load: Goal::To(load), ..self }
+        Self { load: LoadGoal::Straight(Goal::To(load)), ..self }
     }
 
     /// Meanwhile the finger commands change by this much.
@@ -147,15 +177,24 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     pub(super) fn along(ramp: &Ramp<D, C>) -> Self {
         let by = |change: &Vec<_>| Goal::By(change.clone());
         Self {
-            load: Goal::By(ramp.direction),
+            load: LoadGoal::Straight(Goal::By(ramp.direction)),
             commands: ramp.command_change.as_ref().map_or(Goal::Stay, by),
             joints: ramp.joint_change.as_ref().map_or(Goal::Stay, |change| Goal::By(change.clone())),
         }
     }
 
     fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
-        if let Goal::By(load) | Goal::To(load) = &self.load {
-            grasp.inside(load, "load of a leg")?;
+        match &self.load {
+            LoadGoal::Straight(Goal::Stay) => {}
+            LoadGoal::Straight(Goal::By(load) | Goal::To(load)) => {
+                grasp.inside(load, "load of a leg")?;
+            }
+            LoadGoal::Turn(turn) => {
+                turn.check()?;
+                if self.commands != Goal::Stay || self.joints != Goal::Stay {
+                    return Err(Error::CommandsWhileTurning);
+                }
+            }
         }
         if let Goal::By(commands) | Goal::To(commands) = &self.commands {
             grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
@@ -165,14 +204,29 @@ impl<const D: usize, const C: usize> Leg<D, C> {
         }
         Ok(())
     }
+}
 
-    /// Load at the end of the leg.
-    fn load_after(&self, load: &Wrench<D, C>) -> Wrench<D, C> {
-        match &self.load {
-            Goal::Stay => *load,
-            Goal::By(change) => *load + *change,
-            Goal::To(goal) => *goal,
-        }
+/// What the load does along a leg.
+#[derive(Debug, Clone, PartialEq)]
+enum LoadGoal<const D: usize, const C: usize> {
+    Straight(Goal<Wrench<D, C>>),
+    /// It changes as this one does.
+    Turn(Turn<D, C>),
+}
+
+impl<const D: usize, const C: usize> LoadGoal<D, C> {
+    /// The way from a load on, and where it ends.
+    fn course(&self, from: &Wrench<D, C>) -> (Course<Wrench<D, C>>, Wrench<D, C>) {
+        let to = match self {
+            Self::Straight(Goal::Stay) => *from,
+            Self::Straight(Goal::By(change)) => *from + *change,
+            Self::Straight(Goal::To(goal)) => *goal,
+            Self::Turn(turn) => {
+                let course = turn.beginning_with(from);
+                return (course, course.at(1.0));
+            }
+        };
+        (Course::Straight { from: *from, rate: to - *from }, to)
     }
 }
 
@@ -193,8 +247,10 @@ pub(super) struct Program<const D: usize, const C: usize> {
     legs: Vec<Leg<D, C>>,
     /// The present leg; as many as there are legs when all are done.
     pub(super) leg: usize,
-    /// Load at the beginning and at the end of the present leg.
-    pub(super) load: [Wrench<D, C>; 2],
+    /// How the load goes along the present leg.
+    pub(super) course: Course<Wrench<D, C>>,
+    /// The load at the end of the present leg.
+    goal: Wrench<D, C>,
     /// Finger commands at the beginning and at the end of the present leg.
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
     /// Those of the joints.
@@ -209,7 +265,8 @@ impl<const D: usize, const C: usize> Program<D, C> {
         Self {
             legs: Vec::new(),
             leg: 0,
-            load: [start; 2],
+            course: Course::Straight { from: start, rate: Wrench::ZERO },
+            goal: start,
             commands: [commands.clone(), commands],
             joints: [joints.clone(), joints],
         }
@@ -222,10 +279,23 @@ impl<const D: usize, const C: usize> Program<D, C> {
         Ok(())
     }
 
+    /// Appends legs along none of which the load turns.
+    pub(super) fn extend_straight(
+        &mut self,
+        grasp: &Grasp<D, C>,
+        legs: &[Leg<D, C>],
+        method: &'static str,
+    ) -> Result<(), Error> {
+        if legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_))) {
+            return Err(Error::StraightOnly { method });
+        }
+        self.extend(grasp, legs)
+    }
+
     /// Sets out from where the last leg ended; false if there is no leg to go.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg) else { return false };
-        self.load = [self.load[1], leg.load_after(&self.load[1])];
+        (self.course, self.goal) = leg.load.course(&self.goal);
         let (after, joints) = (leg.commands.after(&self.commands[1]), leg.joints.after(&self.joints[1]));
         self.commands = [std::mem::replace(&mut self.commands[1], after.clone()), after];
         self.joints = [std::mem::replace(&mut self.joints[1], joints.clone()), joints];
@@ -242,8 +312,19 @@ impl<const D: usize, const C: usize> Program<D, C> {
         [base, grasp.drive_changes(Some(&change), Some(&of_joints))]
     }
 
+    /// How the load goes along the present leg, in inside coordinates.
+    pub(super) fn inside_course(&self, grasp: &Grasp<D, C>) -> Course<SVector<f64, D>> {
+        match &self.course {
+            Course::Straight { from, .. } => {
+                let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                Course::Straight { from, rate: to - from }
+            }
+            Course::Turn { load, angle } => Course::Turn { load: inside(grasp, load), angle: *angle },
+        }
+    }
+
     /// The load at a fraction of the present leg.
     pub(super) fn load_at(&self, fraction: f64) -> Wrench<D, C> {
-        self.load[0] + (self.load[1] - self.load[0]) * fraction
+        self.course.at(fraction)
     }
 }

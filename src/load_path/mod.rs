@@ -8,9 +8,9 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn)), as a weight does in the frame of an object that is tilted.
-//! While everything rolls, forces turn with it. A margin then is a trigonometric polynomial, whose first fall below zero is found in closed
-//! form.
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn), [`Leg::turn`]), as a weight does in the frame of an object
+//! that is tilted. While contacts keep their states forces and slips turn with it. A margin then is a trigonometric polynomial: its first fall below
+//! zero is isolated between its turning points.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
@@ -22,7 +22,7 @@
 //! it is a limit load if there is none, else a snap.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::grasp::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
-//! from before. On polygons and in the plane every piece is straight. On the round cone the direction of sliding turns along the way,
+//! from before. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns along the way,
 //! `ds = γ F_t` with `|F_t| = μ F_n` at all times, and slips are integrated with an estimate of the error.
 //!
 //! **Sensitivities** ([`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity), [`response`](crate::grasp::Grasp::response),
@@ -40,6 +40,7 @@ mod crossing;
 mod drive_change;
 mod energy;
 mod event;
+mod first_exits;
 mod first_to_leave;
 mod flow;
 mod leg;
@@ -63,6 +64,7 @@ mod told_apart;
 mod transition;
 mod turn;
 mod turn_questions;
+mod turned;
 mod turning;
 mod turning_load;
 mod walk;
@@ -81,6 +83,5 @@ pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
-pub use turn::{Touch, Turn, TurnOnset};
-
-pub(crate) use turn::InsideTurn;
+pub use turn::{Touch, Turn};
+pub use turn_questions::TurnOnset;

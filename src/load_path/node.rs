@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::course::Course;
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::loss::end_of_path;
 use super::segment::{Here, Segment};
@@ -17,6 +18,22 @@ use crate::search::{
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
 const LESS: f64 = 1e-9;
 
+/// While the load turns, the rates that decide are those so many radians ahead, or nearer if something else happens before.
+const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
+/// An event's angle is known as well as this, rad: where the load turns back its rate is zero up to that, and has any sign.
+const ANGLE_KNOWN: f64 = 1e-12;
+
+/// What the rates at a node say.
+struct Decided<'g, const D: usize, const C: usize> {
+    /// The factor whose rates they are.
+    ahead: f64,
+    rates: Problem<'g, D, C>,
+    /// The states in which everything on an edge slides.
+    sliding: Vec<State<C>>,
+    settled: Settled<D, C>,
+    effort: Effort,
+}
+
 /// Where the path stands, contact by contact.
 pub(super) struct Node<const D: usize, const C: usize> {
     /// Those of contacts that slide on the round cone have the direction of their friction force.
@@ -29,6 +46,8 @@ pub(super) struct Node<const D: usize, const C: usize> {
     /// A contact slides from the apex of its cone on: it has a direction, and no friction force yet.
     pub(super) sets_out: bool,
     pub(super) at: PieceState<D, C>,
+    /// The factor whose rates decide: here, or a little ahead while the load turns.
+    pub(super) ahead: f64,
 }
 
 /// How the path goes on from a node.
@@ -48,12 +67,8 @@ impl<const D: usize, const C: usize> Node<D, C> {
         load: Wrench<D, C>,
         settings: &Settings,
     ) -> Result<Onward<D, C>, PathEnd<D, C>> {
-        let rates = segment.rates(segment.laws_of_rates(&self.stands, &self.states));
-        let sliding = everything_slides(&rates);
-        let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
-            Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
-            _ => settle(&rates, settings),
-        };
+        let Decided { ahead, rates, sliding, settled, effort } = self.decided(segment, factor, settings);
+        self.ahead = ahead;
         let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let (contacts, drives) = segment.grasp.sites_apart((0..self.states.len()).filter(stands).collect());
         let loss = |motion| Loss {
@@ -95,6 +110,49 @@ impl<const D: usize, const C: usize> Node<D, C> {
             segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
         }
         Ok(Onward { here, changes, other_continuations })
+    }
+
+    /// What the rates say.
+    ///
+    /// While the load turns, a slip may stop and a force may touch its edge: rates here do not tell which way these go. Those a little ahead do. The loads
+    /// for which given states hold in rates are a convex cone, and the rates of the load on the way there lie between those at its ends: what
+    /// holds at both holds all the way.
+    fn decided<'g>(
+        &self,
+        segment: &Segment<'g, D, C>,
+        factor: f64,
+        settings: &Settings,
+    ) -> Decided<'g, D, C> {
+        let laws = segment.laws_of_rates(&self.stands, &self.states);
+        let at = |ahead: f64| {
+            let rates = segment.rates(ahead, laws.clone());
+            let sliding = everything_slides(&rates);
+            let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
+                Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
+                _ => settle(&rates, settings),
+            };
+            Decided { ahead, rates, sliding, settled, effort }
+        };
+        let Course::Turn { angle, .. } = segment.course else { return at(factor) };
+        let mut last = None;
+        for little in AHEAD {
+            let decided = at(factor + little / angle);
+            let Settled::Found(found, _) = &decided.settled else {
+                last = Some(decided);
+                continue;
+            };
+            // At the apex of a round cone the direction of a slide turns with the load.
+            let here = segment.rates(factor + ANGLE_KNOWN / angle, laws.clone());
+            if decided.rates.round || matches!(try_states(&here, found.states.clone()), Verdict::Holds(_)) {
+                return decided;
+            }
+            last = Some(Decided { settled: Settled::Undecided(Doubt::OnTheBoundary), ..decided });
+        }
+        match last {
+            Some(last) if !segment.problem.round => last,
+            // The end of an arc is known to the error of its steps: rates here say as much as those ahead.
+            _ => at(factor),
+        }
     }
 
     /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.

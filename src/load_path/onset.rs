@@ -95,10 +95,10 @@ pub(super) struct RollingState<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> OnsetEvent<D, C> {
-    /// The event at a factor of a course and a factor of its segment, with the load and the rolling state there and what contacts stand on.
+    /// The event at a factor, with the load and the rolling state there and what contacts stand on.
     pub(super) fn new(
         segment: &Segment<'_, D, C>,
-        (factor, at, load): (f64, f64, Wrench<D, C>),
+        (factor, load): (f64, Wrench<D, C>),
         leaving: Vec<Leaving<C>>,
         stands: Vec<Stand<C>>,
         (found, rule): (Found<D, C>, Rung),
@@ -108,9 +108,9 @@ impl<const D: usize, const C: usize> OnsetEvent<D, C> {
             rule,
             stands,
             leaving: leaving.iter().map(|leaving| leaving.contact).collect(),
-            wrench: segment.problem.wrench + segment.direction * at,
-            wrench_rate: segment.direction,
-            drives: segment.drives(at),
+            wrench: segment.course.at(factor),
+            wrench_rate: segment.course.rate_at(factor),
+            drives: segment.drives(factor),
             drive_rates: segment.change.clone(),
             slips: segment.problem.slips.clone(),
         };

@@ -13,7 +13,7 @@ use super::onset::{Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::transition::everything_slides;
-use super::turn::TurnOnset;
+use super::turn_questions::TurnOnset;
 use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
@@ -109,25 +109,27 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let polygon = Polygon::shared(&settings.cone);
         let round = cone == Cone::Round;
         let problem = self.problem(polygon, round, self.drives(), &Load::from(&base));
-        let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
+        let course = Course::Straight { from: base, rate: direction };
+        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
         if let Some(event) = first_to_leave(&segment, ramp) {
             return Ok(Onset::At(Box::new(event)));
         }
-        Ok(self.walked(segment, Course::Ramp(ramp), settings).onset)
+        let course = Course::Straight { from: ramp.base, rate: ramp.direction };
+        Ok(self.walked(segment, (course, f64::INFINITY), settings).onset)
     }
 
-    /// The onset along a course from where the segment begins, with all that may happen on the way.
+    /// The onset along a course, as the question has it, up to its end, with all that may happen on the way.
     pub(super) fn walked<'a>(
         &'a self,
         segment: Segment<'a, D, C>,
-        course: Course<'a, D, C>,
+        (course, end): (Course<Wrench<D, C>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<D, C> {
         let (found, rule) = match self.rolling_base(&segment, &course, settings) {
             Ok(base) => base,
             Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
         };
-        let mut walk = Walk { segment, course, settings, rule, factor: 0.0, at: 0.0, touches: Vec::new() };
+        let mut walk = Walk { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
         TurnOnset { onset, touches: walk.touches }
     }
@@ -179,9 +181,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     pub fn beyond_with(&self, event: &OnsetEvent<D, C>, settings: &Settings) -> Option<Beyond<D, C>> {
         let problem = self.problem_at_onset(event)?;
         let (local, cone) = (&event.local, event.cone);
-        let (change, direction) = (local.drive_rates.clone(), local.wrench_rate);
-        let segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
-        let rates = segment.rates(segment.laws_of_rates(&local.stands, &local.found.states));
+        let change = local.drive_rates.clone();
+        let course = Course::Straight { from: local.wrench, rate: local.wrench_rate };
+        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
+        let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,
@@ -208,7 +211,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn rolling_base(
         &self,
         segment: &Segment<'_, D, C>,
-        course: &Course<'_, D, C>,
+        course: &Course<Wrench<D, C>>,
         settings: &Settings,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<D, C>>> {
         let (problem, cone) = (&segment.problem, segment.cone);
@@ -220,7 +223,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &course.load_at(0.0), settled, &effort, cone) {
+        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled, &effort, cone) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),

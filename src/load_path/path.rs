@@ -5,8 +5,6 @@
 //! At an event some contacts stand on an edge of their cone, at its apex or at a closed gap. They form a small complementarity
 //! problem in rates. Its solution is the next straight piece, and without a solution the path ends.
 
-use nalgebra::SVector;
-
 use super::beyond::{Beyond, End, beyond_end};
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
@@ -106,8 +104,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 (None, Some(PathEnd::NoStart(Box::new(outcome))))
             }
         };
-        let (change, direction) = (self.drive_changes(None, None), SVector::zeros());
-        let mut segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
+        let (change, course) = (self.drive_changes(None, None), program.inside_course(self));
+        let mut segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
         let mut path = LoadPath {
             grasp: self,
             settings: *settings,
@@ -151,7 +149,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<D, C>> {
         let loss = self.end.as_ref()?.loss()?;
-        let rates = self.segment.rates(self.segment.laws_of_rates(&self.node.stands, &self.node.states));
+        let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
+        let rates = self.segment.rates(self.node.ahead, laws);
         let motion = loss.motion.map(|motion| self.grasp.inside_twist(&motion));
         let end = End { factor: loss.fraction, forces: &self.node.at.forces, motion };
         let (settled, effort) = settle(&rates, settings);
@@ -218,13 +217,13 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             self.end = Some(PathEnd::Completed);
             return;
         }
-        let [from, to] = self.program.load.map(|w| self.grasp.load_unchecked(&w));
+        let course = self.program.inside_course(self.grasp);
         let [base, change] = self.program.drives(self.grasp);
-        self.segment.direction = to - from;
+        self.segment.course = course;
         self.segment.change = change;
         self.segment.largest = 0.0;
         // Counted anew from the goal of the last leg, so that rounding does not add up over many legs.
-        self.segment.problem.wrench = from;
+        self.segment.problem.wrench = course.at(0.0);
         self.segment.problem.drives =
             base.iter().zip(&self.segment.problem.slips).map(|(a, slip)| a - slip).collect();
         self.factor = 0.0;
@@ -288,8 +287,8 @@ impl<'g, const D: usize, const C: usize> LoadPath<'g, D, C> {
             to,
             problem: self.segment.problem.clone(),
             change: self.segment.change.clone(),
-            direction: self.segment.direction,
-            load: self.program.load,
+            course: self.segment.course,
+            load: self.program.course,
             states: self.node.states.clone(),
             here,
             there,

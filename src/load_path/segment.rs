@@ -1,8 +1,11 @@
-//! One straight stretch of a load program: load and finger commands are affine in a factor, and so is everything else as
-//! long as every contact keeps its state.
+//! One stretch of a load program: along it the load goes straight or turns, commands go straight, and as long as every contact keeps its
+//! state so does everything else.
 
 use nalgebra::{Matrix, SVector};
 
+use super::course::Course;
+use super::first_exits::{FirstExits, Standing};
+use super::turned::Turned;
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Grasp;
@@ -14,10 +17,10 @@ pub(super) struct Segment<'g, const D: usize, const C: usize> {
     pub(super) cone: Cone,
     /// At factor 0; its drives count from the slip so far.
     pub(super) problem: Problem<'g, D, C>,
-    /// Rates of the drives.
+    /// Rates of the drives; zero while the load turns.
     pub(super) change: Vec<SVector<f64, C>>,
-    /// Rate of the load.
-    pub(super) direction: SVector<f64, D>,
+    /// The load.
+    pub(super) course: Course<SVector<f64, D>>,
     /// The largest force on the way so far, N. Where all forces vanish together none of them is a yardstick for the others.
     pub(super) largest: f64,
 }
@@ -39,9 +42,21 @@ pub(super) struct Here<const D: usize, const C: usize> {
     /// Largest force and displacement of the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
+    /// How everything goes on while the load turns; `None` where rates stay or nothing is known beyond them.
+    pub(super) turned: Option<std::sync::Arc<Turned<D, C>>>,
 }
 
 impl<const D: usize, const C: usize> Here<D, C> {
+    /// Forces and twist after a step, as far as can be told from here.
+    pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
+        if let Some(turned) = &self.turned {
+            let PieceState { forces, twist } = turned.after(step);
+            return PieceState { forces, twist: self.twist + twist };
+        }
+        let forces = self.lines.iter().map(|line| line.force + line.rate * step).collect();
+        PieceState { forces, twist: self.twist + self.twist_rate * step }
+    }
+
     /// The same state with rates for this part of the way.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut here = self.clone();
@@ -58,9 +73,6 @@ impl<const D: usize, const C: usize> Here<D, C> {
     }
 }
 
-/// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
-pub(super) type Standing<const C: usize> = Vec<(usize, Vec<Exit<C>>)>;
-
 impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is that nearest to
     /// `near`: nothing drives the object along them.
@@ -71,12 +83,16 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
         let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
+        let rate = match &self.course {
+            Course::Straight { rate, .. } => rate,
+            Course::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
+        };
         let base = piece
             .solve(self.problem.sites, &self.problem.drives, self.problem.load())
-            .map_err(|u| self.unbalanced(u.motion))?;
+            .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = piece
-            .solve(self.problem.sites, &self.change, &self.direction)
-            .map_err(|u| self.unbalanced(u.motion))?;
+            .solve(self.problem.sites, &self.change, rate)
+            .map_err(|u| self.unbalanced(factor, u.motion))?;
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
             twist: base.twist + rate.twist * factor,
@@ -96,9 +112,11 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    pub(super) fn unbalanced(&self, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D, C> {
+    /// From a factor on nothing resists this motion.
+    pub(super) fn unbalanced(&self, factor: f64, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D, C> {
         let v = motion.unwrap_or_else(SVector::zeros);
-        let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work: v.dot(&self.direction) };
+        let work = v.dot(&self.course.rate_at(factor));
+        let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work };
         NoEquilibrium { proof }
     }
 
@@ -116,7 +134,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
         let way = factor - since;
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
-        let base_load = self.problem.wrench + self.direction * since;
+        let base_load = self.course.at(since);
         let sites = self.grasp.sites();
         let sizes =
             |drives: &[SVector<f64, C>], twist: &SVector<f64, D>, load: f64, forces: &[SVector<f64, C>]| {
@@ -125,7 +143,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
                 [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
             };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
-        let load_rate = self.direction.norm() * factor_rate.abs();
+        let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
         let mut lines = Vec::new();
@@ -158,6 +176,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             gaps,
             sizes: [most, base_travel + way * rate_sizes[1]],
             rate_sizes,
+            turned: None,
         }
     }
 
@@ -169,7 +188,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         factor: f64,
         near: Option<&SVector<f64, D>>,
     ) -> Option<PieceState<D, C>> {
-        let wrench = self.problem.wrench + self.direction * factor;
+        let wrench = self.course.at(factor);
         let PieceState { mut forces, mut twist } =
             piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
         if let Some(near) = near {
@@ -212,7 +231,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
 
     /// The local problem at a factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, D, C> {
-        let wrench = self.problem.wrench + self.direction * factor;
+        let wrench = self.course.at(factor);
         Problem { drives: self.drives(factor), wrench, wrench_rest: SVector::zeros(), ..self.problem.clone() }
     }
 
@@ -245,8 +264,16 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
 
-    /// The smallest step to an edge, an apex or a closed gap, and everything that reaches one there.
-    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
+    /// The smallest step to an edge, an apex, a closed gap or where a slip would turn round, and everything that reaches one there. A load that turns is
+    /// looked at up to a step of `rest`.
+    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<D, C>, rest: f64) -> FirstExits<C> {
+        if let Some(turned) = &here.turned {
+            return turned.first_exits(&self.problem, states, rest);
+        }
+        FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
+    }
+
+    fn first_on_lines(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
         let ways: Standing<C> =
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
@@ -261,14 +288,14 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Some((first.step, together))
     }
 
-    /// The grasp driven at the rates of this stretch, with these laws. The round cone matters only at its apex: on an edge it
+    /// The grasp driven at the rates of this stretch at a factor, with these laws. The round cone matters only at its apex: on an edge it
     /// is a facet.
-    pub(super) fn rates(&self, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
+    pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
         let mut rates = Problem {
             laws,
             drives: self.change.clone(),
             slips: vec![SVector::zeros(); self.problem.len()],
-            wrench: self.direction,
+            wrench: self.course.rate_at(factor),
             trial: None,
             ..self.problem.clone()
         };

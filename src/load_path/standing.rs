@@ -2,10 +2,12 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::course::Course;
+use super::first_exits::Standing;
 use super::node::{Node, directions};
-use super::segment::{Here, Segment, Standing};
+use super::segment::{Here, Segment};
 use super::watch::is_vanishing;
-use crate::contact::{Mode, Stand, State, ZERO_SLACK, tangential};
+use crate::contact::{Line, Mode, Stand, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
@@ -37,6 +39,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
             holds: vec![false; n],
             sets_out: false,
             at: PieceState { forces: vec![SVector::zeros(); n], twist: SVector::zeros() },
+            ahead: 0.0,
         };
         let Some(found) = found else { return node };
         node.directions = directions(&segment.problem, &found);
@@ -115,6 +118,9 @@ impl<const D: usize, const C: usize> Node<D, C> {
         there: &PieceState<D, C>,
     ) {
         self.at = there.clone();
+        if matches!(segment.course, Course::Turn { .. }) {
+            self.leave_behind(segment, here, factor);
+        }
         segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
@@ -125,6 +131,20 @@ impl<const D: usize, const C: usize> Node<D, C> {
             self.holds[i] = infinite && !Stand::is_weightless(&tangential(force), line.force_size);
         }
         self.slip_until_now(segment, factor);
+    }
+
+    /// While the load turns, forgets what contacts stood on and are away from now: their rates did not say so yet.
+    fn leave_behind(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>, factor: f64) {
+        let drives = segment.drives(factor);
+        for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
+            if state.is_open() {
+                let gap = -segment.grasp.sites()[i].stretch(&drives[i], &self.at.twist)[0];
+                stand.apex &= gap <= ZERO_SLACK * here.gaps[i].size;
+            } else {
+                let line = Line { force: self.at.forces[i], ..here.lines[i] };
+                segment.problem.local(i).leave_behind(stand, state, &line);
+            }
+        }
     }
 
     /// What slides and has all but lost its normal force is at the apex: its friction cannot be followed any further. Whether there is

@@ -1,8 +1,9 @@
 //! Along a straight piece: everything is affine in the fraction of the leg, and the next event is a ratio test.
 
 use super::event::PathEnd;
+use super::first_exits::Standing;
 use super::path::LoadPath;
-use super::segment::{Here, Standing};
+use super::segment::Here;
 use crate::object::PieceState;
 use crate::search::Doubt;
 
@@ -17,13 +18,17 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     pub(super) fn advance_straight(&mut self) {
         let Some(here) = self.here.clone() else { return };
         let rest = 1.0 - self.factor;
-        let exits = self.segment.first_exits(&self.node.states, &here);
+        let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
         // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
         let at_the_end = |standing: &Standing<C>| {
             standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
         let (step, standing, leg_done) = match exits {
             Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
+            // Of a load that turns every root was refined where it is.
+            Some((step, standing)) if here.turned.is_some() && self.factor + step < 1.0 => {
+                (step, standing, false)
+            }
             Some((step, standing)) if self.factor + step < 1.0 => {
                 let step = self.corrected(&here, step, &standing);
                 if self.factor + step < 1.0 { (step, standing, false) } else { (rest, standing, true) }
@@ -58,11 +63,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
 
     /// Forces and twist after a step along the present piece.
     pub(super) fn state_after(&self, here: &Here<D, C>, step: f64) -> PieceState<D, C> {
-        let twist = here.twist + here.twist_rate * step;
-        self.segment.state(&here.piece, self.factor + step, Some(&twist)).unwrap_or_else(|| PieceState {
-            forces: here.lines.iter().map(|line| line.force + line.rate * step).collect(),
-            twist,
-        })
+        let near = here.after(step);
+        self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
     /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.

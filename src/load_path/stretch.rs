@@ -1,8 +1,9 @@
 //! One piece of a path: every contact keeps its state. Where nothing slides on a round cone everything is affine in the fraction
-//! of the leg; where something does the piece is a step of the integration, made again up to where it is asked for.
+//! of the leg, or turns with the load. Where something does, the piece is a step of the integration, made again up to where it is asked for.
 
 use nalgebra::SVector;
 
+use super::course::Course;
 use super::flow::{Flow, Rule};
 use super::segment::{Here, Segment};
 use crate::contact::{Line, State};
@@ -16,12 +17,12 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The local problem at fraction 0 of the leg, with the slip so far, and its rates.
+    /// The local problem at fraction 0 of the leg, with the slip so far, the rates of its drives, and how its load goes.
     pub(super) problem: Problem<'g, D, C>,
     pub(super) change: Vec<SVector<f64, C>>,
-    pub(super) direction: SVector<f64, D>,
-    /// Load at the beginning and at the end of the leg.
-    pub(super) load: [Wrench<D, C>; 2],
+    pub(super) course: Course<SVector<f64, D>>,
+    /// How the load of the question goes.
+    pub(super) load: Course<Wrench<D, C>>,
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
@@ -52,19 +53,30 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         if let Some(bend) = &self.bend {
             return self.on_the_bend(bend, grasp, cone, fraction);
         }
+        let segment = self.segment(grasp, cone);
         let step = fraction - self.from;
         // Between the ends, each of which is solved where it is.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
         let between = |line: &Line<C>, there: &SVector<f64, C>| line.force * (1.0 - part) + there * part;
-        let forces = self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect();
-        let twist = self.here.twist * (1.0 - part) + self.there.twist * part;
+        let (forces, twist) = match &self.here.turned {
+            Some(_) if part < 1.0 => {
+                let at = segment.state(&self.here.piece, fraction, Some(&self.here.after(step).twist))?;
+                (at.forces, at.twist)
+            }
+            _ => (
+                self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect(),
+                self.here.twist * (1.0 - part) + self.there.twist * part,
+            ),
+        };
+        // Those of what turns are the largest on its way.
+        let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = Found {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
             ..Found::new(self.states.clone(), forces, twist)
         };
-        Some(self.equilibrium(grasp, cone, fraction, &self.segment(grasp, cone).problem_at(fraction), &found))
+        Some(self.equilibrium(grasp, cone, fraction, &segment.problem_at(fraction), &found))
     }
 
     fn on_the_bend(
@@ -109,7 +121,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
 
     fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
-        Segment { grasp, cone, problem, change, direction: self.direction, largest: 0.0 }
+        Segment { grasp, cone, problem, change, course: self.course, largest: 0.0 }
     }
 
     fn equilibrium(
@@ -120,7 +132,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         problem: &Problem<'g, D, C>,
         found: &Found<D, C>,
     ) -> Equilibrium<D, C> {
-        let load = self.load[0] + (self.load[1] - self.load[0]) * fraction;
+        let load = self.load.at(fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }
 }

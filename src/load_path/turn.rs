@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 
-use super::onset::Onset;
+use super::course::Course;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
+use crate::numerics::Harmonic;
 
 /// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
 ///
@@ -25,9 +26,7 @@ use crate::grasp::{Grasp, Wrench};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn<const D: usize, const C: usize> {
-    pub(super) constant: Wrench<D, C>,
-    pub(super) cosine: Wrench<D, C>,
-    pub(super) sine: Wrench<D, C>,
+    pub(super) load: Harmonic<Wrench<D, C>>,
     /// How far it turns, rad.
     pub(super) angle: f64,
 }
@@ -36,13 +35,13 @@ impl<const D: usize, const C: usize> Turn<D, C> {
     /// From its three parts, N and N m; one full turn.
     #[must_use]
     pub fn new(constant: Wrench<D, C>, cosine: Wrench<D, C>, sine: Wrench<D, C>) -> Self {
-        Self { constant, cosine, sine, angle: TAU }
+        Self { load: Harmonic { constant, cosine, sine }, angle: TAU }
     }
 
     /// This turn beside another load, which stays as it is.
     #[must_use]
     pub fn beside(mut self, load: Wrench<D, C>) -> Self {
-        self.constant = self.constant + load;
+        self.load.constant = self.load.constant + load;
         self
     }
 
@@ -56,21 +55,31 @@ impl<const D: usize, const C: usize> Turn<D, C> {
     /// The other way round.
     #[must_use]
     pub fn reversed(mut self) -> Self {
-        self.sine = -self.sine;
+        self.load.sine = -self.load.sine;
         self
     }
 
     /// The constant part, that of cos θ and that of sin θ.
     #[must_use]
     pub fn parts(&self) -> [Wrench<D, C>; 3] {
-        [self.constant, self.cosine, self.sine]
+        self.load.parts().map(|part| *part)
     }
 
     /// The load at an angle, rad.
     #[must_use]
     pub fn load_at(&self, angle: f64) -> Wrench<D, C> {
-        let (sin, cos) = angle.sin_cos();
-        self.constant + self.cosine * cos + self.sine * sin
+        self.load.at(angle)
+    }
+
+    /// In inside coordinates, once checked; what acts on joints whatever they do belongs to the constant part.
+    pub(crate) fn inside(&self, grasp: &Grasp<D, C>) -> Harmonic<SVector<f64, D>> {
+        inside(grasp, &self.load)
+    }
+
+    /// What the load does from here on that changes as this one does: for one unit of the factor the whole turn.
+    pub(super) fn beginning_with(&self, load: &Wrench<D, C>) -> Course<Wrench<D, C>> {
+        let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
+        Course::Turn { load, angle: self.angle }
     }
 
     /// How far it turns, or a full turn if that is less: all loads that there are.
@@ -80,9 +89,9 @@ impl<const D: usize, const C: usize> Turn<D, C> {
 
     /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        self.constant.check("constant load")?;
-        self.cosine.check("cosine of the load")?;
-        self.sine.check("sine of the load")?;
+        self.load.constant.check("constant load")?;
+        self.load.cosine.check("cosine of the load")?;
+        self.load.sine.check("sine of the load")?;
         // Beyond, an angle says nothing any more of where in its turn the load is.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6";
@@ -167,15 +176,16 @@ impl<const D: usize> Turn<D, 3> {
     }
 }
 
-/// The answer to "at which angle does the first contact leave rolling?"
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct TurnOnset<const D: usize, const C: usize> {
-    /// When that is; its factor is the angle, rad. [`Onset::Never`] holds for the angle that was asked for.
-    pub onset: Onset<D, C>,
-    /// Where contacts come as near to the edge of their cone as rounding without crossing it, up to the onset. Where there are some, the last
-    /// digits of the question may make one of them the onset.
-    pub touches: Vec<Touch>,
+/// A load that turns in inside coordinates, once checked.
+pub(super) fn inside<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    load: &Harmonic<Wrench<D, C>>,
+) -> Harmonic<SVector<f64, D>> {
+    Harmonic {
+        constant: grasp.load_unchecked(&load.constant),
+        cosine: grasp.inside_unchecked(&load.cosine),
+        sine: grasp.inside_unchecked(&load.sine),
+    }
 }
 
 /// A contact touches the edge of its cone.
@@ -186,38 +196,4 @@ pub struct Touch {
     pub contact: usize,
     /// Where, rad.
     pub angle: f64,
-}
-
-/// A turn in inside coordinates.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct InsideTurn<const D: usize> {
-    pub(crate) constant: SVector<f64, D>,
-    pub(crate) cosine: SVector<f64, D>,
-    pub(crate) sine: SVector<f64, D>,
-}
-
-impl<const D: usize> InsideTurn<D> {
-    /// Of a turn that was checked; what acts on joints whatever they do belongs to the constant part.
-    pub(crate) fn of<const C: usize>(grasp: &Grasp<D, C>, turn: &Turn<D, C>) -> Self {
-        Self {
-            constant: grasp.load_unchecked(&turn.constant),
-            cosine: grasp.inside_unchecked(&turn.cosine),
-            sine: grasp.inside_unchecked(&turn.sine),
-        }
-    }
-
-    /// The same turn as it goes on from an angle.
-    pub(super) fn from(&self, angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
-        Self {
-            constant: self.constant,
-            cosine: self.cosine * cos + self.sine * sin,
-            sine: self.sine * cos - self.cosine * sin,
-        }
-    }
-
-    /// The load at its beginning, and its rate for one radian.
-    pub(super) fn load_and_rate(&self) -> [SVector<f64, D>; 2] {
-        [self.constant + self.cosine, self.sine]
-    }
 }

@@ -5,14 +5,26 @@
 
 use super::course::Course;
 use super::first_to_leave::first_to_leave_on_turn;
+use super::onset::Onset;
 use super::segment::Segment;
-use super::turn::{InsideTurn, Turn, TurnOnset};
+use super::turn::{Touch, Turn};
 use crate::contact::Polygon;
 use crate::equilibrium::Cone;
 use crate::error::Error;
 use crate::grasp::Grasp;
 use crate::object::Load;
 use crate::search::Settings;
+
+/// The answer to "at which angle does the first contact leave rolling?"
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct TurnOnset<const D: usize, const C: usize> {
+    /// When that is; its factor is the angle, rad. [`Onset::Never`] holds for the angle that was asked for.
+    pub onset: Onset<D, C>,
+    /// Where contacts come as near to the edge of their cone as rounding without crossing it, up to the onset. Where there are some, the last
+    /// digits of the question may make one of them the onset.
+    pub touches: Vec<Touch>,
+}
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The angle at which the first contact leaves rolling while a load turns, with default [`Settings`]: in the plane exact, in space on
@@ -56,16 +68,18 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Result<TurnOnset<D, C>, Error> {
         turn.check()?;
-        let inside = InsideTurn::of(self, turn);
-        let [base, direction] = inside.load_and_rate();
+        let inside = turn.inside(self);
+        let base = inside.at(0.0);
         let cone = Cone::of::<C>(settings);
         let polygon = Polygon::shared(&settings.cone);
         let problem = self.problem(polygon, cone == Cone::Round, self.drives(), &Load::from(&base));
         let change = self.drive_changes(None, None);
-        let mut segment = Segment { grasp: self, cone, problem, change, direction, largest: 0.0 };
-        if let Some(onset) = first_to_leave_on_turn(&mut segment, turn, &inside) {
+        let course = Course::Turn { load: inside, angle: 1.0 };
+        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
+        if let Some(onset) = first_to_leave_on_turn(&segment, turn, &inside) {
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
-        Ok(self.walked(segment, Course::Turn(turn, inside), settings))
+        let course = Course::Turn { load: turn.load, angle: 1.0 };
+        Ok(self.walked(segment, (course, turn.angle), settings))
     }
 }

@@ -11,13 +11,17 @@
 //!
 //! found by making the last step again until it ends there, see [`super::crossing`].
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::SVector;
 
+use super::course::Course;
 use super::crossing::End;
 use super::event::{Loss, LossKind, PathEnd};
+use super::first_exits::Standing;
 use super::flow::{Flow, Rule};
 use super::path::LoadPath;
-use super::segment::{Here, Standing};
+use super::segment::Here;
 use super::watch::{Watched, watch};
 use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
 use crate::search::Doubt;
@@ -26,6 +30,8 @@ use crate::search::Doubt;
 const FIRST_TURN: f64 = 0.3;
 /// Of lengths in which a direction relaxes: an explicit step over six of them and more would let rounding grow.
 const STABLE: f64 = 4.0;
+/// No step lets the load turn further, rad.
+const MOST_TURNED: f64 = 0.25;
 /// Forces that change by less than this part of them, while the object moves as far as it did for the whole load to begin with, change no
 /// more.
 const STANDS_STILL: f64 = 1e-10;
@@ -48,8 +54,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let here = if self.pace.unit.is_some() {
             here
         } else {
-            let unit = here.twist_rate.norm();
-            let unit = if unit > 0.0 { unit } else { 1.0 };
+            let unit = self.displacement_rate(&here);
             self.pace.unit = Some(unit);
             here.slowed(1.0 / (here.twist_rate / unit).norm().hypot(1.0))
         };
@@ -70,7 +75,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             return;
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&here));
-        let length = length.min(self.way_to_apex(&here));
+        let length = length.min(self.way_to_apex(&here)).min(self.part_of_a_turn(&here));
         let (length, rule) = self.stable(&here, length);
         let dies_out = length <= SHORTEST * self.factor.max(f64::EPSILON);
         if dies_out && self.node.let_go(&here) {
@@ -101,6 +106,27 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
                 Some(end) => self.arrive_at(&here, &end),
                 None => self.pace.refuse(length, f64::INFINITY),
             },
+        }
+    }
+
+    /// How far the object moves for one unit of the factor to begin with; while the load turns, at a place where it moves fast.
+    fn displacement_rate(&self, here: &Here<D, C>) -> f64 {
+        let mut size = here.twist_rate.norm();
+        if let Course::Turn { angle, .. } = self.segment.course {
+            let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
+            let at_rest = vec![SVector::zeros(); self.node.states.len()];
+            if let Ok(rate) = here.piece.solve(self.grasp.sites(), &at_rest, &later) {
+                size = size.hypot(rate.twist.norm());
+            }
+        }
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// The length on which the load turns as far as one step may: a condition may be broken and hold again on a longer one.
+    fn part_of_a_turn(&self, here: &Here<D, C>) -> f64 {
+        match self.segment.course {
+            Course::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
+            Course::Straight { .. } => f64::INFINITY,
         }
     }
 
@@ -184,7 +210,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         let tops = end.located.is_some_and(|k| end.watches[k].what == Watched::Growth);
         let there = end.reached.here.clone();
         let mut standing: Standing<C> = Vec::new();
-        let mut sticks = Vec::new();
+        let (mut sticks, mut stops) = (Vec::new(), false);
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
                 continue;
@@ -200,6 +226,8 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
                 }
                 // At the end of a leg its rates are no longer what counts.
                 _ if leg_done => {}
+                // Where the load itself turns back everything stops: what slides on is for the rates ahead to tell.
+                _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
         }
@@ -207,7 +235,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             let (size, force) = (there.lines[i].force_size, &there.lines[i].force);
             self.node.states[i].slides() && Stand::is_weightless(force, size)
         };
-        let stops = !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
+        stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
         self.take(here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
         for contact in sticks {

@@ -1,102 +1,111 @@
-//! A load that turns: while states last, forces and gaps turn with it, and the first way out is a root of a trigonometric polynomial.
+//! Where a load that turns stands, and how everything turns with it from there: three solves.
+
+use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::segment::{Segment, Standing};
-use super::turn::{InsideTurn, Touch};
-use crate::contact::{Exit, State, TurningExit, Wave};
-use crate::object::{Piece, PieceState, Unbalanced};
+use super::course::Course;
+use super::segment::{Here, Segment};
+use super::turned::Turned;
+use crate::contact::Wave;
+use crate::equilibrium::NoEquilibrium;
+use crate::numerics::Harmonic;
+use crate::object::{Piece, PieceState};
 
-/// What happens first to the contacts while a load turns.
-pub(super) struct FirstOnTurn<const C: usize> {
-    /// The angle from the beginning on, and everything that reaches an edge there.
-    pub(super) exits: Option<(f64, Standing<C>)>,
-    /// What is only touched before.
-    pub(super) touches: Vec<Touch>,
-}
-
-impl<const C: usize> FirstOnTurn<C> {
-    /// Of what all contacts do.
-    pub(super) fn of(ways: Vec<(usize, Vec<TurningExit<C>>)>) -> Self {
-        let leaving = |exit: &TurningExit<C>| match exit {
-            TurningExit::Leaves(exit) => Some(*exit),
-            TurningExit::Touches(_) => None,
-        };
-        let all = ways.iter().flat_map(|(_, exits)| exits.iter().filter_map(leaving));
-        let first = all.min_by(|a, b| a.step.total_cmp(&b.step));
-        let end = first.map_or(f64::INFINITY, |first| first.step);
-        let mut touches = Vec::new();
-        let mut standing = Vec::new();
-        for (contact, exits) in ways {
-            touches.extend(exits.iter().filter_map(|exit| match exit {
-                TurningExit::Touches(angle) if *angle < end => Some(Touch { contact, angle: *angle }),
-                _ => None,
-            }));
-            // Symmetric grasps reach several edges at once: equal up to the rounding of both.
-            let tied = |exit: &Exit<C>| {
-                first.is_some_and(|first| exit.step - first.step <= exit.uncertainty + first.uncertainty)
-            };
-            let together: Vec<_> = exits.iter().filter_map(leaving).filter(tied).collect();
-            if !together.is_empty() {
-                standing.push((contact, together));
-            }
-        }
-        Self { exits: first.map(|first| (first.step, standing)), touches }
-    }
-}
+/// A rate below this part of the fastest is none: its angle is known to the rounding of a full turn.
+const TURNS_BACK: f64 = 1e-12;
 
 impl<const D: usize, const C: usize> Segment<'_, D, C> {
-    /// Puts the beginning of a turn in the place of the present load, and its rate in that of the present direction.
-    pub(super) fn turn_to(&mut self, turn: &InsideTurn<D>) {
-        [self.problem.wrench, self.direction] = turn.load_and_rate();
-        self.problem.wrench_rest = SVector::zeros();
+    /// Whether the load turns back at a factor: its rate vanishes there.
+    pub(super) fn load_turns_back(&self, factor: f64) -> bool {
+        let Course::Turn { load, angle } = &self.course else { return false };
+        load.rate_at(angle * factor).norm() <= TURNS_BACK * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// What contacts do first in these states while the load turns by this angle at most.
-    pub(super) fn first_on_turn(
+    /// Forces, gaps and their rates at a factor, and how they turn from there on.
+    pub(super) fn look_round(
         &self,
-        states: &[State<C>],
-        piece: &Piece<D, C>,
-        turn: &InsideTurn<D>,
-        angle: f64,
-    ) -> Result<FirstOnTurn<C>, Unbalanced<D>> {
-        let sites = self.problem.sites;
-        let at_rest = vec![SVector::zeros(); sites.len()];
-        let solved = |drives: &[SVector<f64, C>], load: &SVector<f64, D>| piece.solve(sites, drives, load);
-        let parts = [
-            solved(&self.problem.drives, &turn.constant)?,
-            solved(&at_rest, &turn.cosine)?,
-            solved(&at_rest, &turn.sine)?,
-        ];
-        let waves = self.waves(turn, &parts);
-        let exits = self
-            .problem
-            .locals()
-            .zip(states)
-            .zip(&waves)
-            .map(|((local, state), [force, gap])| local.turning_exits(state, [force, gap], angle));
-        Ok(FirstOnTurn::of(exits.enumerate().collect()))
+        piece: &Arc<Piece<D, C>>,
+        (load, angle): (&Harmonic<SVector<f64, D>>, f64),
+        factor: f64,
+        near: Option<&SVector<f64, D>>,
+    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
+        let onward = load.from(angle * factor);
+        let at_rest = vec![SVector::zeros(); self.problem.len()];
+        let solved = |drives: &[SVector<f64, C>], load: &SVector<f64, D>| {
+            piece.solve(self.problem.sites, drives, load).map_err(|u| self.unbalanced(factor, u.motion))
+        };
+        let parts = Harmonic {
+            constant: solved(&self.problem.drives, &onward.constant)?,
+            cosine: solved(&at_rest, &onward.cosine)?,
+            sine: solved(&at_rest, &onward.sine)?,
+        };
+        let rate = PieceState {
+            forces: parts.sine.forces.iter().map(|force| force * angle).collect(),
+            twist: parts.sine.twist * angle,
+        };
+        let at = self.state(piece, factor, near).unwrap_or_else(|| PieceState {
+            forces: parts
+                .constant
+                .forces
+                .iter()
+                .zip(&parts.cosine.forces)
+                .map(|(f, more)| f + more)
+                .collect(),
+            twist: parts.constant.twist + parts.cosine.twist,
+        });
+        let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
+        let turned = self.turned(&onward, angle, &parts);
+        // What vanishes somewhere on the way is known up to the rounding of what it is elsewhere.
+        for ((line, gap), [force, stretch]) in here.lines.iter_mut().zip(&mut here.gaps).zip(&turned.waves) {
+            line.force_size = line.force_size.max(force.size);
+            line.rate_size = line.rate_size.max(force.turning_size * angle);
+            gap.size = gap.size.max(stretch.size);
+            gap.rate_size = gap.rate_size.max(stretch.turning_size * angle);
+        }
+        let most = |k: usize| {
+            let of = |waves: &[Wave<C>; 2]| [waves[k].size, waves[k].turning_size * angle];
+            turned.waves.iter().map(of).fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
+        };
+        for k in 0..2 {
+            let [size, rate_size] = most(k);
+            here.sizes[k] = here.sizes[k].max(size);
+            here.rate_sizes[k] = here.rate_sizes[k].max(rate_size);
+        }
+        here.turned = Some(Arc::new(turned));
+        Ok(here)
     }
 
-    /// The waves of force and gap of every contact. The parts are the states under the three loads, the first with the drives.
-    pub(super) fn waves(&self, turn: &InsideTurn<D>, parts: &[PieceState<D, C>; 3]) -> Vec<[Wave<C>; 2]> {
+    /// How everything turns. The parts are the states under the parts of the load, the first with the drives.
+    pub(super) fn turned(
+        &self,
+        load: &Harmonic<SVector<f64, D>>,
+        angle: f64,
+        parts: &Harmonic<PieceState<D, C>>,
+    ) -> Turned<D, C> {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
-        let drives = [&problem.drives, &at_rest, &at_rest];
-        let loads = [turn.constant, turn.cosine, turn.sine];
-        let sizes: [_; 3] =
-            std::array::from_fn(|k| problem.force_sizes(drives[k], loads[k].norm(), &parts[k]));
-        let wave = |i: usize| {
-            let site = &sites[i];
-            let [constant, cosine, sine] = std::array::from_fn(|k| parts[k].forces[i]);
-            let force = Wave { constant, cosine, sine, size: sizes.iter().map(|sizes| sizes[i]).sum() };
-            let [constant, cosine, sine] =
-                std::array::from_fn(|k| -site.stretch(&drives[k][i], &parts[k].twist));
-            // Drives count from the slip so far, and have its rounding where they cancel.
-            let spans = drives.iter().zip(parts).map(|(drives, part)| site.span(&drives[i], &part.twist));
-            let gap = Wave { constant, cosine, sine, size: problem.slips[i].norm() + spans.sum::<f64>() };
-            [force, gap]
+        let states = Harmonic {
+            constant: (&problem.drives, &load.constant, &parts.constant),
+            cosine: (&at_rest, &load.cosine, &parts.cosine),
+            sine: (&at_rest, &load.sine, &parts.sine),
         };
-        (0..sites.len()).map(wave).collect()
+        let sizes = states.map(|(drives, load, part)| problem.force_sizes(drives, load.norm(), part));
+        let wave = |i: usize| {
+            let turning_size = sizes.cosine[i] + sizes.sine[i];
+            let force = Wave {
+                of: parts.map(|part| part.forces[i]),
+                size: sizes.constant[i] + turning_size,
+                turning_size,
+            };
+            let of = states.map(|(drives, _, part)| sites[i].stretch(&drives[i], &part.twist));
+            let spans = states.map(|(drives, _, part)| sites[i].span(&drives[i], &part.twist));
+            let turning_size = spans.cosine + spans.sine;
+            // Drives count from the slip so far, and have its rounding where they cancel.
+            let size = problem.slips[i].norm() + spans.constant + turning_size;
+            [force, Wave { of, size, turning_size }]
+        };
+        let waves = (0..sites.len()).map(wave).collect();
+        Turned { waves, twist: parts.map(|part| part.twist), load: *load, angle }
     }
 }

@@ -3,24 +3,26 @@
 use nalgebra::SVector;
 
 use super::course::Course;
+use super::first_exits::Standing;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
-use super::segment::{Here, Segment, Standing};
+use super::segment::{Here, Segment};
 use super::turn::Touch;
 use crate::contact::{Stand, State, ZERO_SLACK};
-use crate::equilibrium::{ACCURATE, ContactState, NoEquilibrium, Undecided, WorkDone, site_states};
+use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
+use crate::grasp::Wrench;
 use crate::object::Problem;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
 pub(super) struct Walk<'a, const D: usize, const C: usize> {
     pub(super) segment: Segment<'a, D, C>,
-    pub(super) course: Course<'a, D, C>,
+    /// The load as the question has it.
+    pub(super) course: Course<Wrench<D, C>>,
+    /// How far the factor goes.
+    pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: Rung,
-    /// Of the course.
     pub(super) factor: f64,
-    /// Of the segment.
-    pub(super) at: f64,
     /// What was only touched on the way.
     pub(super) touches: Vec<Touch>,
 }
@@ -30,7 +32,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         let mut reached: Option<Standing<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
-            let mut here = match self.segment.look(&states, self.at, None) {
+            let mut here = match self.segment.look(&states, self.factor, None) {
                 Ok(here) => here,
                 Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
             };
@@ -38,7 +40,8 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             let standing = reached.take().unwrap_or_else(|| self.standing_at_base(&states, &here));
             if !standing.is_empty() {
                 let stands = stands(&states, &here, &standing);
-                let rates = self.segment.rates(self.segment.laws_of_rates(&stands, &states));
+                let laws = self.segment.laws_of_rates(&stands, &states);
+                let rates = self.segment.rates(self.factor, laws);
                 let (settled, _) = settle(&rates, self.settings);
                 let stays = |found: &Found<D, C>| {
                     standing.iter().all(|&(i, _)| {
@@ -52,11 +55,11 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                         for &(i, _) in &standing {
                             if states[i].is_open() && found.states[i].is_rolling() {
                                 let nothing = SVector::zeros();
-                                self.segment.remember_slip(i, self.at, &here.twist, &nothing);
+                                self.segment.remember_slip(i, self.factor, &here.twist, &nothing);
                             }
                             states[i] = found.states[i];
                         }
-                        here = match self.segment.look(&states, self.at, None) {
+                        here = match self.segment.look(&states, self.factor, None) {
                             Ok(here) => here,
                             Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
                         };
@@ -64,41 +67,15 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
                     settled => return self.event(states, &here, stands, &rates, &settled),
                 }
             }
-            match self.go_on(&states, &here) {
-                Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
-                Ok(None) => return Onset::Never,
-                Ok(next) => reached = next,
-            }
+            let first = self.segment.first_exits(&states, &here, self.end - self.factor);
+            let passed = self.factor;
+            let touch = |touch: Touch| Touch { angle: passed + touch.angle, ..touch };
+            self.touches.extend(first.touches.into_iter().map(touch));
+            let Some((step, next)) = first.standing else { return Onset::Never };
+            self.factor += step;
+            reached = Some(next);
         }
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
-    }
-
-    /// Goes on to what reaches an edge first, if anything does.
-    fn go_on(
-        &mut self,
-        states: &[State<C>],
-        here: &Here<D, C>,
-    ) -> Result<Option<Standing<C>>, NoEquilibrium<D, C>> {
-        match &self.course {
-            Course::Ramp(_) => Ok(self.segment.first_exits(states, here).map(|(step, next)| {
-                self.factor += step;
-                self.at += step;
-                next
-            })),
-            Course::Turn(turn, inside) => {
-                let (onward, left) = (inside.from(self.factor), turn.angle - self.factor);
-                let first = self.segment.first_on_turn(states, &here.piece, &onward, left);
-                let first = first.map_err(|unbalanced| self.segment.unbalanced(unbalanced.motion))?;
-                let passed = self.factor;
-                let touch = |touch: Touch| Touch { angle: passed + touch.angle, ..touch };
-                self.touches.extend(first.touches.into_iter().map(touch));
-                Ok(first.exits.map(|(step, next)| {
-                    self.factor += step;
-                    self.segment.turn_to(&inside.from(self.factor));
-                    next
-                }))
-            }
-        }
     }
 
     /// At the base, a contact on its way out that has no way left to go, or that touches without force, whose fate
@@ -150,7 +127,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             sizes: here.sizes,
             ..Found::new(states, forces, here.twist)
         };
-        let place = (self.factor, self.at, self.course.load_at(self.factor));
+        let place = (self.factor, self.course.at(self.factor));
         let event = OnsetEvent::new(segment, place, leaving, stands, (found, self.rule));
         match segment.grasp.state_at_onset(&event) {
             Some(state) if state.residuals.worst() > ACCURATE => {

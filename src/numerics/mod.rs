@@ -7,6 +7,7 @@
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
+//! | `harmonic` | what turns: numbers, vectors, wrenches |
 //! | `trigonometric` | where a trigonometric polynomial first falls below zero |
 //! | `on_a_circle` | where a number is smaller than a vector, while both turn |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
@@ -26,6 +27,7 @@ mod dormand_prince;
 mod double_double;
 mod exact_sum;
 mod factors;
+mod harmonic;
 mod linearly_implicit;
 mod nearest_point;
 mod on_a_circle;
@@ -44,6 +46,7 @@ pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
+pub(crate) use harmonic::Harmonic;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use on_a_circle::Turning;

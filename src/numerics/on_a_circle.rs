@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 
+use super::harmonic::Harmonic;
 use super::trigonometric::{Fall, Trigonometric};
 
 /// The square of a number carries so many roundings of its largest coefficient.
@@ -17,30 +18,19 @@ const THIRDS: usize = 80;
 /// N and v.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Turning<const C: usize> {
-    pub(crate) number: [f64; 3],
-    pub(crate) vector: [SVector<f64, C>; 3],
+    pub(crate) number: Harmonic<f64>,
+    pub(crate) vector: Harmonic<SVector<f64, C>>,
 }
 
 impl<const C: usize> Turning<C> {
-    /// N at an angle.
-    pub(crate) fn number_at(&self, angle: f64) -> f64 {
-        let (sin, cos) = angle.sin_cos();
-        self.number[0] + self.number[1] * cos + self.number[2] * sin
-    }
-
-    /// v at an angle.
-    pub(crate) fn vector_at(&self, angle: f64) -> SVector<f64, C> {
-        let (sin, cos) = angle.sin_cos();
-        self.vector[0] + self.vector[1] * cos + self.vector[2] * sin
-    }
-
     fn value(&self, angle: f64) -> f64 {
-        self.number_at(angle) - self.vector_at(angle).norm()
+        self.number.at(angle) - self.vector.at(angle).norm()
     }
 
     /// Size of the terms of both.
     fn size(&self) -> f64 {
-        self.number.iter().map(|x| x.abs()).sum::<f64>() + self.vector.iter().map(SVector::norm).sum::<f64>()
+        let [numbers, vectors] = [self.number.map(|x| x.abs()), self.vector.map(SVector::norm)];
+        numbers.parts().into_iter().chain(vectors.parts()).sum()
     }
 
     /// An angle from 0 to `most` at which the value is negative by more than rounding, least near by; `None` if there is none.
@@ -49,11 +39,11 @@ impl<const C: usize> Turning<C> {
         if self.value(0.0) < -rounding {
             return Some(self.least_near(0.0, most));
         }
-        let square = |parts: [f64; 3]| Trigonometric::square_of(parts);
-        let difference =
-            (0..C).fold(square(self.number), |sum, axis| sum.minus(&square(self.vector.map(|v| v[axis]))));
+        let square = Trigonometric::square_of(&self.number);
+        let difference = (0..C)
+            .fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))));
         let falls = [
-            Trigonometric::linear(self.number).first_fall(most, rounding, 0),
+            Trigonometric::linear(&self.number).first_fall(most, rounding, 0),
             difference.first_fall(most, rounding * self.size(), 0),
         ];
         falls.into_iter().find_map(|fall| match fall? {
@@ -105,8 +95,8 @@ mod tests {
                 2.0 * generic(drawn) - 2.0
             };
             let turning = Turning {
-                number: [2.0 + number(), number(), number()],
-                vector: std::array::from_fn(|_| SVector::from([number(), number()])),
+                number: Harmonic::new([2.0 + number(), number(), number()]),
+                vector: Harmonic::new(std::array::from_fn(|_| SVector::from([number(), number()]))),
             };
             let sampled =
                 (0..3000).map(|k| turning.value(TAU * f64::from(k) / 3000.0)).fold(f64::INFINITY, f64::min);
@@ -124,8 +114,8 @@ mod tests {
     #[test]
     fn what_is_the_same_all_round_is_told_apart_by_its_sign() {
         for (number, negative) in [(1.0, false), (1.0 + 1e-12, false), (1.0 - 1e-12, true)] {
-            let vector = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(SVector::from);
-            let turning = Turning { number: [number, 0.0, 0.0], vector };
+            let vector = Harmonic::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(SVector::from));
+            let turning = Turning { number: Harmonic::new([number, 0.0, 0.0]), vector };
             assert_eq!(turning.deepest(TAU).is_some(), negative, "{number}");
         }
     }

@@ -10,6 +10,8 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::harmonic::Harmonic;
+
 /// Steps of Newton's method and bisection for one root: bisection alone would need 53.
 const STEPS: usize = 80;
 
@@ -52,7 +54,7 @@ impl Trigonometric {
     }
 
     /// The product of `c + a cos φ + b sin φ` with itself.
-    pub(crate) fn square_of([c, a, b]: [f64; 3]) -> Self {
+    pub(crate) fn square_of(&Harmonic { constant: c, cosine: a, sine: b }: &Harmonic<f64>) -> Self {
         Self {
             constant: c * c + 0.5 * (a * a + b * b),
             first: [2.0 * c * a, 2.0 * c * b],
@@ -61,8 +63,8 @@ impl Trigonometric {
     }
 
     /// `c + a cos φ + b sin φ`.
-    pub(crate) fn linear([constant, a, b]: [f64; 3]) -> Self {
-        Self { constant, first: [a, b], second: [0.0; 2] }
+    pub(crate) fn linear(&Harmonic { constant, cosine, sine }: &Harmonic<f64>) -> Self {
+        Self { constant, first: [cosine, sine], second: [0.0; 2] }
     }
 
     /// The difference of two.
@@ -267,8 +269,8 @@ mod tests {
             [(0.3_f64, 0.0_f64), (2.0, 0.0), (4.4, 0.0), (6.0, 0.0), (1.0, 1e-9), (1.0, -1e-9)]
         {
             // (1 - cos(φ - turn))² from above, and 1 - cos(φ - turn).
-            let once = Trigonometric::linear([1.0 + lift, -turn.cos(), -turn.sin()]);
-            let twice = Trigonometric::square_of([1.0, -turn.cos(), -turn.sin()]);
+            let once = Trigonometric::linear(&Harmonic::new([1.0 + lift, -turn.cos(), -turn.sin()]));
+            let twice = Trigonometric::square_of(&Harmonic::new([1.0, -turn.cos(), -turn.sin()]));
             match once.first_fall(TAU, 1e-13, 0) {
                 Some(Fall::Touches(angle)) => assert!(lift == 0.0 && (angle - turn).abs() < 1e-7),
                 Some(Fall::At(angle)) => assert!(lift < 0.0 && (turn - angle - 4.47e-5).abs() < 1e-6),
@@ -281,8 +283,8 @@ mod tests {
     #[test]
     fn roots_at_the_beginning_do_not_count() {
         // sin φ rises from zero and falls at π; 1 - cos φ touches zero at the beginning only.
-        let sine = Trigonometric::linear([0.0, 0.0, 1.0]).first_fall(TAU, 1e-14, 1);
+        let sine = Trigonometric::linear(&Harmonic::new([0.0, 0.0, 1.0])).first_fall(TAU, 1e-14, 1);
         assert!(matches!(sine, Some(Fall::At(angle)) if (angle - TAU / 2.0).abs() < 1e-15), "{sine:?}");
-        assert_eq!(Trigonometric::linear([1.0, -1.0, 0.0]).first_fall(6.0, 1e-14, 2), None);
+        assert_eq!(Trigonometric::linear(&Harmonic::new([1.0, -1.0, 0.0])).first_fall(6.0, 1e-14, 2), None);
     }
 }

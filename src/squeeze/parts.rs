@@ -8,8 +8,8 @@ use super::loads::Loads;
 use super::rolling::{Forces, Push, Rolling, is_broken, push, round_parts, round_row};
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Twist, Wrench};
-use crate::load_path::{InsideTurn, Turn};
-use crate::numerics::Turning;
+use crate::load_path::Turn;
+use crate::numerics::{Harmonic, Turning};
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
 pub(super) struct Condition<const D: usize, const C: usize> {
@@ -46,7 +46,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
                 vec![under(base)?]
             }
             Loads::Turn(turn) => {
-                let inside = InsideTurn::of(grasp, turn);
+                let inside = turn.inside(grasp);
                 vec![
                     rolling.forces(&without, &inside.constant)?,
                     rolling.forces(&at_rest, &inside.cosine)?,
@@ -132,7 +132,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         match edges {
             Edges::Rows(rows) => rows.iter().copied().map(condition).collect(),
             Edges::Round { limit } => {
-                let number = round_parts::<C>(*limit).map(|(times, axis)| times * force[axis]);
+                let number = round_parts::<C>(*limit).map(|&(times, axis)| times * force[axis]);
                 let turning = Turning { number, vector: pushes.turning(*limit, size) };
                 turning.deepest(TAU).map(|angle| condition(round_row(*limit, angle))).into_iter().collect()
             }
@@ -146,25 +146,24 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
-        let parts: [_; 3] = std::array::from_fn(|k| self.base[k].of[contact]);
         let (squeeze, pressed) = self.pressed(contact, factor);
-        let waves = [parts[0] + squeeze, parts[1], parts[2]];
+        let mut force = Harmonic::new(std::array::from_fn(|k| self.base[k].of[contact]));
+        force.constant += squeeze;
         let size = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
         let margins: Vec<Turning<C>> = match edges {
             Edges::Rows(rows) => {
                 let margin = |row: &SVector<f64, C>| Turning {
-                    number: waves.map(|x| row.dot(&x)),
-                    vector: [SVector::zeros(); 3],
+                    number: force.map(|x| row.dot(x)),
+                    vector: Harmonic::new([SVector::zeros(); 3]),
                 };
                 rows.iter().map(margin).collect()
             }
             Edges::Round { limit } => {
-                vec![Turning { number: waves.map(|x| limit * x[0]), vector: waves.map(|x| tangential(&x)) }]
+                vec![Turning { number: force.map(|x| limit * x[0]), vector: force.map(tangential) }]
             }
         };
         let broken = |angle: f64| {
-            let (sin, cos) = angle.sin_cos();
-            let (row, value) = edges.worst(&(waves[0] + waves[1] * cos + waves[2] * sin))?;
+            let (row, value) = edges.worst(&force.at(angle))?;
             Some(Condition { row, value, size, load: turn.load_at(angle) })
         };
         margins.iter().filter_map(|margin| broken(margin.deepest(turn.whole_angle())?)).collect()

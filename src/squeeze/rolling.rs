@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::{Edges, Polygon, ZERO_SLACK};
 use crate::grasp::{Grasp, Twist, Wrench, wrench_of};
+use crate::numerics::Harmonic;
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
@@ -38,15 +39,15 @@ impl<const C: usize> Push<C> {
     }
 
     /// `Aᵀa` for the facets `a = (limit, -cos φ, -sin φ)` of a round cone, times a number, as it turns.
-    pub(super) fn turning(&self, limit: f64, times: f64) -> [SVector<f64, C>; 3] {
+    pub(super) fn turning(&self, limit: f64, times: f64) -> Harmonic<SVector<f64, C>> {
         round_parts::<C>(limit)
-            .map(|(part, axis)| SVector::from_fn(|k, _| times * part * self.columns[k][axis]))
+            .map(|&(part, axis)| SVector::from_fn(|k, _| times * part * self.columns[k][axis]))
     }
 }
 
 /// The facets of a round cone as they turn: the multiple and the axis of a force that the constant, the cosine and the sine take.
-pub(super) fn round_parts<const C: usize>(limit: f64) -> [(f64, usize); 3] {
-    [(limit, 0), (-1.0, 1), (-1.0, C - 1)]
+pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> {
+    Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, C - 1) }
 }
 
 impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {

@@ -159,7 +159,7 @@ impl<const C: usize> Least<C> {
             // What moves no condition at four angles moves none: three vectors say how all of them move.
             return true;
         }
-        let number = round_parts::<C>(limit).map(|(times, axis)| times * force[axis]);
+        let number = round_parts::<C>(limit).map(|&(times, axis)| times * force[axis]);
         for _ in 0..MOST_CUTS {
             let turning = Turning { number, vector: pushes.turning(limit, self.size) };
             let Some(angle) = turning.deepest(TAU) else { return true };

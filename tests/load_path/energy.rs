@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use support::programs::Scene;
-use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
 
 /// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
@@ -60,6 +60,23 @@ fn energy_balances<const D: usize, const C: usize>(
     Ok(())
 }
 
+/// What the path says balances, and friction heats. Heat and works of what turns are integrals of their own, and not sums of this balance.
+fn closes<const D: usize, const C: usize>(
+    scene: &Scene<D, C>,
+    tally: &mut Tally,
+) -> Result<(), TestCaseError> {
+    let grasp = scene.grasp();
+    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let events = path.run();
+    tally.count(&events, &path);
+    for energy in path.energies() {
+        prop_assert!(energy.residual().abs() <= 1e-12, "{energy:?}");
+        prop_assert!(energy.dissipated >= -1e-12 * energy.turnover, "{energy:?}");
+        tally.checked += usize::from(energy.dissipated > 1e-6 * energy.turnover);
+    }
+    Ok(())
+}
+
 #[test]
 fn planar_energies_balance() {
     let t = over(2000, &planar_scenes(), |scene, tally| energy_balances(&scene, tally));
@@ -72,4 +89,14 @@ fn spatial_energies_balance() {
     let t = over(400, &spatial_scenes(), |scene, tally| energy_balances(&scene, tally));
     println!("{t:?}");
     assert!(t.checked > 100 && t.turns > 50, "{t:?}");
+}
+
+#[test]
+fn energies_balance_while_the_load_turns() {
+    let t = over(1000, &turning(planar_scenes(), 16.0), |scene, tally| closes(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 400 && t.opens > 100, "{t:?}");
+    let t = over(200, &turning(spatial_scenes(), 16.0), |scene, tally| closes(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 60, "{t:?}");
 }

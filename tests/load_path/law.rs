@@ -5,7 +5,7 @@
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Event, LoadPath};
 use proptest::prelude::*;
-use support::programs::draw::{over, planar_scenes, spatial_scenes};
+use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::programs::{Scene, brief, corners, sizes, tangential};
 
@@ -99,6 +99,25 @@ fn planar_states_satisfy_the_law_and_slip_dissipates() {
 #[test]
 fn spatial_states_satisfy_the_law_and_slip_dissipates() {
     let t = over(600, &spatial_scenes(), |scene, tally| law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(t.slides > 100 && t.sticks > 50 && t.turns > 100 && t.opens > 20 && t.checked > 1500, "{t:?}");
+    assert_eq!(t.undecided, 0, "{t:?}");
+}
+
+#[test]
+fn planar_states_under_loads_that_turn_do() {
+    let t = over(2000, &turning(planar_scenes(), 16.0), |scene, tally| law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(
+        t.slides > 2000 && t.sticks > 2000 && t.opens > 400 && t.closes > 200 && t.checked > 8000,
+        "{t:?}"
+    );
+    assert_eq!(t.undecided, 0, "{t:?}");
+}
+
+#[test]
+fn spatial_states_under_loads_that_turn_do() {
+    let t = over(400, &turning(spatial_scenes(), 16.0), |scene, tally| law_holds(&scene, tally));
     println!("{t:?}");
     assert!(t.slides > 100 && t.sticks > 50 && t.turns > 100 && t.opens > 20 && t.checked > 1500, "{t:?}");
     assert_eq!(t.undecided, 0, "{t:?}");

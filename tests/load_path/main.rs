@@ -25,4 +25,5 @@ mod sliding_arcs;
 mod small_steps;
 mod start_at_rest;
 mod story;
+mod turning;
 mod wedged;

@@ -7,7 +7,7 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
 use nalgebra::SVector;
 use proptest::prelude::*;
-use support::programs::draw::{over, spatial_scenes};
+use support::programs::draw::{over, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::programs::views::View;
 use support::programs::{Scene, brief, same_state, sizes, tangential};
@@ -29,7 +29,14 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     tally.inaccurate += usize::from(completed && path.step_error() > 1e-10);
     for event in &events {
         let breach = scene.breach_on_the_round_cone(event.leg, event.fraction, &event.state);
-        prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
+        let admitted = event.state.residuals.worst();
+        prop_assert!(
+            breach <= 1e-12_f64.max(2.0 * admitted),
+            "{breach:e} at the event {} {}",
+            event.leg,
+            event.fraction
+        );
+        tally.admitted += usize::from(breach > 1e-12);
     }
     for energy in path.energies() {
         prop_assert!(energy.residual().abs() <= 1e-10_f64.max(100.0 * path.step_error()), "{energy:?}");
@@ -80,7 +87,7 @@ fn the_law_holds_along_arcs() {
     let t = over(120, &spatial_scenes(), |scene, tally| the_law_holds(&scene, tally));
     println!("{t:?}");
     assert!(t.checked > 250 && t.slides > 80 && t.sticks > 50 && t.opens > 10 && t.closes > 10, "{t:?}");
-    assert!(t.completed > 30 && t.limits > 10 && t.undecided == 0, "{t:?}");
+    assert!(t.completed > 30 && t.limits > 10 && t.undecided == 0 && t.admitted == 0, "{t:?}");
     // Where a path is lost the error asked for grows; on the others errors add up to more than 1e-10 only where displacements are huge,
     // and rounding allows no less.
     assert!(t.inaccurate <= 5, "{t:?}");
@@ -352,4 +359,13 @@ fn coarse_steps_end_nearby() {
     });
     println!("{t:?}");
     assert!(t.checked >= 5, "{t:?}");
+}
+
+#[test]
+fn the_law_holds_along_arcs_under_loads_that_turn() {
+    let t = over(200, &turning(spatial_scenes(), 12.0), |scene, tally| the_law_holds(&scene, tally));
+    println!("{t:?}");
+    assert!(t.checked > 250 && t.slides > 80 && t.sticks > 50 && t.opens > 10 && t.closes > 10, "{t:?}");
+    // Events where a contact slides with next to no normal force, and directions that turn within a billionth of the way.
+    assert!(t.undecided <= 4 && t.admitted <= 1, "{t:?}");
 }

@@ -6,7 +6,7 @@
 
 use grasp_lcp::load_path::PathEnd;
 use proptest::prelude::*;
-use support::programs::draw::{few_planar_contacts, over};
+use support::programs::draw::{few_planar_contacts, over, turning};
 use support::programs::steps::Step;
 use support::programs::tally::Tally;
 use support::programs::{Scene, sizes};
@@ -89,4 +89,12 @@ fn events_lie_where_small_steps_find_them() {
     println!("{t:?}");
     assert!(t.slides > 800 && t.sticks > 500 && t.opens > 150 && t.closes > 80, "{t:?}");
     assert!(t.checked > 100_000 && t.nothing_beyond > 300, "{t:?}");
+}
+
+#[test]
+fn events_of_loads_that_turn_lie_there_too() {
+    let t = over(2000, &turning(few_planar_contacts(), 2.5), |scene, tally| follows(&scene, tally));
+    println!("{t:?}");
+    assert!(t.slides > 800 && t.sticks > 500 && t.opens > 150 && t.closes > 50, "{t:?}");
+    assert!(t.checked > 100_000 && t.nothing_beyond > 100, "{t:?}");
 }

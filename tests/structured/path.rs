@@ -160,6 +160,7 @@ fn with_its_image<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Scene<
     let goal = |(a, b): (&Goal<D, C>, &Goal<D, C>)| Goal {
         load: a.load + b.load,
         commands: a.commands.iter().chain(&b.commands).copied().collect(),
+        turn: None,
     };
     Scene {
         spots: scene.spots.iter().chain(&image.spots).cloned().collect(),

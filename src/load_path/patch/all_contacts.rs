@@ -32,7 +32,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
             stands[i] = Stand { facets, apex: stand.apex };
         }
         let states: Vec<State<C>> = states.into_iter().map(State::from).collect();
-        segment.rates(segment.laws_of_rates(&stands, &states))
+        segment.rates(0.0, segment.laws_of_rates(&stands, &states))
     }
 
     /// Asks for the states of everything that stands on an edge or slides.

@@ -45,7 +45,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.refuse_hands("follow_patch")?;
         let wrench = self.load_alone(start, "start load")?;
         let mut program = Program::new(self, *start);
-        program.extend(self, legs)?;
+        program.extend_straight(self, legs, "follow_patch")?;
         let (polygon, settings) = (Arc::new(Polygon::new(&cone)), Settings::default().with_cone(cone));
         Ok(PatchPath::new(self, program, polygon, settings.on_the_polygon(), &wrench))
     }
@@ -58,7 +58,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     /// # Errors
     /// As for [`Grasp::follow`].
     pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
-        self.program.extend(self.grasp, legs)?;
+        self.program.extend_straight(self.grasp, legs, "continue_with of a patch")?;
         if matches!(self.end, Some(PathEnd::Completed)) && !legs.is_empty() {
             self.end = None;
             self.begin_leg();

@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use super::moving_contact::MovingContact;
 use super::patch_path::PatchPath;
-use super::trial_leg::loads;
 use crate::contact::State;
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::Site;
@@ -29,7 +28,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         let twist = balance.twist(trial, &y);
         // What vanishes here is known up to the rounding of what it was at the beginning of the
         // leg.
-        let mut largest = problem.wrench.norm() + segment.direction.norm() * tau;
+        let mut largest = problem.wrench.norm() + segment.course.rate_at(tau).norm() * tau;
         let mut travel = 0.0_f64;
         let forces = self.forces_at(&y);
         for (i, (contact, site)) in balance.contacts.iter().zip(self.grasp.sites()).enumerate() {
@@ -71,8 +70,8 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     /// has come into its state.
     pub(super) fn segment(&self) -> Segment<'g, D, C> {
         let [base, change] = self.program.drives(self.grasp);
-        let (from, direction) = loads(self.grasp, &self.program);
-        let mut problem = self.grasp.problem(self.polygon.clone(), false, base, &Load::from(&from));
+        let course = self.program.inside_course(self.grasp);
+        let mut problem = self.grasp.problem(self.polygon.clone(), false, base, &Load::from(&course.at(0.0)));
         for (i, (contact, site)) in self.balance.contacts.iter().zip(self.grasp.sites()).enumerate() {
             for axis in 1..site.springs.axes() {
                 let slip = contact.memory[axis] / site.springs.root_along(axis);
@@ -80,6 +79,6 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
                 problem.drives[i][axis] -= slip;
             }
         }
-        Segment { grasp: self.grasp, cone: self.cone_answered(), problem, change, direction, largest: 0.0 }
+        Segment { grasp: self.grasp, cone: self.cone_answered(), problem, change, course, largest: 0.0 }
     }
 }

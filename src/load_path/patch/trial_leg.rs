@@ -57,6 +57,6 @@ pub(super) fn loads<const D: usize, const C: usize>(
     grasp: &Grasp<D, C>,
     program: &Program<D, C>,
 ) -> (SVector<f64, D>, SVector<f64, D>) {
-    let [from, to] = program.load.map(|load| grasp.load_unchecked(&load));
-    (from, to - from)
+    let course = program.inside_course(grasp);
+    (course.at(0.0), course.rate_at(0.0))
 }

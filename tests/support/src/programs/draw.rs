@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestError, TestRng, TestRunner};
 
 use super::tally::Tally;
-use super::{Goal, Scene, Spot};
+use super::{Goal, Scene, Spot, Swing};
 
 /// Runs a property over `cases` scenes, always the same ones, and returns what it counted. A scene that breaks it is made
 /// smaller before it is shown.
@@ -60,6 +60,27 @@ pub fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
+/// The same scenes, with loads that turn along most legs, by up to this many radians.
+pub fn turning<const D: usize, const C: usize>(
+    scenes: impl Strategy<Value = Scene<D, C>>,
+    most: f64,
+) -> impl Strategy<Value = Scene<D, C>> {
+    let leg = vec(-1.0..1.0_f64, 2 * D + 1);
+    (scenes, vec(leg, 5)).prop_map(move |(mut scene, legs)| {
+        for (j, x) in (1..scene.goals.len()).zip(&legs) {
+            let (before, goal) = (scene.goals[j - 1].clone(), &mut scene.goals[j]);
+            let part =
+                |from: usize| SVector::from_fn(|a, _| 1.3 * x[from + a] * if a < C { 1.0 } else { 0.6 });
+            let swing = Swing { cosine: part(0), sine: part(D), angle: most * (0.51 + 0.49 * x[2 * D]) };
+            if x[0].abs() < 0.8 {
+                goal.load = before.load + swing.at(1.0);
+                (goal.commands, goal.turn) = (before.commands, Some(swing));
+            }
+        }
+        scene
+    })
+}
+
 /// Contacts around an object, pointing more or less inwards; stiffnesses over four decades; friction none, small, moderate,
 /// large or infinite; some with clearance, some kept closed or bonded. Forces of about 1 N at rest, loads of that size, commands that squeeze and let go.
 fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -> Scene<D, C> {
@@ -108,7 +129,7 @@ fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -
             a
         });
         let load = SVector::from_fn(|a, _| most * x[a] * if a < C { 1.0 } else { 0.6 });
-        let goal = Goal { load, commands: commands.collect() };
+        let goal = Goal { load, commands: commands.collect(), turn: None };
         // Some legs only load, some only command, and a leg in five comes back to the first goal.
         goals.push(match (j, x[5].abs()) {
             (1.., ..0.3) => Goal {

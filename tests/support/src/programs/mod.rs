@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
-use grasp_lcp::load_path::{Change, Leg};
+use grasp_lcp::load_path::{Change, Leg, Turn};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 
@@ -42,6 +42,27 @@ pub struct Goal<const D: usize, const C: usize> {
     pub load: SVector<f64, D>,
     /// Of the fingers, in the contact frames.
     pub commands: Vec<SVector<f64, C>>,
+    /// How the load turns on the way; straight without.
+    pub turn: Option<Swing<D>>,
+}
+
+/// From a load W on: `W + c (cos φ - 1) + s sin φ`.
+#[derive(Debug, Clone)]
+pub struct Swing<const D: usize> {
+    /// c.
+    pub cosine: SVector<f64, D>,
+    /// s.
+    pub sine: SVector<f64, D>,
+    /// The last φ.
+    pub angle: f64,
+}
+
+impl<const D: usize> Swing<D> {
+    /// What is added to the load at a fraction of the leg.
+    pub fn at(&self, fraction: f64) -> SVector<f64, D> {
+        let (sin, cos) = (self.angle * fraction).sin_cos();
+        self.cosine * (cos - 1.0) + self.sine * sin
+    }
 }
 
 /// Goal 0 is where it starts, goal j + 1 where leg j ends.
@@ -150,6 +171,10 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     /// One to each further goal.
     pub fn legs(&self) -> Vec<Leg<D, C>> {
         let to = |goal: &Goal<D, C>| {
+            if let Some(Swing { cosine, sine, angle }) = &goal.turn {
+                let [cosine, sine] = [cosine, sine].map(|part| Wrench::from_vector(*part));
+                return Leg::turn(&Turn::new(Wrench::ZERO, cosine, sine).up_to(*angle));
+            }
             Leg::load_to(Wrench::from_vector(goal.load)).and_commands_to(goal.commands.clone())
         };
         self.goals[1..].iter().map(to).collect()
@@ -163,7 +188,11 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             a[0] -= self.spots[i].clearance;
             a
         });
-        (from.load + (to.load - from.load) * fraction, drives.collect())
+        let change = match &to.turn {
+            Some(swing) => swing.at(fraction),
+            None => (to.load - from.load) * fraction,
+        };
+        (from.load + change, drives.collect())
     }
 
     /// The largest force that the commands at rest would press with: a size that stays where all forces vanish.

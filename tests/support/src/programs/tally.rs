@@ -37,6 +37,8 @@ pub struct Tally {
     pub nothing_beyond: usize,
     /// Paths whose steps add up to a large error.
     pub inaccurate: usize,
+    /// Events whose state breaks the law by more than rounding, and says so.
+    pub admitted: usize,
     /// What the property itself was checked on.
     pub checked: usize,
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Goal, Scene, Spot};
+use super::{Goal, Scene, Spot, Swing};
 use crate::transform::rotation;
 
 /// `x -> length (R x + shift)` for points, `f -> force R f` for forces, with R orthogonal.
@@ -94,6 +94,11 @@ impl<const C: usize> View<C> {
         let goal = |goal: &Goal<D, C>| Goal {
             load: self.wrench(&goal.load),
             commands: goal.commands.iter().map(|a| self.flipped(*a) * self.length).collect(),
+            turn: goal.turn.as_ref().map(|Swing { cosine, sine, angle }| Swing {
+                cosine: self.wrench(cosine),
+                sine: self.wrench(sine),
+                angle: *angle,
+            }),
         };
         Scene { spots: scene.spots.iter().map(spot).collect(), goals: scene.goals.iter().map(goal).collect() }
     }
@@ -105,6 +110,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         let goal = |goal: &Goal<D, C>| Goal {
             load: goal.load,
             commands: order.iter().map(|&i| goal.commands[i]).collect(),
+            turn: goal.turn.clone(),
         };
         Self {
             spots: order.iter().map(|&i| self.spots[i].clone()).collect(),

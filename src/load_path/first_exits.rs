@@ -1,0 +1,15 @@
+//! What contacts reach first on the way.
+
+use super::turn::Touch;
+use crate::contact::Exit;
+
+/// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
+pub(super) type Standing<const C: usize> = Vec<(usize, Vec<Exit<C>>)>;
+
+/// What happens first to the contacts on the way.
+pub(super) struct FirstExits<const C: usize> {
+    /// The step there, and everything that reaches an edge.
+    pub(super) standing: Option<(f64, Standing<C>)>,
+    /// What a load that turns only touches before.
+    pub(super) touches: Vec<Touch>,
+}

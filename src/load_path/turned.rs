@@ -1,0 +1,73 @@
+//! While states last, forces and motions turn with the load, and the first way out is a root of a trigonometric polynomial.
+
+use nalgebra::SVector;
+
+use super::first_exits::FirstExits;
+use super::turn::Touch;
+use crate::contact::{Exit, State, TurningExit, Wave};
+use crate::numerics::Harmonic;
+use crate::object::{PieceState, Problem};
+
+/// How everything turns from a place on, while contacts keep their states.
+#[derive(Debug)]
+pub(super) struct Turned<const D: usize, const C: usize> {
+    /// Force and stretch of every contact.
+    pub(super) waves: Vec<[Wave<C>; 2]>,
+    pub(super) twist: Harmonic<SVector<f64, D>>,
+    pub(super) load: Harmonic<SVector<f64, D>>,
+    /// For one unit of the factor, rad.
+    pub(super) angle: f64,
+}
+
+impl<const D: usize, const C: usize> Turned<D, C> {
+    /// Forces after a step of the factor, and what the twist changes by.
+    pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
+        let angle = self.angle * step;
+        let forces = self.waves.iter().map(|[force, _]| force.of.at(angle)).collect();
+        PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
+    }
+
+    /// What contacts reach first in these states, within a step of the factor.
+    pub(super) fn first_exits(
+        &self,
+        problem: &Problem<'_, D, C>,
+        states: &[State<C>],
+        rest: f64,
+    ) -> FirstExits<C> {
+        let contacts = problem.locals().zip(states).zip(&self.waves).enumerate();
+        let ways = contacts.map(|(i, ((local, state), [force, stretch]))| {
+            (i, local.turning_exits(state, [force, stretch], rest * self.angle))
+        });
+        first_of(ways.collect(), self.angle)
+    }
+}
+
+/// The first of all ways out; steps are angles before, and parts of an angle then.
+fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64) -> FirstExits<C> {
+    let leaving = |exit: &TurningExit<C>| match exit {
+        TurningExit::Leaves(exit) => {
+            Some(Exit { step: exit.step / angle, uncertainty: exit.uncertainty / angle, ..*exit })
+        }
+        TurningExit::Touches(_) => None,
+    };
+    let all = ways.iter().flat_map(|(_, exits)| exits.iter().filter_map(leaving));
+    let first = all.min_by(|a, b| a.step.total_cmp(&b.step));
+    let end = first.map_or(f64::INFINITY, |first| first.step * angle);
+    let mut touches = Vec::new();
+    let mut standing = Vec::new();
+    for (contact, exits) in ways {
+        touches.extend(exits.iter().filter_map(|exit| match exit {
+            TurningExit::Touches(angle) if *angle < end => Some(Touch { contact, angle: *angle }),
+            _ => None,
+        }));
+        // Symmetric grasps reach several edges at once: equal up to the rounding of both.
+        let tied = |exit: &Exit<C>| {
+            first.is_some_and(|first| exit.step - first.step <= exit.uncertainty + first.uncertainty)
+        };
+        let together: Vec<_> = exits.iter().filter_map(leaving).filter(tied).collect();
+        if !together.is_empty() {
+            standing.push((contact, together));
+        }
+    }
+    FirstExits { standing: first.map(|first| (first.step, standing)), touches }
+}

@@ -1,0 +1,93 @@
+//! What turns: `x(φ) = x₀ + x_c cos φ + x_s sin φ`, for numbers, vectors and wrenches.
+
+use std::ops::{Add, Mul, Sub};
+
+/// x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Harmonic<X> {
+    pub(crate) constant: X,
+    pub(crate) cosine: X,
+    pub(crate) sine: X,
+}
+
+impl<X> Harmonic<X> {
+    /// From x₀, x_c and x_s.
+    pub(crate) fn new([constant, cosine, sine]: [X; 3]) -> Self {
+        Self { constant, cosine, sine }
+    }
+
+    /// What a linear function makes of it.
+    pub(crate) fn map<Y>(&self, mut by: impl FnMut(&X) -> Y) -> Harmonic<Y> {
+        Harmonic { constant: by(&self.constant), cosine: by(&self.cosine), sine: by(&self.sine) }
+    }
+
+    /// x₀, x_c and x_s.
+    pub(crate) fn parts(&self) -> [&X; 3] {
+        [&self.constant, &self.cosine, &self.sine]
+    }
+}
+
+impl<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmonic<X> {
+    /// At an angle.
+    pub(crate) fn at(&self, angle: f64) -> X {
+        let (sin, cos) = angle.sin_cos();
+        self.constant + self.cosine * cos + self.sine * sin
+    }
+
+    /// Its rate there, for one radian.
+    pub(crate) fn rate_at(&self, angle: f64) -> X {
+        let (sin, cos) = angle.sin_cos();
+        self.sine * cos - self.cosine * sin
+    }
+
+    /// The same as it goes on from an angle.
+    pub(crate) fn from(&self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self {
+            constant: self.constant,
+            cosine: self.cosine * cos + self.sine * sin,
+            sine: self.sine * cos - self.cosine * sin,
+        }
+    }
+}
+
+impl Harmonic<f64> {
+    /// `∫ x dy` from 0 to an angle: the work of a force x on a displacement y that turn together.
+    pub(crate) fn work_on(&self, moved: &Self, angle: f64) -> f64 {
+        let (sin, cos) = angle.sin_cos();
+        let (mixed, squares) = (0.5 * sin * sin, [0.5 * (angle + sin * cos), 0.5 * (angle - sin * cos)]);
+        // 1 - cos φ without cancellation.
+        let versine = sin * (0.5 * angle).tan();
+        let versine = if cos > 0.0 { versine } else { 1.0 - cos };
+        self.constant * (moved.sine * sin - moved.cosine * versine)
+            + self.cosine * (moved.sine * squares[0] - moved.cosine * mixed)
+            + self.sine * (moved.sine * mixed - moved.cosine * squares[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_is_the_sum_of_that_of_many_small_steps() {
+        let force = Harmonic::new([0.7, -1.1, 0.4]);
+        let moved = Harmonic::new([2.0, 0.3, -0.9]);
+        for angle in [1e-3, 0.4, 2.0, 3.5, 20.0] {
+            let steps = 20_000;
+            let h = angle / f64::from(steps);
+            let middle = |k: u32| (f64::from(k) + 0.5) * h;
+            let sum: f64 = (0..steps).map(|k| force.at(middle(k)) * moved.rate_at(middle(k)) * h).sum();
+            let work = force.work_on(&moved, angle);
+            assert!((work - sum).abs() < 1e-6 * angle, "{angle}: {work} {sum}");
+        }
+    }
+
+    #[test]
+    fn what_goes_on_from_an_angle_is_what_was() {
+        let x = Harmonic::new([0.7, -1.1, 0.4]);
+        let onward = x.from(1.2);
+        assert!((onward.at(0.8) - x.at(2.0)).abs() < 1e-15);
+        assert!((onward.rate_at(0.8) - x.rate_at(2.0)).abs() < 1e-15);
+    }
+}

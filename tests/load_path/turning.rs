@@ -1,0 +1,180 @@
+//! Loads that turn, against closed forms, mirror images and chords: where contacts slide, stick and slide back, what each turn leaves behind.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use grasp_lcp::load_path::{Change, PathEnd};
+use grasp_lcp::planar::{Contact, Grasp, Leg, Turn, Wrench};
+use grasp_lcp::{Error, Settings, spatial};
+
+#[test]
+fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
+    // Two feet press with 1 N together. A pull P sin θ meets a spring of 20 N/m and feet that stick on 50 N/m up to μ. They slide where they carry μ,
+    // 5/7 of the pull, then where 5/7 of the way back from a turning point have used up 2 μ.
+    let (mu, pull, turns) = (0.3, 0.9, 5_u32);
+    let foot = |x: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 25.0).friction(mu).command([1.5e-3, 0.0])
+    };
+    let lid = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
+    let spring = Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(20.0, 1.0).kept_closed();
+    let grasp = Grasp::new([foot(-1.0), foot(1.0), lid, spring])?;
+    let angle = TAU * f64::from(turns);
+    let turn = Turn::new(Wrench::ZERO, Wrench::ZERO, Wrench::force([pull, 0.0])).up_to(angle);
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn)])?;
+    let events = path.run();
+    assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+    assert_eq!(events.len(), 1 + 4 * turns as usize);
+    let (first, back) = ((1.4 * mu / pull).asin(), (1.0 - 2.8 * mu / pull).asin());
+    for (k, event) in events.iter().enumerate() {
+        let half = (k / 2) as f64 * PI;
+        let (known, slides) = match k {
+            0 => (first, true),
+            _ if k % 2 == 1 => (FRAC_PI_2 + half, false),
+            _ => (half - back, true),
+        };
+        assert!((event.fraction * angle - known).abs() < 1e-13, "{k}: {} {known}", event.fraction * angle);
+        for (contact, change) in &event.changes {
+            assert!(*contact < 2 && matches!(change, Change::Slides { .. }) == slides, "{k}: {change:?}");
+        }
+        assert_eq!(event.changes.len(), 2);
+    }
+    // From rest to the first turning point, then twice as far each half turn, and what is left of the last.
+    let once = pull / 20.0 - 0.07 * mu;
+    let slipped = once + (2.0 * f64::from(turns) - 1.0) * 2.0 * once + once - 0.07 * mu;
+    let energy = path.energies()[0];
+    assert!((energy.dissipated - mu * slipped).abs() < 1e-14, "{energy:?} {}", mu * slipped);
+    assert!(energy.residual().abs() < 1e-15, "{energy:?}");
+    Ok(())
+}
+
+/// Eight fingers press on a shaft from all sides, and a load goes round that takes the pressure from some of them.
+fn shaft(sense: f64) -> Grasp {
+    let finger = |k: i32| {
+        let (sin, cos) = (sense * TAU * (f64::from(k) + 0.3) / 8.0).sin_cos();
+        Contact::new([cos, sin], [-cos, -sin]).series_stiffness(1e3, 600.0).friction(0.2).pressed_with(1.0)
+    };
+    Grasp::new((0..8).map(finger)).expect("valid")
+}
+
+fn radial(sense: f64) -> Turn {
+    let turn = Turn::force_at([2.4, 0.0], [0.0, 0.0]);
+    if sense < 0.0 { turn.reversed() } else { turn }
+}
+
+/// How far the shaft has turned by the end of each turn.
+fn creep(sense: f64, turns: usize) -> Result<Vec<f64>, Error> {
+    let grasp = shaft(sense);
+    let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &vec![Leg::turn(&radial(sense)); turns])?;
+    path.run();
+    assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+    Ok((0..turns).filter_map(|leg| path.state_at(leg, 1.0)).map(|state| state.twist.rotation()).collect())
+}
+
+#[test]
+fn a_shaft_creeps_with_each_turn_of_its_load() -> Result<(), Error> {
+    let [on, back] = [creep(1.0, 6)?, creep(-1.0, 6)?];
+    let each: Vec<f64> = on.windows(2).map(|two| two[1] - two[0]).collect();
+    println!("{on:?} {each:?}");
+    // The same for ever from the third turn on, and to the other side in the mirror.
+    assert!(each[3].abs() > 1e-4 && (each[4] - each[3]).abs() < 1e-12, "{each:?}");
+    for (on, back) in on.iter().zip(&back) {
+        assert!((on + back).abs() < 1e-15, "{on} {back}");
+    }
+    Ok(())
+}
+
+#[test]
+fn one_leg_of_many_turns_is_many_legs() -> Result<(), Error> {
+    let grasp = shaft(1.0);
+    let legs = creep(1.0, 4)?;
+    let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &[Leg::turn(&radial(1.0).up_to(4.0 * TAU))])?;
+    path.run();
+    let end = path.position().expect("has passed").2;
+    assert!((end.twist.rotation() - legs[3]).abs() < 1e-14);
+    Ok(())
+}
+
+#[test]
+fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
+    let grasp = shaft(1.0);
+    let exact = creep(1.0, 2)?[1];
+    let chord_error = |chords: i32| -> Result<f64, Error> {
+        let legs: Vec<_> = (1..=2 * chords)
+            .map(|k| Leg::load_to(radial(1.0).load_at(TAU * f64::from(k) / f64::from(chords))))
+            .collect();
+        let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &legs)?;
+        path.run();
+        Ok((path.position().expect("has passed").2.twist.rotation() - exact).abs())
+    };
+    // How large it is depends on where in a chord events fall: the worst of some numbers of chords near each other.
+    let worst = |about: i32| {
+        (about..about + 6).try_fold(0.0, |most: f64, n| Ok::<_, Error>(most.max(chord_error(n)?)))
+    };
+    let [coarse, fine] = [worst(20)?, worst(1280)?];
+    let order = (coarse / fine).log2() / 6.0;
+    assert!((order - 2.0).abs() < 0.2 && fine < 1e-4 * exact.abs(), "{coarse:e} {fine:e} {order}");
+    Ok(())
+}
+
+#[test]
+fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
+    // A plate on three feet, dragged by a force that turns: directions of sliding follow it.
+    let foot = |x: f64, y: f64, mu: f64| {
+        spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
+            .series_stiffness(500.0, 300.0)
+            .friction(mu)
+            .command([4e-3, 0.0, 0.0])
+    };
+    let spring = |axis: usize| {
+        let mut normal = [0.0; 3];
+        normal[axis] = 1.0;
+        spatial::Contact::new([0.0, 0.0, 0.2], normal).series_stiffness(40.0, 1.0).kept_closed()
+    };
+    let grasp = spatial::Grasp::new([
+        foot(-1.0, -1.0, 0.3),
+        foot(1.0, -1.0, 0.4),
+        foot(0.0, 2.0, 0.5),
+        spring(0),
+        spring(1),
+    ])?;
+    let weight = spatial::Wrench::force([0.0, 0.0, -3.0]);
+    let turn =
+        spatial::Turn::force_at([1.4, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.0, 1.0])?.beside(weight).up_to(5.0);
+    let start = [spatial::Leg::load_to(turn.load_at(0.0))];
+    let settings = Settings::default().with_step_error(1e-13);
+    let mut path =
+        grasp.follow_with(&weight, &[&start[..], &[spatial::Leg::turn(&turn)]].concat(), &settings)?;
+    let events = path.run();
+    assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+    assert!(events.len() > 2, "{events:?}");
+    let exact = path.position().expect("has passed").2;
+    let energy = path.energies()[1];
+    assert!(energy.residual().abs() < 1e-11 && energy.dissipated > 1e-3, "{energy:?}");
+    let chord_error = |chords: i32| -> Result<f64, Error> {
+        let angle = |k: i32| 5.0 * f64::from(k) / f64::from(chords);
+        let chord = |k: i32| spatial::Leg::load_to(turn.load_at(angle(k)));
+        let legs: Vec<_> = start.iter().cloned().chain((1..=chords).map(chord)).collect();
+        let mut path = grasp.follow_with(&weight, &legs, &settings)?;
+        path.run();
+        let end = path.position().expect("has passed").2;
+        let apart = |(a, b): (&spatial::ContactAnswer, &spatial::ContactAnswer)| (a.force - b.force).norm();
+        Ok(end.contacts.iter().zip(&exact.contacts).map(apart).fold(0.0, f64::max))
+    };
+    let [coarse, fine] = [chord_error(20)?, chord_error(320)?];
+    let order = (coarse / fine).log2() / 4.0;
+    println!("{coarse:e} {fine:e} {order}");
+    assert!((order - 2.0).abs() < 0.3 && fine < 1e-4, "{coarse:e} {fine:e} {order}");
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_followed_exactly_is_refused() {
+    let grasp = shaft(1.0);
+    let turn = radial(1.0);
+    let both = Leg::turn(&turn).and_commands_by([[1e-3, 0.0]; 8]);
+    let refused = grasp.follow(&Wrench::ZERO, &[both]).err().expect("refused");
+    assert_eq!(refused.to_string(), "commands of a leg: change while the load turns, must stay");
+    let refused = grasp.follow_patch(&Wrench::ZERO, &[Leg::turn(&turn)]).map(|_| ()).expect_err("refused");
+    assert_eq!(refused.to_string(), "follow_patch: the load of a leg turns, must go straight");
+    let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).err().expect("refused");
+    assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6");
+}
