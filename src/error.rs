@@ -96,6 +96,14 @@ pub enum Error {
     /// Commands that change while the load turns: events would have no exact angles.
     #[error("commands of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
+    /// A question that bounds normal forces, asked of a contact whose force they do not bound.
+    #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
+    Unlimited {
+        /// The method.
+        question: &'static str,
+        /// The contact, from 0.
+        contact: usize,
+    },
     /// A load that turns where only straight ones can be followed.
     #[error("{method}: the load of a leg turns, must go straight")]
     StraightOnly {

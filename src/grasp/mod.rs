@@ -52,7 +52,8 @@ pub use held_object::Grasp;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{
-    assert_plane_or_space, displacement_of, grasp_map, object_alone, of_the_object, wrench_of,
+    assert_plane_or_space, displacement_of, grasp_map, moved_twist, moved_wrench, object_alone,
+    of_the_object, wrench_of,
 };
 pub(crate) use site::Site;
 pub(crate) use stiffness::Stiffness;

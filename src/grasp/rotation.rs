@@ -83,7 +83,7 @@ pub(crate) fn displacement_of<const D: usize, const C: usize>(
 }
 
 /// A wrench whose origin lies at `p`, about the origin.
-pub(super) fn moved_wrench<const D: usize, const C: usize>(
+pub(crate) fn moved_wrench<const D: usize, const C: usize>(
     p: &SVector<f64, C>,
     w: &SVector<f64, D>,
 ) -> SVector<f64, D> {
@@ -92,7 +92,7 @@ pub(super) fn moved_wrench<const D: usize, const C: usize>(
 }
 
 /// A twist whose origin lies at `p`, about the origin.
-pub(super) fn moved_twist<const D: usize, const C: usize>(
+pub(crate) fn moved_twist<const D: usize, const C: usize>(
     p: &SVector<f64, C>,
     q: &SVector<f64, D>,
 ) -> SVector<f64, D> {

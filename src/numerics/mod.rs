@@ -7,6 +7,9 @@
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
+//! | `support` | convex sets that are known by their farthest points |
+//! | `ray_shooting` | how far a ray stays in such a set |
+//! | `largest_ball` | the largest ball about the origin in it |
 //! | `harmonic` | what turns: numbers, vectors, wrenches |
 //! | `trigonometric` | where a trigonometric polynomial first falls below zero |
 //! | `on_a_circle` | where a number is smaller than a vector, while both turn |
@@ -28,6 +31,7 @@ mod double_double;
 mod exact_sum;
 mod factors;
 mod harmonic;
+mod largest_ball;
 mod linearly_implicit;
 mod nearest_point;
 mod on_a_circle;
@@ -35,6 +39,8 @@ mod orthogonal;
 mod pairwise;
 mod partial_pivoting;
 mod pseudo_random;
+mod ray_shooting;
+mod support;
 mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;
@@ -47,6 +53,7 @@ pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
+pub(crate) use largest_ball::largest_ball;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use on_a_circle::Turning;
@@ -54,6 +61,8 @@ pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
+pub(crate) use ray_shooting::{Crossing, shoot};
+pub(crate) use support::{Vertex, simplex};
 pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Loop, wide};

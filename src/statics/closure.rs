@@ -152,7 +152,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The problem without load and commands.
-    fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
+    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
         let nothing = Load::from(&SVector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];
         self.problem(Polygon::shared(&settings.cone), settings.is_round::<C>(), drives, &nothing)

@@ -1,3 +1,5 @@
 //! What contact forces could balance, whatever the fingers press.
 
 mod closure;
+mod ferrari_canny;
+mod load_limit;

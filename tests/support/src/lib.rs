@@ -18,6 +18,7 @@ pub mod ends;
 pub mod exact;
 pub mod exact_lcp;
 pub mod interior_point;
+pub mod limit_analysis;
 pub mod loaded;
 pub mod minimum_power;
 pub mod numbers;

@@ -1,0 +1,181 @@
+//! The largest ball about the origin in a convex set, between two bounds that meet.
+//!
+//! A polytope of support points grows where it comes nearest to the origin: its nearest face, at a distance that the ball can have at least, is asked for the
+//! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it
+//! give way to new ones. (G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001, in any dimension.)
+
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, BinaryHeap};
+
+use nalgebra::{SMatrix, SVector};
+
+use super::partial_pivoting::PartialPivoting;
+use super::support::{Vertex, middle};
+
+/// A point that lies nearer to the plane of a face than this part of its distance from the middle lies in it.
+const IN_PLANE: f64 = 1e-12;
+
+/// Bounds of the radius.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BallBounds<const D: usize> {
+    /// Negative where the origin lies outside the polytope.
+    pub(crate) at_least: f64,
+    pub(crate) at_most: f64,
+    /// The unit direction in which the set reaches no farther than `at_most`.
+    pub(crate) direction: SVector<f64, D>,
+}
+
+struct Face<const D: usize> {
+    /// Numbers of its vertices, in ascending order.
+    vertices: [usize; D],
+    /// v: its plane is `v·(x - middle) = 1`.
+    normal: SVector<f64, D>,
+    is_alive: bool,
+}
+
+/// A face in the queue, the nearest first.
+struct Waiting {
+    distance: f64,
+    face: usize,
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Waiting {}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.distance.total_cmp(&self.distance).then(other.face.cmp(&self.face))
+    }
+}
+
+struct Polytope<const D: usize> {
+    middle: SVector<f64, D>,
+    points: Vec<SVector<f64, D>>,
+    faces: Vec<Face<D>>,
+    alive: Vec<usize>,
+    queue: BinaryHeap<Waiting>,
+}
+
+impl<const D: usize> Polytope<D> {
+    fn of(simplex: &[Vertex<D>]) -> Self {
+        let points: Vec<_> = simplex.iter().map(|vertex| vertex.at).collect();
+        let (faces, alive, queue) = (Vec::new(), Vec::new(), BinaryHeap::new());
+        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue };
+        for without in 0..=D {
+            polytope.add(std::array::from_fn(|k| if k < without { k } else { k + 1 }));
+        }
+        polytope
+    }
+
+    /// Adds the face through these points, unless they lie in one plane with the middle up to rounding.
+    fn add(&mut self, vertices: [usize; D]) {
+        let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
+            self.points[vertices[row]][column] - self.middle[column]
+        });
+        let Some(solver) = PartialPivoting::new(&rows) else { return };
+        let normal = solver.solve(&SVector::repeat(1.0));
+        let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
+        self.queue.push(Waiting { distance, face: self.faces.len() });
+        self.alive.push(self.faces.len());
+        self.faces.push(Face { vertices, normal, is_alive: true });
+    }
+
+    /// Takes in a point: the faces that see it, or have it in their plane, give way to those from their rim to the point.
+    fn take_in(&mut self, point: SVector<f64, D>) {
+        let number = self.points.len();
+        let from_middle = point - self.middle;
+        self.points.push(point);
+        let mut rim: BTreeSet<[usize; D]> = BTreeSet::new();
+        let faces = &mut self.faces;
+        self.alive.retain(|&k| {
+            let face = &mut faces[k];
+            face.is_alive = face.normal.dot(&from_middle) < 1.0 - IN_PLANE;
+            if !face.is_alive {
+                for without in 0..D {
+                    // A ridge is named by its vertices and a number that none has; seen twice it lies inside.
+                    let mut ridge = face.vertices;
+                    ridge[without..].rotate_left(1);
+                    ridge[D - 1] = usize::MAX;
+                    if !rim.remove(&ridge) {
+                        rim.insert(ridge);
+                    }
+                }
+            }
+            face.is_alive
+        });
+        for mut vertices in rim {
+            vertices[D - 1] = number;
+            self.add(vertices);
+        }
+    }
+
+    /// The nearest face.
+    fn nearest(&mut self) -> Option<(f64, SVector<f64, D>)> {
+        while let Some(first) = self.queue.peek() {
+            let face = &self.faces[first.face];
+            if face.is_alive {
+                return Some((first.distance, face.normal.normalize()));
+            }
+            self.queue.pop();
+        }
+        None
+    }
+}
+
+/// Bounds of the largest ball about the origin, as close as a part of the size of the set, or as so many points allow.
+pub(crate) fn largest_ball<const D: usize>(
+    support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
+    simplex: &[Vertex<D>],
+    (closeness, most_points): (f64, usize),
+) -> Option<BallBounds<D>> {
+    let mut polytope = Polytope::of(simplex);
+    let mut bounds: Option<BallBounds<D>> = None;
+    for _ in 0..most_points {
+        let (distance, direction) = polytope.nearest()?;
+        let next = support(&direction);
+        let reach = direction.dot(&next);
+        let known = bounds.filter(|known| known.at_most <= reach);
+        let mut now = known.unwrap_or(BallBounds { at_least: distance, at_most: reach, direction });
+        now.at_least = distance.min(now.at_most);
+        bounds = Some(now);
+        let close = closeness * next.norm();
+        // A set that holds the origin and reaches no farther has no ball, however far its points are known.
+        if now.at_most - distance <= close || now.at_most <= close {
+            break;
+        }
+        polytope.take_in(next);
+    }
+    bounds
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::support::simplex;
+
+    #[test]
+    fn of_a_box_and_of_a_ball_that_are_not_in_the_middle() {
+        let shift = SVector::<f64, 4>::from([0.1, -0.3, 0.2, 0.0]);
+        let cube = |v: &SVector<f64, 4>| v.map(f64::signum) + shift;
+        let bounds = largest_ball(&cube, &simplex(&cube).expect("thick"), (1e-12, 1000)).expect("bounds");
+        assert!((bounds.at_least - 0.7).abs() < 1e-12 && (bounds.at_most - 0.7).abs() < 1e-12, "{bounds:?}");
+        assert!((bounds.direction[1] - 1.0).abs() < 1e-12);
+
+        let ball = |v: &SVector<f64, 4>| v.normalize() + shift;
+        let bounds = largest_ball(&ball, &simplex(&ball).expect("thick"), (1e-6, 3000)).expect("bounds");
+        let known = 1.0 - shift.norm();
+        assert!(bounds.at_least <= known && known <= bounds.at_most, "{bounds:?}");
+        assert!(bounds.at_most - bounds.at_least < 1e-5, "{bounds:?}");
+    }
+}

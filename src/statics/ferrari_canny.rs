@@ -1,0 +1,91 @@
+//! The measure of Ferrari and Canny: how large a load of the worst direction contact forces within a budget can balance.
+//!
+//! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the largest ball about the origin in the set of wrenches. On the round cone that set has no
+//! facets to list; it is known by its support points, from which two bounds close in on the radius.
+
+use super::budget::{Budget, WrenchScale};
+use super::wrench_set::WrenchSet;
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+use crate::numerics::{largest_ball, simplex};
+use crate::search::Settings;
+
+/// Bounds as close as this part of the largest wrench meet.
+const CLOSE: f64 = 1e-9;
+
+/// How large a load of any direction some contact forces can balance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WrenchBall<const D: usize, const C: usize> {
+    /// ε is at least this, N: every load this large in its [scale](WrenchScale) can be balanced. Zero where some direction cannot be at all.
+    pub at_least: f64,
+    /// And at most this, N. Both differ by 1e-9 of the largest wrench, unless [`Settings::most_steps`] or rounding ended the search before.
+    pub at_most: f64,
+    /// A load of size 1 N in its scale; more than `at_most` times as much cannot be balanced.
+    pub weakest: Wrench<D, C>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`]: on the round
+    /// cone in space.
+    ///
+    /// It is what some contact forces *could* do, if fingers were told. What these fingers do, squeezed this much, is for
+    /// [`Self::onset`] to say.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    /// use grasp_lcp::statics::Budget;
+    ///
+    /// // Two fingers that face each other, μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let all = pinch.ferrari_canny(Budget::Total(1.0))?;
+    /// // The edges of both cones are (1, ±0.5, ∓0.5) and (-1, ±0.5, ±0.5): a tetrahedron whose faces are 1/3 away.
+    /// assert!((all.at_least - 1.0 / 3.0).abs() < 1e-9 && (all.at_most - 1.0 / 3.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Argument`] for a budget that is not positive, [`Error::Unlimited`] for a contact that is bonded, pulls or never slides,
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn ferrari_canny(&self, budget: Budget) -> Result<WrenchBall<D, C>, Error> {
+        self.ferrari_canny_with(budget, &WrenchScale::of(self), &Settings::default())
+    }
+
+    /// The same with another scale of moments and other [`Settings`]: for another cone, and [`Settings::most_steps`] for the support points that are asked
+    /// for.
+    ///
+    /// # Errors
+    /// As for [`Self::ferrari_canny`]; [`Error::Argument`] for a scale whose point or length is none.
+    pub fn ferrari_canny_with(
+        &self,
+        budget: Budget,
+        scale: &WrenchScale<C>,
+        settings: &Settings,
+    ) -> Result<WrenchBall<D, C>, Error> {
+        let set = self.wrench_set(budget, scale, settings, "ferrari_canny")?;
+        let support = |v: &_| set.support(v);
+        let (at_least, at_most, direction) = match simplex(&support) {
+            Err(flat) => (0.0, 0.0, flat[0]),
+            Ok(simplex) => match largest_ball(&support, &simplex, (CLOSE, settings.most_steps)) {
+                Some(ball) => (ball.at_least.max(0.0), ball.at_most.max(0.0), ball.direction),
+                None => (0.0, f64::INFINITY, simplex[0].towards),
+            },
+        };
+        Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
+    }
+
+    /// The wrenches of forces within a budget.
+    pub(super) fn wrench_set(
+        &self,
+        budget: Budget,
+        scale: &WrenchScale<C>,
+        settings: &Settings,
+        question: &'static str,
+    ) -> Result<WrenchSet<D, C>, Error> {
+        budget.check()?;
+        scale.check()?;
+        self.refuse_hands(question)?;
+        WrenchSet::new(&self.without_load(settings), self, budget, *scale, question)
+    }
+}

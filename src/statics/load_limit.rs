@@ -1,0 +1,205 @@
+//! How far a load can grow until no contact forces within a budget balance it, and how much of a budget a load needs.
+//!
+//! Limit analysis: the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces in their cones. A plane that all wrenches lie on one side of says how far
+//! λ can be at most. A ray from inside the set to the load there either ends in the set, or leaves it through a plane that says less.
+
+use nalgebra::SVector;
+
+use super::budget::{Budget, WrenchScale};
+use super::wrench_set::WrenchSet;
+use crate::error::Error;
+use crate::grasp::{Grasp, Twist, Wrench};
+use crate::numerics::{Crossing, Vertex, shoot, simplex};
+use crate::search::Settings;
+
+/// A target this part beyond where the ray leaves the set lies on its boundary, as far as rounding can tell.
+const ON_THE_BOUNDARY: f64 = 1e-12;
+/// Planes, unless rounding keeps them from coming closer: on round cones each doubles the digits.
+const MOST_PLANES: usize = 100;
+
+/// How far a load can grow.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum LoadLimit<const D: usize, const C: usize> {
+    /// Up to a factor.
+    #[non_exhaustive]
+    Factor {
+        /// It can be at least this.
+        at_least: f64,
+        /// And at most this. Both differ by some 1e-9 of it at most, unless rounding ended the search before.
+        at_most: f64,
+        /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
+        forces: Vec<SVector<f64, C>>,
+        /// The motion that the load makes beyond `at_most`: no forces within the budget work as much against it.
+        motion: Twist<D, C>,
+    },
+    /// Not even the base load can be balanced.
+    #[non_exhaustive]
+    NoBase {
+        /// The motion that it makes: no forces within the budget work as much against it.
+        motion: Twist<D, C>,
+    },
+    /// Rounding was in the way.
+    Undecided,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
+    /// analysis, with default [`Settings`], on the round cone in space. What these fingers do as springs is for [`Self::reserve`] to say.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::statics::{Budget, LoadLimit};
+    ///
+    /// // Two fingers that face each other carry 2 · 0.5 · 10 N, if none may press with more than 10 N.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let limit = pinch.load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(10.0))?;
+    /// let LoadLimit::Factor { at_least, at_most, forces, .. } = limit else { panic!("nothing is on it yet") };
+    /// assert!((at_least - 10.0).abs() < 1e-9 && (at_most - 10.0).abs() < 1e-9);
+    /// assert!(forces.iter().all(|force| (force[0] - 10.0).abs() < 1e-9));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50; [`Error::Argument`] for a direction or a budget of nothing; [`Error::Unlimited`]
+    /// for a contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
+    pub fn load_limit(
+        &self,
+        base: &Wrench<D, C>,
+        direction: &Wrench<D, C>,
+        budget: Budget,
+    ) -> Result<LoadLimit<D, C>, Error> {
+        self.load_limit_with(base, direction, budget, &Settings::default())
+    }
+
+    /// The same with other [`Settings`], which say for which cone.
+    ///
+    /// # Errors
+    /// As for [`Self::load_limit`].
+    pub fn load_limit_with(
+        &self,
+        base: &Wrench<D, C>,
+        direction: &Wrench<D, C>,
+        budget: Budget,
+        settings: &Settings,
+    ) -> Result<LoadLimit<D, C>, Error> {
+        base.check("base load")?;
+        direction.check("load direction")?;
+        let set = self.wrench_set(budget, &WrenchScale::of(self), settings, "load_limit")?;
+        let [base, rate] = [base, direction].map(|load| -set.inside(load));
+        let size = rate.norm();
+        if size == 0.0 {
+            let allowed = "more than 0";
+            return Err(Error::Argument { what: "size of the load direction", value: size, allowed });
+        }
+        Ok(limit(set, &base, &(rate / size)).over(size))
+    }
+
+    /// How much of a budget a load needs: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
+    /// `Budget::Total(1.0)` the least sum of them. Infinite where no forces do.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::statics::Budget;
+    ///
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let [at_least, at_most] = pinch.budget_needed(&Wrench::force([0.0, -3.0]), Budget::Each(1.0))?;
+    /// assert!((at_least - 3.0).abs() < 1e-9 && (at_most - 3.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::load_limit`].
+    pub fn budget_needed(&self, load: &Wrench<D, C>, budget: Budget) -> Result<[f64; 2], Error> {
+        Ok(match self.load_limit(&Wrench::ZERO, load, budget)? {
+            LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
+            LoadLimit::NoBase { .. } | LoadLimit::Undecided => [0.0, f64::INFINITY],
+        })
+    }
+}
+
+impl<const D: usize, const C: usize> LoadLimit<D, C> {
+    /// For a load so many times as large.
+    fn over(self, size: f64) -> Self {
+        match self {
+            Self::Factor { at_least, at_most, forces, motion } => {
+                Self::Factor { at_least: at_least / size, at_most: at_most / size, forces, motion }
+            }
+            other => other,
+        }
+    }
+}
+
+/// How far the unit vector `rate` leads from `base` until it leaves the set.
+fn limit<const D: usize, const C: usize>(
+    mut set: WrenchSet<D, C>,
+    base: &SVector<f64, D>,
+    rate: &SVector<f64, D>,
+) -> LoadLimit<D, C> {
+    set.flat = simplex(&|v: &_| set.support(v)).err().unwrap_or_default();
+    // Along what no force acts the set has some thickness now, and a load no part of it.
+    let unheld = |load: &SVector<f64, D>| {
+        let part = set.flat.iter().fold(SVector::zeros(), |sum: SVector<f64, D>, v| sum + v * v.dot(load));
+        (part.norm() > ON_THE_BOUNDARY * load.norm()).then(|| part.normalize())
+    };
+    if let Some(motion) = unheld(base) {
+        return LoadLimit::NoBase { motion: set.motion(-motion) };
+    }
+    let support = |v: &SVector<f64, D>| set.support(v);
+    let Ok(simplex) = simplex(&support) else { return LoadLimit::Undecided };
+    let shoot = |target: &SVector<f64, D>| shoot(&support, &simplex, target);
+    let Some(begin) = shoot(base) else { return LoadLimit::Undecided };
+    if begin.stretch > begin.reach * (1.0 + ON_THE_BOUNDARY) {
+        return LoadLimit::NoBase { motion: set.motion(-begin.normal.normalize()) };
+    }
+    let here = forces(&set, &simplex, &begin);
+    if let Some(motion) = unheld(rate) {
+        let motion = set.motion(-motion);
+        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
+    }
+    let plane = |normal: &SVector<f64, D>| normal.dot(&(support(normal) - base)) / normal.dot(rate);
+    let (mut at_most, mut normal) = (plane(rate), *rate);
+    let mut last: Option<(f64, Crossing<D>)> = None;
+    for _ in 0..MOST_PLANES {
+        let Some(there) = shoot(&(base + rate * at_most)) else { break };
+        let (inside, nearer) = (there.stretch <= 1.0 + ON_THE_BOUNDARY, plane(&there.normal));
+        let comes_nearer = !inside && nearer < at_most;
+        let next = there.normal;
+        last = Some((at_most, there));
+        if !comes_nearer {
+            break;
+        }
+        (at_most, normal) = (nearer.max(0.0), next);
+    }
+    let Some((factor, last)) = last else { return LoadLimit::Undecided };
+    // The set is convex, and so is what a ray stretches by: on the way between two loads it is no more than between theirs.
+    let whole = last.stretch <= 1.0;
+    let part = if whole { 1.0 } else { (1.0 - begin.stretch).max(0.0) / (last.stretch - begin.stretch) };
+    let there = forces(&set, &simplex, &last);
+    LoadLimit::Factor {
+        at_least: (part * factor).min(at_most),
+        at_most,
+        forces: here.iter().zip(&there).map(|(here, there)| here * (1.0 - part) + there * part).collect(),
+        motion: set.motion(-normal.normalize()),
+    }
+}
+
+/// The forces of a target, from those of the points that its ray crosses between and of the middle.
+fn forces<const D: usize, const C: usize>(
+    set: &WrenchSet<D, C>,
+    simplex: &[Vertex<D>],
+    crossing: &Crossing<D>,
+) -> Vec<SVector<f64, C>> {
+    let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
+    let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());
+    let all = points.chain(simplex.iter().map(|vertex| (vertex, rest)));
+    let mut sum: Vec<SVector<f64, C>> = Vec::new();
+    for (vertex, share) in all {
+        let forces = set.forces(&vertex.towards);
+        sum.resize(forces.len(), SVector::zeros());
+        sum.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force * share);
+    }
+    sum
+}

@@ -1,0 +1,136 @@
+//! The wrenches that contact forces within a budget can have, known by their farthest points.
+//!
+//! In the direction v a contact reaches farthest with the force of its cone that works most on the motion `u = G_iᵀv`: `u_n + μ |u_t|` for each
+//! newton of normal force on the round cone. A contact that works against v does not press.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::budget::{Budget, WrenchScale};
+use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
+use crate::error::Error;
+use crate::grasp::{Grasp, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
+use crate::numerics::unit;
+use crate::object::Problem;
+
+/// Forces of one contact for one newton along its normal.
+enum Cone<const C: usize> {
+    Round(Coulomb),
+    Corners(Vec<SVector<f64, C>>),
+}
+
+struct Pushing<const D: usize, const C: usize> {
+    /// From a force in the contact frame to its wrench, with moments in the scale of the set.
+    map: SMatrix<f64, D, C>,
+    cone: Cone<C>,
+}
+
+impl<const D: usize, const C: usize> Pushing<D, C> {
+    /// The force that works most on a motion, for one newton along the normal, and its work.
+    fn most(&self, v: &SVector<f64, D>) -> (SVector<f64, C>, f64) {
+        let u = self.map.tr_mul(v);
+        match &self.cone {
+            Cone::Round(cone) => {
+                let length = tangential_norm(&u);
+                let along = if length > 0.0 { tangential(&u) / length } else { unit(1) };
+                let force = cone.generator(&along);
+                (force, force.dot(&u))
+            }
+            Cone::Corners(corners) => {
+                let works = corners.iter().map(|force| (*force, force.dot(&u)));
+                works.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((unit(0), u[0]))
+            }
+        }
+    }
+}
+
+/// The set, in scaled wrenches.
+pub(super) struct WrenchSet<const D: usize, const C: usize> {
+    contacts: Vec<Pushing<D, C>>,
+    budget: Budget,
+    scale: WrenchScale<C>,
+    /// Directions in which no contact force acts; the set is given some thickness there.
+    pub(super) flat: Vec<SVector<f64, D>>,
+}
+
+impl<const D: usize, const C: usize> WrenchSet<D, C> {
+    pub(super) fn new(
+        problem: &Problem<'_, D, C>,
+        grasp: &Grasp<D, C>,
+        budget: Budget,
+        scale: WrenchScale<C>,
+        question: &'static str,
+    ) -> Result<Self, Error> {
+        let about = SVector::from(scale.about);
+        let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_, C>, &SMatrix<f64, C, C>))| {
+            let arm = grasp.contacts()[contact].point() - about;
+            let mut map = grasp_map::<D, C>(&arm, frame);
+            map.rows_range_mut(C..).iter_mut().for_each(|entry| *entry /= scale.length);
+            let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
+            if unlimited {
+                return Err(Error::Unlimited { question, contact });
+            }
+            let cone = local.cone();
+            let corners = || local.polygon.corners.iter().map(|corner| cone.generator(corner)).collect();
+            let cone = if local.is_round() {
+                Cone::Round(cone)
+            } else if cone.has_edges() {
+                Cone::Corners(corners())
+            } else {
+                Cone::Corners(vec![unit(0)])
+            };
+            Ok(Pushing { map, cone })
+        };
+        let contacts = problem.locals().zip(grasp.frames()).enumerate().map(pushing);
+        Ok(Self { contacts: contacts.collect::<Result<_, _>>()?, budget, scale, flat: Vec::new() })
+    }
+
+    /// The forces whose wrench goes farthest in a direction.
+    pub(super) fn forces(&self, v: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
+        let most = self.contacts.iter().map(|contact| contact.most(v));
+        let within = |bound: f64| {
+            move |(force, work): (SVector<f64, C>, f64)| force * if work > 0.0 { bound } else { 0.0 }
+        };
+        match self.budget {
+            Budget::Each(bound) => most.map(within(bound)).collect(),
+            Budget::Total(bound) => {
+                let all: Vec<_> = most.collect();
+                let best = all.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|(i, _)| i);
+                let force = |(i, most)| if Some(i) == best { within(bound)(most) } else { SVector::zeros() };
+                all.into_iter().enumerate().map(force).collect()
+            }
+        }
+    }
+
+    /// The wrench that goes farthest in a direction.
+    pub(super) fn support(&self, v: &SVector<f64, D>) -> SVector<f64, D> {
+        let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
+        let forces = self.forces(v);
+        let wrench = self.contacts.iter().zip(&forces).map(|(contact, force)| contact.map * force);
+        let thickness = self.flat.iter().map(|flat| flat * bound.copysign(flat.dot(v)));
+        wrench.sum::<SVector<f64, D>>() + thickness.sum::<SVector<f64, D>>()
+    }
+
+    /// A wrench of the question.
+    pub(super) fn inside(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
+        let about = SVector::from(self.scale.about);
+        scaled::<D, C>(moved_wrench::<D, C>(&-about, wrench.as_vector()), 1.0 / self.scale.length)
+    }
+
+    /// And back.
+    pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<D, C> {
+        let about = SVector::from(self.scale.about);
+        Wrench::from_vector(moved_wrench::<D, C>(&about, &scaled::<D, C>(wrench, self.scale.length)))
+    }
+
+    /// The motion on which wrenches work as much as they reach in a direction.
+    pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<D, C> {
+        let about = SVector::from(self.scale.about);
+        Twist::from_vector(moved_twist::<D, C>(&about, &scaled::<D, C>(direction, 1.0 / self.scale.length)))
+    }
+}
+
+/// With angular components times a factor.
+fn scaled<const D: usize, const C: usize>(mut v: SVector<f64, D>, by: f64) -> SVector<f64, D> {
+    v.iter_mut().skip(C).for_each(|x| *x *= by);
+    v
+}
