@@ -3,6 +3,8 @@
 //! A polytope of support points grows where it comes nearest to the origin: its nearest face, at a distance that the ball can have at least, is asked for the
 //! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it
 //! give way to new ones. (G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001, in any dimension.)
+//!
+//! Where a set is smooth, faces become so thin that rounding hides their planes. The polytope ends there, and what is known by then holds.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeSet, BinaryHeap};
@@ -14,6 +16,11 @@ use super::support::{Vertex, middle};
 
 /// A point that lies nearer to the plane of a face than this part of its distance from the middle lies in it.
 const IN_PLANE: f64 = 1e-12;
+
+/// Faces that are kept at most: each new point is shown all of them.
+const MOST_FACES: usize = 20_000;
+/// A polytope that grows comes no nearer to the origin, but for this part of its distance.
+const GROWS: f64 = 1e-12;
 
 /// Bounds of the radius.
 #[derive(Debug, Clone, Copy)]
@@ -65,25 +72,30 @@ struct Polytope<const D: usize> {
     faces: Vec<Face<D>>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
+    /// Whether every face has a plane.
+    is_closed: bool,
 }
 
 impl<const D: usize> Polytope<D> {
     fn of(simplex: &[Vertex<D>]) -> Self {
         let points: Vec<_> = simplex.iter().map(|vertex| vertex.at).collect();
         let (faces, alive, queue) = (Vec::new(), Vec::new(), BinaryHeap::new());
-        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue };
+        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue, is_closed: true };
         for without in 0..=D {
             polytope.add(std::array::from_fn(|k| if k < without { k } else { k + 1 }));
         }
         polytope
     }
 
-    /// Adds the face through these points, unless they lie in one plane with the middle up to rounding.
+    /// Adds the face through these points, if rounding lets it have a plane.
     fn add(&mut self, vertices: [usize; D]) {
         let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
             self.points[vertices[row]][column] - self.middle[column]
         });
-        let Some(solver) = PartialPivoting::new(&rows) else { return };
+        let Some(solver) = PartialPivoting::new(&rows) else {
+            self.is_closed = false;
+            return;
+        };
         let normal = solver.solve(&SVector::repeat(1.0));
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
         self.queue.push(Waiting { distance, face: self.faces.len() });
@@ -143,6 +155,10 @@ pub(crate) fn largest_ball<const D: usize>(
     let mut bounds: Option<BallBounds<D>> = None;
     for _ in 0..most_points {
         let (distance, direction) = polytope.nearest()?;
+        let shrinks = bounds.is_some_and(|known| distance < known.at_least - GROWS * known.at_least.abs());
+        if !polytope.is_closed || shrinks || polytope.alive.len() > MOST_FACES {
+            break;
+        }
         let next = support(&direction);
         let reach = direction.dot(&next);
         let known = bounds.filter(|known| known.at_most <= reach);

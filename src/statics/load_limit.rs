@@ -16,6 +16,8 @@ use crate::search::Settings;
 const ON_THE_BOUNDARY: f64 = 1e-12;
 /// Planes, unless rounding keeps them from coming closer: on round cones each doubles the digits.
 const MOST_PLANES: usize = 100;
+/// Where rounding leaves the last load outside the set, loads that are smaller by these parts are tried.
+const SHORTER: [f64; 7] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3];
 
 /// How far a load can grow.
 #[derive(Debug, Clone, PartialEq)]
@@ -173,16 +175,21 @@ fn limit<const D: usize, const C: usize>(
         }
         (at_most, normal) = (nearer.max(0.0), next);
     }
-    let Some((factor, last)) = last else { return LoadLimit::Undecided };
-    // The set is convex, and so is what a ray stretches by: on the way between two loads it is no more than between theirs.
-    let whole = last.stretch <= 1.0;
-    let part = if whole { 1.0 } else { (1.0 - begin.stretch).max(0.0) / (last.stretch - begin.stretch) };
-    let there = forces(&set, &simplex, &last);
-    LoadLimit::Factor {
-        at_least: (part * factor).min(at_most),
-        at_most,
-        forces: here.iter().zip(&there).map(|(here, there)| here * (1.0 - part) + there * part).collect(),
-        motion: set.motion(-normal.normalize()),
+    let motion = set.motion(-normal.normalize());
+    if at_most <= ON_THE_BOUNDARY * base.norm().max(support(rate).norm()) {
+        return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
+    }
+    // The last load that a ray reaches inside the set, nearer by as little as rounding allows.
+    let reached = |(factor, crossing): &(f64, Crossing<D>)| crossing.stretch <= 1.0 && *factor <= at_most;
+    let nearer = SHORTER.iter().filter_map(|part| {
+        let factor = at_most * (1.0 - part);
+        Some((factor, shoot(&(base + rate * factor))?))
+    });
+    match last.into_iter().chain(nearer).find(reached) {
+        Some((at_least, crossing)) => {
+            LoadLimit::Factor { at_least, at_most, forces: forces(&set, &simplex, &crossing), motion }
+        }
+        None => LoadLimit::Factor { at_least: 0.0, at_most, forces: here, motion },
     }
 }
 
