@@ -12,3 +12,5 @@ mod lines;
 mod messages;
 mod spatial_page;
 mod spatial_still;
+mod turn_messages;
+mod turns;
