@@ -9,6 +9,8 @@
 
 #[path = "support/predict.rs"]
 mod predict;
+#[path = "support/predict_words.rs"]
+mod predict_words;
 #[path = "support/scene_file.rs"]
 mod scene_file;
 #[path = "support/scene_picture.rs"]
@@ -60,6 +62,10 @@ fn of_file(file: &Path) -> Result<(), Failure> {
     let in_file = |error| format!("{}: {error}", file.display());
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     let title = stem.replace('_', " ");
+    let turns = match &scene.space {
+        Space::Planar(setup) => scene_picture::turns(setup, &title)?,
+        Space::Spatial(setup) => scene_picture::turns(setup, &title)?,
+    };
     match &scene.space {
         Space::Planar(setup) => {
             predict::predict(setup).map_err(in_file)?;
@@ -76,6 +82,9 @@ fn of_file(file: &Path) -> Result<(), Failure> {
             let first = (page.answers() > 0).then_some(0);
             support::save(&format!("scene_{stem}.svg"), &page.to_svg(first, View::default())?)?;
         }
+    }
+    if let Some(svg) = turns {
+        support::save(&format!("scene_{stem}_friction.svg"), &svg)?;
     }
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! How far can a cup be tilted in the hand? The angle at which the first finger slides, for every direction in which the cup may be
-//! tilted; what chords in place of the turn say; and what it costs to know.
+//! tilted; how much friction each finger uses on the way; what chords in place of the turn say; and what it costs to know.
 //!
 //! `cargo run --release --example tilted_cup`
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use grasp_lcp::picture::{Chart, Stroke};
+use grasp_lcp::Settings;
+use grasp_lcp::picture::{Chart, Stroke, chart_of_turn};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Onset, PathEnd, Ramp, Turn, Wrench};
 use support::Failure;
 use support::best_time::best_in_turns;
@@ -41,6 +42,21 @@ fn angle_of(onset: &Onset) -> Result<f64, Failure> {
     onset.factor().ok_or_else(|| "the cup is held upright".into())
 }
 
+/// Every half degree the direction, and the angle at which the first finger slides, where one does (degrees).
+fn slides_towards(grasp: &Grasp, weight: f64, height: f64) -> Result<Vec<(f64, f64)>, Failure> {
+    let directions: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
+    let turns: Result<Vec<_>, _> =
+        directions.iter().map(|degrees| tilted(weight, height, *degrees)).collect();
+    let mut slides = Vec::new();
+    for (degrees, onset) in directions.iter().zip(grasp.onset_of_turn_each(&turns?)) {
+        let angle = angle_of(&onset?.onset)?;
+        if angle.is_finite() {
+            slides.push((*degrees, angle.to_degrees()));
+        }
+    }
+    Ok(slides)
+}
+
 fn main() -> Result<(), Failure> {
     let cups = [("empty, 1 N", 1.0, 0.0), ("half full, 3 N", 3.0, -0.015), ("full, 6 N", 6.0, 0.0)];
     let grasp = hand(4.0)?;
@@ -64,9 +80,7 @@ fn main() -> Result<(), Failure> {
         };
         let [fingers, index, thumb, ring] = [shown(0.0)?, shown(270.0)?, shown(180.0)?, shown(90.0)?];
         println!("  {name:16} {fingers:>9} {index:>9} {thumb:>9} {ring:>9}");
-        let all = (0..=720).map(|k| f64::from(k) / 2.0).map(|degrees| Ok((degrees, at(degrees)?)));
-        let slides: Result<Vec<_>, Failure> = all.collect();
-        let slides: Vec<_> = slides?.into_iter().filter(|(_, angle)| angle.is_finite()).collect();
+        let slides = slides_towards(&grasp, weight, height)?;
         if !slides.is_empty() {
             chart = chart.series(name, slides, Stroke::Dots);
         }
@@ -99,6 +113,9 @@ fn main() -> Result<(), Failure> {
         turning / straight
     );
     support::save("tilted_cup.svg", &chart.to_svg()?)?;
+    let title = "The full cup tilted towards the index finger";
+    let used = chart_of_turn(&grasp, &turn, &Settings::default(), title)?;
+    support::save("tilted_cup_friction.svg", &used.to_svg()?)?;
     Ok(())
 }
 

@@ -1,13 +1,14 @@
 //! Prints what a scene asks, in words and tables.
 
 use grasp_lcp::Error;
-use grasp_lcp::equilibrium::DriveState;
-use grasp_lcp::grasp::{Grasp, HandPart, Wrench};
-use grasp_lcp::load_path::{DriveChange, LossKind};
+use grasp_lcp::grasp::Grasp;
+use grasp_lcp::load_path::LossKind;
 use grasp_lcp::scene::{
-    Answer, Beyond, Departure, Doing, DriveTurn, Equilibrium, Leaving, Motion, OnsetAnswer, Part, PathAnswer,
-    PathEnd, Proof, Question, Setup, SolveAnswer, Touch, Turn, WithGrasp,
+    Answer, Beyond, Departure, Doing, DriveTurn, EdgeOf, Equilibrium, Leaving, OnsetAnswer, PathAnswer,
+    PathEnd, Question, Setup, SolveAnswer, Touch, Turn, TurnAnswer, TurnOnset, WithGrasp,
 };
+
+use super::predict_words::{doing, drive_word, gives_way, left, name, part_name, proof, row, wrench};
 
 /// Answers every question of a scene and prints the answers.
 pub(crate) fn predict<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Result<(), Error> {
@@ -26,6 +27,11 @@ pub(crate) fn predict<const D: usize, const C: usize>(setup: &Setup<D, C>) -> Re
                     if ramp.command_change.is_some() { ", finger commands changing along" } else { "" }
                 );
                 slides(setup, onset);
+            }
+            (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(onset)) => {
+                let (from, most) = (wrench(&turn.load_at(0.0)), turn.angle().to_degrees());
+                println!("\nOnset of sliding from {from} while the load turns by {most:.6} degrees");
+                slides_turned(setup, onset);
             }
             (Question::Follow { start, legs }, Answer::Follow(path)) => {
                 println!("\nLoad program of {} legs from {}", legs.len(), wrench(start));
@@ -60,30 +66,9 @@ fn slides<const D: usize, const C: usize>(setup: &Setup<D, C>, onset: &OnsetAnsw
     match onset {
         OnsetAnswer::At(event) => {
             println!("  at factor {:.12}, that is {}", event.factor, wrench(&event.load));
-            for Leaving { place, how, .. } in &event.leaving {
-                match how {
-                    Departure::Slides { direction } => {
-                        println!(
-                            "  {} slides over the object along {}",
-                            name(place),
-                            row(direction.as_slice())
-                        );
-                    }
-                    Departure::Opens => println!("  {} opens", name(place)),
-                    other => println!("  {} {other:?}", name(place)),
-                }
-            }
-            for DriveTurn { part, what, .. } in &event.drives {
-                println!("  {} {}", part_name(part), drive_word(*what));
-            }
+            leave(&event.leaving, &event.drives);
             table(setup, &event.state);
-            match &event.beyond {
-                Beyond::Continues { states, .. } => {
-                    let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
-                    println!("  beyond: the grasp holds on, points that slide: {sliding}");
-                }
-                other => beyond(other),
-            }
+            goes_on(&event.beyond);
         }
         OnsetAnswer::Never => println!("  never: everything keeps rolling however far the load goes"),
         OnsetAnswer::AlreadySliding { state } => {
@@ -95,6 +80,63 @@ fn slides<const D: usize, const C: usize>(setup: &Setup<D, C>, onset: &OnsetAnsw
             println!("  nothing slides, but from factor {factor:.12} on nothing resists: {}", proof(reason));
         }
         other => println!("  {other:?}"),
+    }
+}
+
+fn slides_turned<const D: usize, const C: usize>(setup: &Setup<D, C>, answer: &TurnAnswer<D, C>) {
+    match &answer.onset {
+        TurnOnset::At(event) => {
+            let (angle, load) = (event.angle, wrench(&event.load));
+            println!("  at {:.9} degrees, {angle:.12} rad, that is {load}", angle.to_degrees());
+            leave(&event.leaving, &event.drives);
+            table(setup, &event.state);
+            goes_on(&event.beyond);
+        }
+        TurnOnset::Never => println!("  never: everything keeps rolling up to the last angle"),
+        TurnOnset::AlreadySliding { state } => {
+            println!("  something slides already at angle 0:");
+            table(setup, state);
+        }
+        TurnOnset::NoBase(why) => println!("  no equilibrium exists at angle 0: {}", proof(why)),
+        TurnOnset::GivesWay { angle, reason } => {
+            println!("  nothing slides, but from {angle:.12} rad on nothing resists: {}", proof(reason));
+        }
+        other => println!("  {other:?}"),
+    }
+    for touch in &answer.touches {
+        let who = match &touch.of {
+            EdgeOf::Contact(place) => name(place),
+            EdgeOf::Drive(part) => part_name(part),
+            other => format!("{other:?}"),
+        };
+        println!("  {who} touches its edge at {:.9} degrees", touch.angle.to_degrees());
+    }
+}
+
+/// Who leaves rolling, and how.
+fn leave<const C: usize>(leaving: &[Leaving<C>], drives: &[DriveTurn]) {
+    for Leaving { place, how, .. } in leaving {
+        match how {
+            Departure::Slides { direction } => {
+                println!("  {} slides over the object along {}", name(place), row(direction.as_slice()));
+            }
+            Departure::Opens => println!("  {} opens", name(place)),
+            other => println!("  {} {other:?}", name(place)),
+        }
+    }
+    for DriveTurn { part, what, .. } in drives {
+        println!("  {} {}", part_name(part), drive_word(*what));
+    }
+}
+
+/// What comes after an onset.
+fn goes_on<const D: usize, const C: usize>(next: &Beyond<D, C>) {
+    match next {
+        Beyond::Continues { states, .. } => {
+            let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
+            println!("  beyond: the grasp holds on, points that slide: {sliding}");
+        }
+        other => beyond(other),
     }
 }
 
@@ -169,101 +211,6 @@ fn table<const D: usize, const C: usize>(setup: &Setup<D, C>, state: &Equilibriu
     let r = &state.residuals;
     let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
     println!("  the object moves by {}, residual {worst:.0e}", row(state.twist.as_vector().as_slice()));
-}
-
-/// What is left of a limit, if there is one.
-fn left(margin: f64) -> String {
-    if margin.is_finite() { format!(", {margin:.6} left of its limit") } else { String::new() }
-}
-
-fn gives_way(state: DriveState) -> &'static str {
-    match state {
-        DriveState::Yields => "  yields at its limit",
-        DriveState::Slack => "  slack",
-        _ => "",
-    }
-}
-
-fn drive_word(what: DriveChange) -> &'static str {
-    match what {
-        DriveChange::Yields => "yields at its limit",
-        DriveChange::Holds => "holds again",
-        DriveChange::Slackens => "slackens",
-        DriveChange::Tightens => "tightens",
-        _ => "changes",
-    }
-}
-
-fn part_name(part: &Part) -> String {
-    let (kind, number) = match part.part {
-        HandPart::Joint(joint) => ("joint", joint),
-        HandPart::Tendon(tendon) => ("tendon", tendon),
-        _ => ("part", 0),
-    };
-    part.name.clone().unwrap_or_else(|| format!("{kind} {number}"))
-}
-
-/// A motion of the object, and of the joints if there are any.
-fn motion<const D: usize, const C: usize>(motion: &Motion<D, C>) -> String {
-    let object = row(motion.object.as_vector().as_slice());
-    if motion.joints.is_empty() { object } else { format!("{object}, joints {}", row(&motion.joints)) }
-}
-
-fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
-    let words = ["rolling", "sliding", "open", "smooth"];
-    let which = |c: &&&Touch<C>| match c.doing {
-        Doing::Rolling => 0,
-        Doing::Sliding { .. } => 1,
-        Doing::Separated => 2,
-        _ => 3,
-    };
-    let parts = words.iter().enumerate().filter_map(|(k, word)| {
-        let count = points.iter().filter(|c| which(c) == k).count();
-        match count {
-            0 => None,
-            _ if points.len() == 1 => Some((*word).to_owned()),
-            _ => Some(format!("{count} {word}")),
-        }
-    });
-    parts.collect::<Vec<_>>().join(", ")
-}
-
-fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> String {
-    match proof {
-        Proof::FreeMotion { motion: free, .. } => {
-            format!("nothing resists the motion {}", motion(free))
-        }
-        Proof::SeparatingMotion { motion: free, .. } => {
-            format!("no friction works against the motion {}", motion(free))
-        }
-        Proof::EveryStateTried { combinations } => {
-            format!("all {combinations} combinations of contact states fail")
-        }
-        Proof::EveryCaseContradicted { cases, .. } => {
-            format!("all {cases} cases of contact states and directions of friction contradict themselves")
-        }
-        other => format!("{other:?}"),
-    }
-}
-
-fn name(place: &grasp_lcp::scene::Place) -> String {
-    let name = place.name.clone().unwrap_or_else(|| format!("contact {}", place.contact));
-    place.point.map_or(name.clone(), |point| format!("{name}, point {point},"))
-}
-
-fn wrench<const D: usize, const C: usize>(wrench: &Wrench<D, C>) -> String {
-    row(wrench.as_vector().as_slice())
-}
-
-/// Rounding of what would be zero is not worth the reader's time.
-fn row(numbers: &[f64]) -> String {
-    let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let number = |x: &f64| match x.abs() {
-        a if a <= 1e-14 * size => "0".to_owned(),
-        a if a < 1e-3 => format!("{x:.5e}"),
-        _ => format!("{x:.6}"),
-    };
-    format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
 }
 
 /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.

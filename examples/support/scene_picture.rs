@@ -1,9 +1,10 @@
-//! Draws what a scene asks: a planar grasp in its first equilibrium, a spatial one in its first answer and as a page with all of them.
+//! Draws what a scene asks: a planar grasp in its first equilibrium, a spatial one in its first answer and as a page with all of them; and how
+//! much friction is used while a load turns.
 
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::Grasp;
 use grasp_lcp::load_path::Onset;
-use grasp_lcp::picture::{SpatialPage, draw_grasp};
+use grasp_lcp::picture::{Chart, SpatialPage, chart_of_turn, draw_grasp};
 use grasp_lcp::scene::{Question, Setup, WithGrasp};
 
 type Failure = Box<dyn std::error::Error>;
@@ -16,6 +17,35 @@ pub(crate) fn planar(setup: &Setup<3, 2>, title: &str) -> Result<Option<String>,
 /// The page of a spatial scene: one answer for each question that has a state to show.
 pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, Failure> {
     setup.with_grasp(Page { setup, title })?
+}
+
+/// What each contact uses of its friction while the load turns, one chart for each such question; none if there is no such question.
+pub(crate) fn turns<const D: usize, const C: usize>(
+    setup: &Setup<D, C>,
+    title: &str,
+) -> Result<Option<String>, Failure> {
+    let charts = setup.with_grasp(Charts { setup, title })??;
+    if charts.is_empty() { Ok(None) } else { Ok(Some(Chart::sheet(&charts, 1)?)) }
+}
+
+struct Charts<'a, const D: usize, const C: usize> {
+    setup: &'a Setup<D, C>,
+    title: &'a str,
+}
+
+impl<const D: usize, const C: usize> WithGrasp<C> for Charts<'_, D, C> {
+    type Output = Result<Vec<Chart>, grasp_lcp::Error>;
+    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
+        let Self { setup, title } = self;
+        let turns = setup.questions.iter().enumerate().filter_map(|(i, question)| match question {
+            Question::OnsetOfTurn(turn) => Some((i + 1, turn)),
+            _ => None,
+        });
+        let chart = |(number, turn)| {
+            chart_of_turn(grasp, &setup.turn(turn), &setup.settings, &format!("{title}, question {number}"))
+        };
+        turns.map(chart).collect()
+    }
 }
 
 struct Still<'a> {
@@ -47,6 +77,13 @@ fn first_equilibrium<const W: usize>(
                 Onset::AlreadySliding(state) => Some(*state),
                 _ => None,
             },
+            Question::OnsetOfTurn(turn) => {
+                match grasp.onset_of_turn_with(&setup.turn(turn), &setup.settings)?.onset {
+                    Onset::At(event) => grasp.state_at_onset(&event),
+                    Onset::AlreadySliding(state) => Some(*state),
+                    _ => None,
+                }
+            }
             _ => None,
         };
         if state.is_some() {
@@ -95,6 +132,15 @@ fn shown<const W: usize>(
                 page.frame(format!("{number}. onset of sliding, factor {:.6}", event.factor), &state)
             }
             Onset::AlreadySliding(state) => page.frame(format!("{number}. slides at factor 0"), &state),
+            _ => page,
+        },
+        Question::OnsetOfTurn(turn) => match grasp.onset_of_turn_with(&setup.turn(turn), settings)?.onset {
+            Onset::At(event) => {
+                let state = grasp.state_at_onset(&event).ok_or("its own event")?;
+                let angle = event.factor.to_degrees();
+                page.frame(format!("{number}. onset of sliding, turned by {angle:.4} degrees"), &state)
+            }
+            Onset::AlreadySliding(state) => page.frame(format!("{number}. slides at angle 0"), &state),
             _ => page,
         },
         Question::Follow { start, legs } => {

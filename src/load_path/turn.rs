@@ -59,6 +59,12 @@ impl<const D: usize, const C: usize> Turn<D, C> {
         self
     }
 
+    /// How far it turns, rad.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
     /// The constant part, that of cos θ and that of sin θ.
     #[must_use]
     pub fn parts(&self) -> [Wrench<D, C>; 3] {

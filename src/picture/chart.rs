@@ -13,7 +13,7 @@ use super::series::{Series, Stroke};
 use super::sheet::pixels;
 
 /// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are
-/// not finite are left out.
+/// not finite are left out; a line ends before such a point and goes on behind it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     title: String,
@@ -200,11 +200,25 @@ impl Chart {
 
 fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: RGBColor) -> Plotted {
     let style = color.stroke_width(2);
-    let points = series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
+    let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
+    // All pieces of a line but the last, which has the entry of the legend.
+    let pieces = series.points.split(|point| !is_finite(point));
+    let mut pieces: Vec<_> = pieces.filter(|piece| !piece.is_empty()).collect();
+    let last = pieces.pop().unwrap_or_default().iter().copied();
+    for piece in pieces {
+        let piece = piece.iter().copied();
+        match series.stroke {
+            Stroke::Line => chart.draw_series(LineSeries::new(piece, style))?,
+            Stroke::Marked => chart.draw_series(LineSeries::new(piece, style.filled()).point_size(3))?,
+            Stroke::Dashed => chart.draw_series(DashedLineSeries::new(piece, 7, 5, style))?,
+            Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
+        };
+    }
+    let points = series.points.iter().copied().filter(is_finite);
     let drawn = match series.stroke {
-        Stroke::Line => chart.draw_series(LineSeries::new(points, style))?,
-        Stroke::Marked => chart.draw_series(LineSeries::new(points, style.filled()).point_size(3))?,
-        Stroke::Dashed => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
+        Stroke::Line => chart.draw_series(LineSeries::new(last, style))?,
+        Stroke::Marked => chart.draw_series(LineSeries::new(last, style.filled()).point_size(3))?,
+        Stroke::Dashed => chart.draw_series(DashedLineSeries::new(last, 7, 5, style))?,
         Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
         Stroke::Dots => chart.draw_series(points.map(|p| Circle::new(p, 2, color.mix(0.6).filled())))?,
         Stroke::Bars => {

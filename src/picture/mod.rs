@@ -23,6 +23,7 @@ mod series;
 mod sheet;
 mod sphere;
 mod sphere_grid;
+mod turn_chart;
 
 pub use chart::Chart;
 pub use error::PictureError;
@@ -32,3 +33,4 @@ pub use polar::Polar;
 pub use series::{Series, Stroke};
 pub use sphere::SphereMap;
 pub use sphere_grid::SphereGrid;
+pub use turn_chart::chart_of_turn;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::equilibrium::SolveAnswer;
 use super::onset::OnsetAnswer;
 use super::path::PathAnswer;
+use super::turn_onset::TurnAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,6 +16,8 @@ pub enum Answer<const D: usize, const C: usize> {
     Solve(SolveAnswer<D, C>),
     /// To `onset`.
     Onset(OnsetAnswer<D, C>),
+    /// To `onset_of_turn`.
+    OnsetOfTurn(TurnAnswer<D, C>),
     /// To `follow`.
     Follow(PathAnswer<D, C>),
 }

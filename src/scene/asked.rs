@@ -5,18 +5,25 @@ use nalgebra::SVector;
 use super::answer::Answer;
 use super::finger::Finger;
 use super::place::{Place, Places};
-use super::question::{Commands, Goal, Leg, Question, RampAsked};
+use super::question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 use super::setup::Setup;
 use super::width::WithGrasp;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::load_path::{self, Ramp};
+use crate::load_path::{self, Ramp, Turn};
 
 impl<const D: usize, const C: usize> Setup<D, C> {
     /// A load as the grasp has it, whatever its number of coordinates.
     #[must_use]
     pub fn load<const W: usize>(&self, load: &Wrench<D, C>) -> Wrench<W, C> {
         load.resized()
+    }
+
+    /// A load that turns as the grasp has it, whatever its number of coordinates.
+    #[must_use]
+    pub fn turn<const W: usize>(&self, turn: &Turn<D, C>) -> Turn<W, C> {
+        let [constant, cosine, sine] = turn.parts().map(|part| part.resized());
+        Turn::new(constant, cosine, sine).up_to(turn.angle())
     }
 
     /// The ramp of a question as the grasp has it. Every point of a soft fingertip has the command changes of its
@@ -50,8 +57,9 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         let mut out = load_path::Leg::load_by(Wrench::ZERO);
         match &leg.load {
             None => {}
-            Some(Goal::By(change)) => out = out.and_load_by(change.resized()),
-            Some(Goal::To(load)) => out = out.and_load_to(load.resized()),
+            Some(LoadGoal::Straight(Goal::By(change))) => out = out.and_load_by(change.resized()),
+            Some(LoadGoal::Straight(Goal::To(load))) => out = out.and_load_to(load.resized()),
+            Some(LoadGoal::Turn(turn)) => out = load_path::Leg::turn(&self.turn(turn)),
         }
         match &leg.commands {
             None => {}
@@ -72,7 +80,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// Whether the lists of a question that have one entry a contact are as long as that.
     pub(super) fn check(&self, question: &Question<D, C>) -> Result<(), Error> {
         match question {
-            Question::Solve { .. } => Ok(()),
+            Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
             Question::Onset(asked) => self.ramp::<D>(asked).map(drop),
             Question::Follow { legs, .. } => self.legs::<D>(legs).map(drop),
         }
@@ -147,6 +155,10 @@ impl<const D: usize, const C: usize> Setup<D, C> {
             Question::Onset(asked) => {
                 let onset = grasp.onset_with(&self.ramp(asked)?, settings)?;
                 Answer::Onset(places.onset(grasp, settings, &onset))
+            }
+            Question::OnsetOfTurn(turn) => {
+                let found = grasp.onset_of_turn_with(&self.turn(turn), settings)?;
+                Answer::OnsetOfTurn(places.onset_of_turn(grasp, settings, &found))
             }
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow_with(&start.resized(), &self.legs(legs)?, settings)?;

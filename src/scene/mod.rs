@@ -91,12 +91,26 @@
 //! |---|---|---|
 //! | `solve` | `load` (a wrench) | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
+//! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
 //! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, or one of
-//! each; what it does not mention stays. `joint_change` and these lists have one number for each joint and then each tendon.
+//! each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. `joint_change` and these lists have one number for each joint and then each tendon.
+//!
+//! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
+//! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `weight` or `force` | a row of components | N | a turn of three wrenches |
+//! | `at` | where it acts | m | at the origin |
+//! | `axis` | in space about which it turns, of any length but zero | | an error; in the plane there is none |
+//! | `beside` | a wrench that stays | N, N m | none |
+//! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
+//! | `angle` | how far it turns, more than 0 and at most 1e6 | rad | a full turn |
+//! | `reversed` | `true` for the other way round | | `false` |
 //!
 //! The settings (see [`Settings`](crate::Settings)):
 //!
@@ -216,6 +230,7 @@
 //! |---|---|---|
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`SolveAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
+//! | `onset_of_turn` | the same, with the `angle` in rad for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
@@ -253,6 +268,8 @@ mod question;
 mod rows;
 mod settings;
 mod setup;
+mod turn;
+mod turn_onset;
 mod width;
 mod wrench;
 mod written;
@@ -267,7 +284,8 @@ pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};
 pub use patch::Tip;
 pub use path::{Change, Energy, Event, Loss, PathAnswer, PathEnd, Turn};
 pub use place::{Doing, Place, Touch};
-pub use question::{Commands, Goal, Leg, Question, RampAsked};
+pub use question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
+pub use turn_onset::{EdgeOf, EdgeTouch, TurnAnswer, TurnEvent, TurnOnset};
 pub use width::WithGrasp;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

@@ -1,4 +1,4 @@
-//! What is asked of a scene: an equilibrium, an onset of sliding, a load path.
+//! What is asked of a scene: an equilibrium, an onset of sliding along a ramp or while the load turns, a load path.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -6,9 +6,11 @@ use serde::ser::{Serialize, Serializer};
 
 use super::fields::given;
 use super::object;
+use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::load_path::Turn;
 
-/// One question, `{"solve": …}`, `{"onset": …}` or `{"follow": …}`.
+/// One question, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -21,6 +23,8 @@ pub enum Question<const D: usize, const C: usize> {
     },
     /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::grasp::Grasp::onset).
     Onset(RampAsked<D, C>),
+    /// The onset of sliding while a load turns; see [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn).
+    OnsetOfTurn(Turn<D, C>),
     /// The load path of a program; see [`Grasp::follow_with`](crate::grasp::Grasp::follow_with).
     Follow {
         /// The load at the start; none unless said otherwise.
@@ -91,24 +95,36 @@ pub enum Goal<T> {
     To(T),
 }
 
+/// What becomes of the load along a leg.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadGoal<const D: usize, const C: usize> {
+    /// It goes straight to where it is told.
+    Straight(Goal<Wrench<D, C>>),
+    /// It changes as this one does, see [`crate::load_path::Leg::turn`].
+    Turn(Turn<D, C>),
+}
+
 /// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
-/// or `commands_to`, `joints_by` or `joints_to`, or one of each; what is not mentioned stays.
+/// or `commands_to`, `joints_by` or `joints_to`, or one of each; or a `turn` alone. What is not mentioned stays.
 ///
 /// ```
-/// use grasp_lcp::planar::Wrench;
+/// use grasp_lcp::planar::{Turn, Wrench};
 /// use grasp_lcp::scene::{Commands, Goal, Leg};
 ///
 /// let grip = Commands(vec![[0.002, 0.0].into(); 2]);
 /// let leg: Leg<3, 2> = Leg::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
 /// let written = r#"{"load_to": {"force": [0, -1]}, "commands_by": [[0.002, 0], [0.002, 0]]}"#;
 /// assert_eq!(serde_json::from_str::<Leg<3, 2>>(written)?, leg);
+///
+/// let tilted: Leg<3, 2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
+/// assert_eq!(tilted, Leg::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(1.5)));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Leg<const D: usize, const C: usize> {
     /// What becomes of the load.
-    pub load: Option<Goal<Wrench<D, C>>>,
+    pub load: Option<LoadGoal<D, C>>,
     /// What becomes of the finger commands.
     pub commands: Option<Goal<Commands<C>>>,
     /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
@@ -119,7 +135,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<D, C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
-        Self { load, commands, joints: None }
+        Self { load: load.map(LoadGoal::Straight), commands, joints: None }
+    }
+
+    /// A leg along which the load changes as a turn does; all commands stay.
+    #[must_use]
+    pub fn turn(turn: Turn<D, C>) -> Self {
+        Self { load: Some(LoadGoal::Turn(turn)), commands: None, joints: None }
     }
 
     /// This leg with commands of a hand.
@@ -144,6 +166,8 @@ struct WrittenLeg<const D: usize, const C: usize> {
     joints_by: Option<Vec<f64>>,
     #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    turn: Option<Turn<D, C>>,
 }
 
 /// At most one of both.
@@ -164,24 +188,44 @@ fn split<T: Clone>(goal: Option<&Goal<T>>) -> (Option<T>, Option<T>) {
     }
 }
 
+impl<const D: usize, const C: usize> WrittenLeg<D, C> {
+    /// What becomes of the load, in one way alone.
+    fn load(&self) -> Result<Option<LoadGoal<D, C>>, String> {
+        let straight = goal(self.load_by, self.load_to, ["load_by", "load_to"])?;
+        let Some(turn) = self.turn else { return Ok(straight.map(LoadGoal::Straight)) };
+        let straight = straight.map(|goal| if matches!(goal, Goal::By(_)) { "load_by" } else { "load_to" });
+        straight.map_or(Ok(Some(LoadGoal::Turn(turn))), |name| {
+            Err(format!("{name} and turn: a leg has one of them"))
+        })
+    }
+}
+
 impl<const D: usize, const C: usize> Serialize for Leg<D, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (load_by, load_to) = split(self.load.as_ref());
+        let (straight, turn) = match &self.load {
+            None => (None, None),
+            Some(LoadGoal::Straight(goal)) => (Some(goal), None),
+            Some(LoadGoal::Turn(turn)) => (None, Some(*turn)),
+        };
+        let (load_by, load_to) = split(straight);
         let (commands_by, commands_to) = split(self.commands.as_ref());
         let (joints_by, joints_to) = split(self.joints.as_ref());
-        WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to }.serialize(serializer)
+        WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to, turn }
+            .serialize(serializer)
     }
 }
 
 impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", |written: WrittenLeg<D, C>| {
-            let WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to } = written;
-            Ok(Self {
-                load: goal(load_by, load_to, ["load_by", "load_to"])?,
-                commands: goal(commands_by, commands_to, ["commands_by", "commands_to"])?,
-                joints: goal(joints_by, joints_to, ["joints_by", "joints_to"])?,
-            })
+            let load = written.load()?;
+            let WrittenLeg { commands_by, commands_to, joints_by, joints_to, turn, .. } = written;
+            let commands = goal(commands_by, commands_to, ["commands_by", "commands_to"])?;
+            let joints = goal(joints_by, joints_to, ["joints_by", "joints_to"])?;
+            if turn.is_some() && (commands.is_some() || joints.is_some()) {
+                return Err(Error::CommandsWhileTurning.to_string());
+            }
+            Ok(Self { load, commands, joints })
         })
     }
 }

@@ -36,7 +36,7 @@ fn write<S: Serializer, const D: usize, const C: usize>(
 }
 
 /// A part of `expected` components, zero if it is left out.
-fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f64; 3], String> {
+pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f64; 3], String> {
     let mut part = [0.0; 3];
     if let Some(given) = given.map(Few::as_slice) {
         if given.len() != expected {

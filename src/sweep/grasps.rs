@@ -1,10 +1,10 @@
-//! One question asked of many loads, ramps or grasps.
+//! One question asked of many loads, ramps, turns or grasps.
 
 use super::in_order::map_in_order;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::load_path::{Onset, Ramp};
+use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The equilibria under many loads, each that of [`Self::solve_with`], in the order of the
@@ -67,6 +67,38 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Vec<Result<Onset<D, C>, Error>> {
         map_in_order(ramps, |ramp| self.onset_with(ramp, settings))
+    }
+
+    /// The onsets of sliding while each of many loads turns, each that of [`Self::onset_of_turn`], in the order of the turns; an
+    /// error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Turn};
+    ///
+    /// // Two palms that press with 10 N each, μ = 0.5, and boxes that start on their sides.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([palm(-1.0), palm(1.0)])?;
+    /// let turns = [9.0, 12.0].map(|weight| Turn::force_at([weight, 0.0], [0.0, 0.0]));
+    /// for (onset, weight) in grasp.onset_of_turn_each(&turns).into_iter().zip([9.0, 12.0_f64]) {
+    ///     // w/2 sin θ + w/4 cos θ = 5 where a palm slides.
+    ///     let angle = onset?.onset.factor().expect("slides");
+    ///     assert!((weight * (0.5 * angle.sin() + 0.25 * angle.cos()) - 5.0).abs() < 1e-13);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn onset_of_turn_each(&self, turns: &[Turn<D, C>]) -> Vec<Result<TurnOnset<D, C>, Error>> {
+        self.onset_of_turn_each_with(turns, &Settings::default())
+    }
+
+    /// [`Self::onset_of_turn_each`] with other [`Settings`].
+    #[must_use]
+    pub fn onset_of_turn_each_with(
+        &self,
+        turns: &[Turn<D, C>],
+        settings: &Settings,
+    ) -> Vec<Result<TurnOnset<D, C>, Error>> {
+        map_in_order(turns, |turn| self.onset_of_turn_with(turn, settings))
     }
 }
 

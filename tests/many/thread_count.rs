@@ -1,7 +1,7 @@
 //! The same bits for any number of threads, and with or without threads.
 
 use grasp_lcp::Settings;
-use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
+use grasp_lcp::spatial::{Contact, Grasp, Ramp, Turn, Wrench};
 
 fn grasp() -> Grasp {
     let finger = |i: u8| {
@@ -35,6 +35,32 @@ fn onsets_do_not_depend_on_who_computes_them() {
     let swept = || grasp.onset_each_with(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
     // Debug prints floats so that they read back to the same bits.
+    assert!(swept().eq(one_by_one.iter().cloned()));
+    #[cfg(feature = "parallel")]
+    for threads in [1, 2, 3, 7] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let swept: Vec<String> = pool.install(|| swept().collect());
+        assert_eq!(swept, one_by_one, "{threads} threads");
+    }
+}
+
+#[test]
+fn onsets_of_turns_do_not_depend_on_who_computes_them() {
+    let (grasp, settings) = (grasp(), Settings::default());
+    let turn = |i: u8| {
+        let a = 0.7 * f64::from(i);
+        let constant = Wrench::new([0.05 * a.sin(), 0.0, -0.1], [0.0, 0.01 * a.cos(), 0.0]);
+        let (cosine, sine) = (Wrench::force([0.2, 0.1 * a.cos(), 0.0]), Wrench::force([0.0, 0.0, 3.0]));
+        Turn::new(constant, cosine, sine)
+    };
+    let turns: Vec<_> = (0..200).map(turn).collect();
+    let one_by_one: Vec<String> = turns
+        .iter()
+        .map(|turn| format!("{:?}", grasp.onset_of_turn_with(turn, &settings).unwrap()))
+        .collect();
+    assert!(one_by_one.iter().any(|o| o.contains("onset: At")), "the turns must reach an onset");
+    let swept =
+        || grasp.onset_of_turn_each_with(&turns, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(swept().eq(one_by_one.iter().cloned()));
     #[cfg(feature = "parallel")]
     for threads in [1, 2, 3, 7] {

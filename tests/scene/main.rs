@@ -12,3 +12,6 @@ mod lines;
 mod messages;
 mod spatial_page;
 mod spatial_still;
+mod turn_charts;
+mod turn_messages;
+mod turns;

@@ -147,7 +147,11 @@ fn what_is_missing_doubled_or_unknown_is_named() {
             "\"plane\"",
             "unknown field `plane`, expected one of `format`, `id`, `comment`, `planar`, `spatial`",
         ),
-        ("\"solve\"", "\"slove\"", "unknown variant `slove`, expected one of `solve`, `onset`, `follow`"),
+        (
+            "\"solve\"",
+            "\"slove\"",
+            "unknown variant `slove`, expected one of `solve`, `onset`, `onset_of_turn`, `follow`",
+        ),
         ("\"load\"", "\"lode\"", "unknown field `lode`, expected `load`"),
         (
             "\"force\"",

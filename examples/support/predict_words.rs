@@ -1,0 +1,101 @@
+//! Words for what a scene's answers say.
+
+use grasp_lcp::equilibrium::DriveState;
+use grasp_lcp::grasp::{HandPart, Wrench};
+use grasp_lcp::load_path::DriveChange;
+use grasp_lcp::scene::{Doing, Motion, Part, Place, Proof, Touch};
+
+/// What is left of a limit, if there is one.
+pub(crate) fn left(margin: f64) -> String {
+    if margin.is_finite() { format!(", {margin:.6} left of its limit") } else { String::new() }
+}
+
+pub(crate) fn gives_way(state: DriveState) -> &'static str {
+    match state {
+        DriveState::Yields => "  yields at its limit",
+        DriveState::Slack => "  slack",
+        _ => "",
+    }
+}
+
+pub(crate) fn drive_word(what: DriveChange) -> &'static str {
+    match what {
+        DriveChange::Yields => "yields at its limit",
+        DriveChange::Holds => "holds again",
+        DriveChange::Slackens => "slackens",
+        DriveChange::Tightens => "tightens",
+        _ => "changes",
+    }
+}
+
+pub(crate) fn part_name(part: &Part) -> String {
+    let (kind, number) = match part.part {
+        HandPart::Joint(joint) => ("joint", joint),
+        HandPart::Tendon(tendon) => ("tendon", tendon),
+        _ => ("part", 0),
+    };
+    part.name.clone().unwrap_or_else(|| format!("{kind} {number}"))
+}
+
+/// A motion of the object, and of the joints if there are any.
+fn motion<const D: usize, const C: usize>(motion: &Motion<D, C>) -> String {
+    let object = row(motion.object.as_vector().as_slice());
+    if motion.joints.is_empty() { object } else { format!("{object}, joints {}", row(&motion.joints)) }
+}
+
+pub(crate) fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
+    let words = ["rolling", "sliding", "open", "smooth"];
+    let which = |c: &&&Touch<C>| match c.doing {
+        Doing::Rolling => 0,
+        Doing::Sliding { .. } => 1,
+        Doing::Separated => 2,
+        _ => 3,
+    };
+    let parts = words.iter().enumerate().filter_map(|(k, word)| {
+        let count = points.iter().filter(|c| which(c) == k).count();
+        match count {
+            0 => None,
+            _ if points.len() == 1 => Some((*word).to_owned()),
+            _ => Some(format!("{count} {word}")),
+        }
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+pub(crate) fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> String {
+    match proof {
+        Proof::FreeMotion { motion: free, .. } => {
+            format!("nothing resists the motion {}", motion(free))
+        }
+        Proof::SeparatingMotion { motion: free, .. } => {
+            format!("no friction works against the motion {}", motion(free))
+        }
+        Proof::EveryStateTried { combinations } => {
+            format!("all {combinations} combinations of contact states fail")
+        }
+        Proof::EveryCaseContradicted { cases, .. } => {
+            format!("all {cases} cases of contact states and directions of friction contradict themselves")
+        }
+        other => format!("{other:?}"),
+    }
+}
+
+pub(crate) fn name(place: &Place) -> String {
+    let name = place.name.clone().unwrap_or_else(|| format!("contact {}", place.contact));
+    place.point.map_or(name.clone(), |point| format!("{name}, point {point},"))
+}
+
+pub(crate) fn wrench<const D: usize, const C: usize>(wrench: &Wrench<D, C>) -> String {
+    row(wrench.as_vector().as_slice())
+}
+
+/// Rounding of what would be zero is not worth the reader's time.
+pub(crate) fn row(numbers: &[f64]) -> String {
+    let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    let number = |x: &f64| match x.abs() {
+        a if a <= 1e-14 * size => "0".to_owned(),
+        a if a < 1e-3 => format!("{x:.5e}"),
+        _ => format!("{x:.6}"),
+    };
+    format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
+}

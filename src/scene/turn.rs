@@ -1,0 +1,113 @@
+//! Loads that turn as they are written: a weight while the object is tilted, a force that turns, or three wrenches.
+//!
+//! `{"weight": [0, -2], "at": [0, 0.1]}` in the plane, in space with an `"axis"`; `"force"` in place of the weight, or the wrenches
+//! `"constant"`, `"cosine"` and `"sine"`. What is written again are the three wrenches.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
+use super::numbers::{Found, Given, Number};
+use super::object;
+use super::rows::Few;
+use super::wrench::part;
+use crate::grasp::{Wrench, of_the_object};
+use crate::load_path::Turn;
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields, bound = "")]
+struct WrittenTurn<const D: usize, const C: usize> {
+    weight: Option<Few<Given, 3>>,
+    force: Option<Few<Given, 3>>,
+    at: Option<Few<Given, 3>>,
+    axis: Option<Few<Given, 3>>,
+    beside: Option<Wrench<D, C>>,
+    constant: Option<Wrench<D, C>>,
+    cosine: Option<Wrench<D, C>>,
+    sine: Option<Wrench<D, C>>,
+    angle: Option<Number<Given>>,
+    #[serde(default)]
+    reversed: bool,
+}
+
+impl<const D: usize, const C: usize> WrittenTurn<D, C> {
+    /// The turn, whichever way it is said.
+    fn turn(&self) -> Result<Turn<D, C>, String> {
+        let turn = match (&self.weight, &self.force) {
+            (None, None) => self.of_wrenches()?,
+            (Some(weight), None) => self.of_force("weight", weight)?.reversed(),
+            (None, Some(force)) => self.of_force("force", force)?,
+            (Some(_), Some(_)) => return Err("weight and force: a turn has one of them".to_owned()),
+        };
+        let turn = if self.reversed { turn.reversed() } else { turn };
+        let turn = turn.up_to(self.angle.as_ref().map_or(TAU, |angle| angle.0));
+        turn.check().map_err(|error| error.to_string())?;
+        Ok(turn)
+    }
+
+    /// A force through a point that turns, from x to y or by the right-hand rule.
+    fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<D, C>, String> {
+        let wrenches = [("constant", &self.constant), ("cosine", &self.cosine), ("sine", &self.sine)];
+        if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {
+            return Err(format!("{name} and {other}: a turn has one of them"));
+        }
+        let (force, at) = (part(Some(force), C, name)?, part(self.at.as_ref(), C, "at")?);
+        let axis = match (C, &self.axis) {
+            (3, Some(axis)) => part(Some(axis), C, "axis")?,
+            (3, None) => return Err("missing field `axis` of a turn in space".to_owned()),
+            (_, Some(_)) => return Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
+            // From x to y is about z.
+            (_, None) => [0.0, 0.0, 1.0],
+        };
+        let turn = Turn::<6, 3>::force_at(force, at, axis).map_err(|error| error.to_string())?;
+        let [constant, cosine, sine] = turn.parts().map(|part| of_space(&part));
+        Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
+    }
+
+    fn of_wrenches(&self) -> Result<Turn<D, C>, String> {
+        let of_forces =
+            [("at", self.at.is_some()), ("axis", self.axis.is_some()), ("beside", self.beside.is_some())];
+        if let Some((name, _)) = of_forces.iter().find(|(_, given)| *given) {
+            return Err(format!("{name}: of a weight or a force that turns alone"));
+        }
+        if self.cosine.is_none() && self.sine.is_none() {
+            return Err("nothing turns: give weight, or force, or cosine and sine".to_owned());
+        }
+        let [constant, cosine, sine] =
+            [self.constant, self.cosine, self.sine].map(|part| part.unwrap_or(Wrench::ZERO));
+        Ok(Turn::new(constant, cosine, sine))
+    }
+}
+
+/// What the plane has of a wrench in space: it turns about z, the last axis. In space all of it.
+fn of_space<const D: usize, const C: usize>(wrench: &Wrench<6, 3>) -> Wrench<D, C> {
+    let (all, object) = (wrench.as_vector(), of_the_object::<C>());
+    Wrench::from_vector(SVector::<f64, D>::from_fn(|k, _| match k {
+        _ if k < C => all[k],
+        _ if k < object => all[6 + k - object],
+        _ => 0.0,
+    }))
+}
+
+/// `{"constant": …, "cosine": …, "sine": …, "angle": …}` (feature `serde`), see [`crate::scene`].
+impl<const D: usize, const C: usize> Serialize for Turn<D, C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [constant, cosine, sine] = self.parts();
+        let mut out = serializer.serialize_struct("Turn", 4)?;
+        out.serialize_field("constant", &constant)?;
+        out.serialize_field("cosine", &cosine)?;
+        out.serialize_field("sine", &sine)?;
+        out.serialize_field("angle", &Number::<Found>::new(self.angle()))?;
+        out.end()
+    }
+}
+
+/// A weight that is tilted, a force that turns, or three wrenches (feature `serde`), see [`crate::scene`]. Refuses what
+/// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn) would refuse.
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Turn<D, C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, "a turn", |written: WrittenTurn<D, C>| written.turn())
+    }
+}
