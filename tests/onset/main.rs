@@ -3,6 +3,8 @@
 mod bracket;
 mod closed_forms;
 mod every_direction;
+mod geometry;
+mod geometry_closed_forms;
 mod invariance;
 mod least_squeeze;
 mod search;
