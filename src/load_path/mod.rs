@@ -84,6 +84,7 @@ pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use onset_gradient::OnsetGradient;
 pub use onset_margins::Leaver;
+pub(crate) use onset_margins::OnsetMargins;
 pub use patch::{PatchEvent, PatchPath};
 pub use path::LoadPath;
 pub use questions::{Reserve, RollingRange};

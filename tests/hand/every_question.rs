@@ -84,6 +84,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
         refused(grasp.weakest_direction(&load, [0.0; 2]).err());
+        refused(grasp.onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         grasp.reserve(&ramp, 50.0).expect("a ramp");
         grasp.rolling_range(&ramp).expect("a ramp");
@@ -105,6 +106,9 @@ fn nothing_panics_and_what_agrees_agrees() {
         for outcome in grasp.onset_of_samples(&ramp, &uncertainty, 5) {
             outcome.expect("a sample");
         }
+        let robust =
+            grasp.robust_onset(&ramp, &uncertainty.with_normal(0.01).with_load(0.1)).expect("a ramp");
+        assert!(robust.spread.expect("slides").held_with(3.0) < robust.onset.factor().expect("slides"));
         let mut workspace = Workspace::default();
         let found = workspace.solve(&grasp, &load);
         assert!(found.is_ok());

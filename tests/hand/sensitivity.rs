@@ -133,3 +133,29 @@ fn normals_of_a_hand_tilt_with_their_frames() {
     }
     assert!(base.sensitivity(held, Parameter::Point { contact: 0, axis: 0 }).is_none());
 }
+
+/// First order and samples agree on the springs of joints, and positions are refused by name.
+#[test]
+fn onsets_of_a_hand_spread_with_its_springs() {
+    use grasp_lcp::Error;
+    use grasp_lcp::sweep::Uncertainty;
+    let grasp = tilted(0.1);
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.3, -1.0]));
+    let off = Uncertainty::seeded(4).with_stiffness(0.01).with_normal(0.005);
+    let spread = grasp.robust_onset(&ramp, &off).expect("a ramp").spread.expect("leaves");
+    let count = 4000;
+    let factors: Vec<f64> = grasp
+        .onset_of_samples(&ramp, &off, count)
+        .into_iter()
+        .map(|onset| onset.expect("a sample").factor().expect("leaves"))
+        .collect();
+    let mean = factors.iter().sum::<f64>() / count as f64;
+    let deviation = (factors.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt();
+    let known = spread.deviation.expect("one leaves");
+    assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
+    let off = off.with_position(1e-3);
+    let refused = grasp.robust_onset(&ramp, &off).unwrap_err();
+    assert_eq!(refused, Error::NotForHands { question: "onset_spread with uncertain positions" });
+    let refused = grasp.sample(&off, 0).unwrap_err();
+    assert_eq!(refused, Error::NotForHands { question: "sample with uncertain positions" });
+}
