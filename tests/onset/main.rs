@@ -11,3 +11,4 @@ mod search;
 mod sensitivity;
 mod turn;
 mod turn_exact;
+mod worst_case;
