@@ -67,11 +67,11 @@
 //! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
-//! | [`squeeze`] | how much squeeze suffices for a set of loads, and which direction is weakest |
+//! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
 //! | [`screening`] | the onset of sliding for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
-//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default) |
+//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps that are not known exactly |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
 //! | `scene` | scenes and answers as JSON, or in any other format of serde that describes itself (feature `serde`) |
 //!

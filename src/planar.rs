@@ -39,6 +39,10 @@ pub type Loads = crate::squeeze::Loads<3, 2>;
 pub type LeastSqueeze = crate::squeeze::LeastSqueeze<3, 2>;
 /// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
 pub type WeakestDirection = crate::squeeze::WeakestDirection<3, 2>;
+/// How far commands and loads may be off; see [`crate::squeeze::Bounds`].
+pub type Bounds = crate::squeeze::Bounds<3, 2>;
+/// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
+pub type LeastOnset = crate::squeeze::LeastOnset<3, 2>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<3, 2>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].

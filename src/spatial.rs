@@ -40,6 +40,10 @@ pub type Loads = crate::squeeze::Loads<6, 3>;
 pub type LeastSqueeze = crate::squeeze::LeastSqueeze<6, 3>;
 /// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
 pub type WeakestDirection = crate::squeeze::WeakestDirection<6, 3>;
+/// How far commands and loads may be off; see [`crate::squeeze::Bounds`].
+pub type Bounds = crate::squeeze::Bounds<6, 3>;
+/// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
+pub type LeastOnset = crate::squeeze::LeastOnset<6, 3>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<6, 3>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].

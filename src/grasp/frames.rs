@@ -48,6 +48,25 @@ impl<const C: usize> Contact<C> {
         }
         self
     }
+
+    /// This contact with its normal tilted towards its tangents by these angles, rad, and its frame turned with it: about the one axis
+    /// across both, by the root of the sum of their squares. The first component does not count.
+    pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
+        // A contact without a frame is refused when its grasp is made.
+        let Ok(frame) = self.frame(0) else { return self };
+        let mut towards = *tilt;
+        towards[0] = 0.0;
+        let angle = towards.norm();
+        if angle == 0.0 {
+            return self;
+        }
+        towards /= angle;
+        let (sin, cos) = angle.sin_cos();
+        let (normal, across) = (frame.column(0), frame * towards);
+        self.tangent = Some(frame.column(1) + (across * (cos - 1.0) - normal * sin) * towards[1]);
+        self.normal = normal * cos + across * sin;
+        self
+    }
 }
 
 /// Linear and angular part of `v`, each turned.

@@ -32,6 +32,8 @@
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0
 //! ```
+//!
+//! Positions and normals ([`onset_gradients_by_geometry`](crate::grasp::Grasp::onset_gradients_by_geometry)) change the grasp maps: `-K_i dG_iᵀq` and `dG_i F_i` come in.
 
 mod arc;
 mod beyond;
@@ -43,11 +45,14 @@ mod event;
 mod first_exits;
 mod first_to_leave;
 mod flow;
+mod geometry;
+mod geometry_gradient;
 mod leg;
 mod loss;
 mod node;
 mod onset;
 mod onset_gradient;
+mod onset_margins;
 mod onset_questions;
 mod pace;
 mod patch;
@@ -74,9 +79,12 @@ pub use beyond::{Beyond, Continuation};
 pub use drive_change::DriveChange;
 pub use energy::Energy;
 pub use event::{Change, Event, Loss, LossKind, PathEnd};
+pub use geometry_gradient::GeometryGradient;
 pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
-pub use onset_gradient::{Leaver, OnsetGradient};
+pub use onset_gradient::OnsetGradient;
+pub use onset_margins::Leaver;
+pub(crate) use onset_margins::OnsetMargins;
 pub use patch::{PatchEvent, PatchPath};
 pub use path::LoadPath;
 pub use questions::{Reserve, RollingRange};

@@ -1,14 +1,14 @@
-//! Exact derivatives of the onset of sliding: `dτ = -dm / m'` with the margin m that vanishes and its rate m' along the ramp.
+//! Exact derivatives of the onset of sliding by friction, springs, commands and load.
 
 use nalgebra::SVector;
 
-use super::onset::{OnsetEvent, RollingState};
-use super::sensitivity::{Local, Parameter};
-use crate::contact::tangential;
-use crate::equilibrium::Cone;
-use crate::grasp::{Grasp, HandPart};
+use super::onset::OnsetEvent;
+use super::onset_margins::{Leaver, OnsetMargins};
+use super::sensitivity::Parameter;
+use crate::grasp::Grasp;
 
-/// Derivatives of the load factor (without unit) at which one contact leaves rolling.
+/// Derivatives of the load factor (without unit) at which one contact leaves rolling. Those by positions and normals of contacts are a
+/// question of their own, [`Grasp::onset_gradients_by_geometry`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const D: usize, const C: usize> {
@@ -30,23 +30,16 @@ pub struct OnsetGradient<const D: usize, const C: usize> {
     /// By the components of the base load, or of the constant part of one that turns, 1/N and 1/(N m). Those by the load direction are the
     /// factor times these, those by the parts that turn cos θ and sin θ times. Not a number where a component works on a motion that nothing resists: with such a load there is no equilibrium.
     pub base_load: SVector<f64, D>,
-}
-
-/// What leaves at an onset.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Leaver {
-    /// A contact, from 0.
-    Contact(usize),
-    /// A drive of a hand.
-    Drive(HandPart),
+    /// By a factor on the whole load, at 1: base and direction, or all parts of one that turns. Without a base load, and with commands
+    /// that stay, it is minus the onset.
+    pub load_scale: f64,
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'` with the margin that vanishes,
     /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. Of a load that turns they are those of the angle.
-    /// Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or if the event has another
-    /// number of contacts.
+    /// Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or as one closes that slides
+    /// at once, or if the event has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -64,78 +57,50 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     #[must_use]
     pub fn onset_gradients(&self, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
-        let Some(state) = self.state_at_onset(event) else { return Vec::new() };
-        let Some(local) = Local::new(self, &state) else { return Vec::new() };
-        let has_slipped = |i: usize| {
-            let sticks = local.states[i].is_rolling() && !local.problem.local(i).is_frictionless();
-            sticks && state.contacts[i].slip.norm() != 0.0
-        };
-        if (0..self.len()).any(has_slipped) {
-            return Vec::new();
-        }
-        let OnsetEvent { local: RollingState { drive_rates, wrench_rate, .. }, .. } = event;
-        let Ok(rates) = local.piece.solve(self.sites(), drive_rates, wrench_rate) else {
-            return Vec::new();
-        };
-        let one = |site: &usize| self.onset_gradient(&local, event.cone, *site, &rates.forces[*site]);
-        event.local.leaving.iter().filter_map(one).collect()
+        let Some(margins) = OnsetMargins::new(self, event) else { return Vec::new() };
+        self.gradients_of(&margins, event).unwrap_or_default()
     }
 
-    fn onset_gradient(
+    fn gradients_of(
         &self,
-        local: &Local<D, C>,
-        cone: Cone,
-        contact: usize,
-        rate: &SVector<f64, C>,
-    ) -> Option<OnsetGradient<D, C>> {
-        let (law, force) = (local.problem.local(contact), &local.forces[contact]);
-        // The margin that vanishes: μ F_n - h·F_t, or F_n alone where there is no friction or no limit to it.
-        let h = if !law.cone().has_edges() {
-            None
-        } else if cone == Cone::Round {
-            Some(tangential(force).normalize())
-        } else {
-            Some(*law.facets().iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force)))?)
-        };
-        let margin = |f: &SVector<f64, C>| h.map_or(f[0], |h| law.cone().facet_margin(f, &h));
-        let slope = margin(rate);
-        let by = |parameter| -> Option<f64> {
-            let (_, forces) = local.derivative(parameter)?;
-            let own = matches!(parameter, Parameter::Friction { contact: i } if i == contact && h.is_some());
-            Some(-(margin(&forces[contact]) + if own { force[0] } else { 0.0 }) / slope)
-        };
-        let (n, actuators) = (self.len(), 0..self.joint_commands().len());
-        let leaving = match self.linkage() {
-            Some(linkage) if contact >= n => Leaver::Drive(linkage.part(contact - n)?),
-            _ => Leaver::Contact(contact),
-        };
-        let mut gradient = OnsetGradient {
+        margins: &OnsetMargins<D, C>,
+        event: &OnsetEvent<D, C>,
+    ) -> Option<Vec<OnsetGradient<D, C>>> {
+        let (n, actuators) = (self.len(), self.joint_commands().len());
+        let empty = |leaving| OnsetGradient {
             leaving,
             friction: Vec::with_capacity(n),
             stiffness: vec![SVector::zeros(); n],
             command: vec![SVector::zeros(); n],
-            joint_command: actuators
-                .clone()
-                .map(|joint| by(Parameter::JointCommand { joint }))
-                .collect::<Option<_>>()?,
-            joint_stiffness: actuators
-                .clone()
-                .map(|joint| by(Parameter::JointStiffness { joint }))
-                .collect::<Option<_>>()?,
-            joint_limit: actuators.map(|joint| by(Parameter::JointLimit { joint })).collect::<Option<_>>()?,
-            base_load: SVector::zeros(),
+            joint_command: Vec::with_capacity(actuators),
+            joint_stiffness: Vec::with_capacity(actuators),
+            joint_limit: Vec::with_capacity(actuators),
+            base_load: SVector::repeat(f64::NAN),
+            load_scale: f64::NAN,
+        };
+        let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
+        let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<D, C>, f64)| {
+            by.map(|by| gradients.iter_mut().zip(by).for_each(|(gradient, value)| place(gradient, value)))
         };
         for i in 0..n {
-            gradient.friction.push(by(Parameter::Friction { contact: i })?);
+            put(margins.by(Parameter::Friction { contact: i }), &|g, value| g.friction.push(value))?;
             for axis in 0..C {
-                gradient.stiffness[i][axis] = by(Parameter::Stiffness { contact: i, axis })?;
-                gradient.command[i][axis] = by(Parameter::Command { contact: i, axis })?;
+                let (stiffness, command) =
+                    (Parameter::Stiffness { contact: i, axis }, Parameter::Command { contact: i, axis });
+                put(margins.by(stiffness), &|g, value| g.stiffness[i][axis] = value)?;
+                put(margins.by(command), &|g, value| g.command[i][axis] = value)?;
             }
+        }
+        for joint in 0..actuators {
+            put(margins.by(Parameter::JointCommand { joint }), &|g, value| g.joint_command.push(value))?;
+            put(margins.by(Parameter::JointStiffness { joint }), &|g, value| g.joint_stiffness.push(value))?;
+            put(margins.by(Parameter::JointLimit { joint }), &|g, value| g.joint_limit.push(value))?;
         }
         for component in 0..D {
             // A load on a free motion is not carried at all: the onset does not depend on what cannot be.
-            gradient.base_load[component] = by(Parameter::Load { component }).unwrap_or(f64::NAN);
+            put(margins.by(Parameter::Load { component }), &|g, value| g.base_load[component] = value);
         }
-        Some(gradient)
+        put(margins.by_load(&event.load), &|g, value| g.load_scale = value);
+        Some(gradients)
     }
 }

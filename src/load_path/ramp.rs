@@ -51,6 +51,22 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
         self
     }
 
+    /// Base and direction of the load so many times as large; changes of commands stay.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Ramp, Wrench};
+    ///
+    /// // A weight of 1 N that turns out to be 10 % heavier, and grows as much faster.
+    /// let weight = Wrench::force([0.0, -1.0]);
+    /// let heavier = Ramp::load(weight, weight).with_load_times(1.1);
+    /// assert_eq!(heavier.load_at(1.0), Wrench::force([0.0, -2.2]));
+    /// ```
+    #[must_use]
+    pub fn with_load_times(mut self, factor: f64) -> Self {
+        (self.base, self.direction) = (self.base * factor, self.direction * factor);
+        self
+    }
+
     /// This ramp gone so many times as fast; backwards for a negative factor.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| change.iter().map(|a| a * factor).collect();

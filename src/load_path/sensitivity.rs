@@ -9,12 +9,14 @@
 //! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a less its part across the facet
 //! ```
 //!
-//! The stretches v are taken as F/k, so that no difference of large displacements is needed.
+//! The stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry
+//! (`geometry`) changes the stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
 use std::sync::Arc;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
+use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Grasp, Twist, Wrench};
@@ -44,6 +46,23 @@ pub enum Parameter {
         /// The axis of its frame: 0 normal, then the tangents.
         axis: usize,
     },
+    /// Position of a contact, m, while its frame stays. Commands and clearance stay along the axes of the frame. Not of a grasp by a hand,
+    /// whose joints would move the contact otherwise.
+    Point {
+        /// The contact, from 0.
+        contact: usize,
+        /// The coordinate axis along which it moves, from 0.
+        axis: usize,
+    },
+    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and what
+    /// has slipped stay as they are along its axes, and so turn with it; commands of joints stay.
+    Normal {
+        /// The contact, from 0.
+        contact: usize,
+        /// The tangent towards which the normal tilts, an axis of the contact frame from 1. In space 0 stands for a turn about the
+        /// normal, from t₁ to t₂.
+        axis: usize,
+    },
     /// Command of a joint of the hand or, behind the joints, of a tendon, rad or m.
     JointCommand {
         /// The joint, from 0, finger by finger; tendons follow.
@@ -67,7 +86,7 @@ pub enum Parameter {
 }
 
 /// Derivatives of an equilibrium by one parameter, as long as every contact keeps its state. Per unit of the parameter: friction 1, stiffness
-/// N/m, command m, load N or N m.
+/// N/m, command and position m, direction of a normal rad, load N or N m.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const D: usize, const C: usize> {
@@ -80,7 +99,8 @@ pub struct Derivative<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
     /// On a load path what has slipped so far stays. `None` if an index is out of range, if the equilibrium has another number of
-    /// contacts, or if the change has no equilibrium in these states (a load on a free motion).
+    /// contacts, or if the change has no equilibrium in these states (a load on a free motion). `None`, too, for the position of a
+    /// contact of a hand, and where another geometry holds a motion that is free in this one.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -112,7 +132,12 @@ pub(super) struct Local<'g, const D: usize, const C: usize> {
     pub(super) states: Vec<State<C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) piece: Piece<D, C>,
+    /// In inside coordinates.
+    twist: SVector<f64, D>,
 }
+
+/// What of a force is less than this part of the stiffest spring's, were the whole motion its stretch, is rounding.
+const FREE: f64 = 1e-9;
 
 impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
     pub(super) fn new(grasp: &'g Grasp<D, C>, equilibrium: &Equilibrium<D, C>) -> Option<Self> {
@@ -128,7 +153,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.site_forces();
-        Some(Self { grasp, problem, states, forces, piece })
+        Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist })
     }
 
     pub(super) fn derivative(&self, by: Parameter) -> Option<(SVector<f64, D>, Vec<SVector<f64, C>>)> {
@@ -166,6 +191,11 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
                     wrench += held;
                 }
             }
+            Parameter::Point { contact, .. } | Parameter::Normal { contact, .. } if contact < contacts => {
+                let change = self.map_change(contact, by)?;
+                drives[contact] = -change.tr_mul(&self.twist);
+                wrench = change * self.forces[contact];
+            }
             Parameter::Load { component } if component < D => {
                 let mut unit = SVector::<f64, D>::zeros();
                 unit[component] = 1.0;
@@ -181,6 +211,34 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             solved.forces[site] += f;
         }
         Some((solved.twist, solved.forces))
+    }
+
+    /// dG of one contact. `None` if the axis is out of range, for the position of a contact of a hand, and where a motion that is free
+    /// would be held in another geometry: how far it goes then is not said by small changes.
+    fn map_change(&self, contact: usize, by: Parameter) -> Option<SMatrix<f64, D, C>> {
+        let site = &self.problem.sites[contact];
+        let change = match by {
+            Parameter::Point { axis, .. } if axis < C && self.grasp.linkage().is_none() => {
+                map_by_point(site, axis, self.grasp.length())
+            }
+            Parameter::Normal { axis, .. } => map_by_normal(site, axis)?,
+            _ => return None,
+        };
+        let stays_free = |motion: &SVector<f64, D>| {
+            let mut drives = vec![SVector::zeros(); self.problem.len()];
+            drives[contact] = change.tr_mul(motion);
+            let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
+            let felt = self.piece.solve(self.grasp.sites(), &drives, &SVector::zeros()).ok();
+            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= FREE * alone))
+        };
+        self.piece.free_motions().iter().all(stays_free).then_some(change)
+    }
+
+    /// What a load beside the present one changes of the forces. `None` if nothing balances it in these states.
+    pub(super) fn forces_by_load(&self, load: &Wrench<D, C>) -> Option<Vec<SVector<f64, C>>> {
+        let at_rest = vec![SVector::zeros(); self.problem.len()];
+        let wrench = self.grasp.inside_unchecked(load);
+        self.piece.solve(self.grasp.sites(), &at_rest, &wrench).ok().map(|solved| solved.forces)
     }
 
     /// (∂K/∂μ) v of one contact.

@@ -1,4 +1,4 @@
-//! How much squeeze suffices, and which direction is weakest: found directly, not by sampling.
+//! How much squeeze suffices, which direction is weakest, and the least onset within bounds of the data: found directly, not by sampling.
 //!
 //! While everything rolls, forces are linear in the load and in the commands. A contact asks of its force that `a·F >= 0` for each facet of
 //! its cone. The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the worst of all forces of size r through a point
@@ -19,13 +19,19 @@
 //! | `rolling` | forces of every contact while everything rolls |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which something slides |
+//! | `bounds` | how far commands and loads may be off |
+//! | `least_onset` | the least onset of sliding over all of them |
 
+mod bounds;
+mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
 mod rolling;
 mod weakest_direction;
 
+pub use bounds::Bounds;
+pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
 pub use loads::Loads;
 pub use weakest_direction::WeakestDirection;

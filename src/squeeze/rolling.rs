@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::contact::{Edges, Polygon, ZERO_SLACK};
+use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
 use crate::grasp::{Grasp, Twist, Wrench, wrench_of};
 use crate::numerics::Harmonic;
 use crate::object::{Load, Piece, Problem};
@@ -58,6 +58,11 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
         let edges = problem.locals().map(|local| local.edges()).collect();
         let piece = problem.trial();
         Self { grasp, problem, piece, edges }
+    }
+
+    /// The law of a contact.
+    pub(super) fn law(&self, contact: usize) -> LocalLaw<'_, C> {
+        self.problem.local(contact)
     }
 
     /// Forces with these drives under a load in inside coordinates; or the motion on which it works though nothing resists it.

@@ -1,5 +1,5 @@
 //! Many questions at once: answers in the order of the questions, the same bits for any number of
-//! threads.
+//! threads. Of a grasp that is not known exactly: samples, and the onset to first order beside them.
 //!
 //! Every question is answered on its own by the same serial code. Threads (feature `parallel`,
 //! rayon's global pool) only decide which of them answers which question. Outside this room only
@@ -9,10 +9,12 @@ mod batch;
 mod grasps;
 mod in_order;
 mod progress;
+mod robust_onset;
 mod uncertainty;
 
 pub use batch::onsets_of_batch;
 pub use grasps::{onset_of_each, onset_of_each_with};
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
+pub use robust_onset::{LeaverSpread, OnsetSpread, RobustOnset};
 pub use uncertainty::Uncertainty;

@@ -1,6 +1,8 @@
 //! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same
 //! seed.
 
+use nalgebra::SVector;
+
 use super::in_order::map_in_order;
 use crate::equilibrium::Settings;
 use crate::error::Error;
@@ -8,10 +10,19 @@ use crate::grasp::{Contact, Grasp};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Draw;
 
-/// How far the data of a grasp may be off. Each datum of each contact is multiplied by a factor of
-/// its own, `exp(σ z)` with z normally distributed (mean 0, variance 1): its median is the datum,
-/// it keeps its sign, and zero and infinity stay what they are. For small σ that is the relative
-/// standard deviation; σ = 0 leaves the datum alone.
+/// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
+/// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
+/// variance 1): its median is the datum, it keeps its sign, and zero and infinity stay what they
+/// are. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone.
+///
+/// Positions and normals have no size that they could be a part of: `σ z` is added to each
+/// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
+/// tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns
+/// with the normal.
+///
+/// The load is multiplied by one factor as a whole, base and direction alike: a mass that is not
+/// known exactly. In newtons one would have to say through which point; a factor keeps the line in
+/// which the load acts, and needs no length to weigh forces against moments.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -41,6 +52,12 @@ pub struct Uncertainty {
     pub stiffness: f64,
     /// σ of the normal command: how well the squeeze is known.
     pub squeeze: f64,
+    /// σ of the contact points along each coordinate axis, m. Not for hands.
+    pub position: f64,
+    /// σ of the angles by which a normal tilts, rad: one in the plane, two in space.
+    pub normal: f64,
+    /// σ of the factor on the load.
+    pub load: f64,
     /// Samples with another seed are others.
     pub seed: u64,
 }
@@ -49,7 +66,16 @@ impl Uncertainty {
     /// No uncertainty yet, with a seed.
     #[must_use]
     pub const fn seeded(seed: u64) -> Self {
-        Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, seed }
+        let none = 0.0;
+        Self {
+            friction: none,
+            stiffness: none,
+            squeeze: none,
+            position: none,
+            normal: none,
+            load: none,
+            seed,
+        }
     }
 
     /// This uncertainty with the σ of the coefficients of friction.
@@ -72,6 +98,50 @@ impl Uncertainty {
         self.squeeze = sigma;
         self
     }
+
+    /// This uncertainty with the σ of the contact points, m.
+    #[must_use]
+    pub const fn with_position(mut self, sigma: f64) -> Self {
+        self.position = sigma;
+        self
+    }
+
+    /// This uncertainty with the σ of the directions of the normals, rad.
+    #[must_use]
+    pub const fn with_normal(mut self, sigma: f64) -> Self {
+        self.normal = sigma;
+        self
+    }
+
+    /// This uncertainty with the σ of the factor on the load.
+    #[must_use]
+    pub const fn with_load(mut self, sigma: f64) -> Self {
+        self.load = sigma;
+        self
+    }
+
+    /// What sample `number` multiplies the load by; [`Ramp::with_load_times`] does. The grasp of
+    /// that sample is [`Grasp::sample`].
+    ///
+    /// ```
+    /// use grasp_lcp::sweep::Uncertainty;
+    ///
+    /// let off = Uncertainty::seeded(7).with_load(0.1);
+    /// assert!((off.load_factor(3).ln().abs()) < 0.5 && off.load_factor(3) != off.load_factor(4));
+    /// assert_eq!(Uncertainty::seeded(7).load_factor(3), 1.0);
+    /// ```
+    #[must_use]
+    pub fn load_factor(&self, number: u64) -> f64 {
+        factor(self.load, &mut Draw::new([self.seed, number, OF_THE_LOAD]))
+    }
+}
+
+/// Where the load is drawn: behind all contacts.
+const OF_THE_LOAD: u64 = u64::MAX;
+
+/// `exp(σ z)`.
+fn factor(sigma: f64, draw: &mut Draw) -> f64 {
+    (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip())
 }
 
 /// The least factor on a datum, and its reciprocal the largest: numbers that are no longer moderate
@@ -80,31 +150,41 @@ const LEAST_FACTOR: f64 = 1e-200;
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// What the grasp may be, joint springs of a hand included: sample `number` of those with the seed, whatever else is sampled. See
-    /// [`Uncertainty`].
+    /// [`Uncertainty`]. What the load may be is told by [`Uncertainty::load_factor`].
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
-    /// range (1e50 at most).
+    /// range (1e50 at most). [`Error::NotForHands`] for uncertain positions of a hand's contacts, whose joints would move them otherwise.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
-        let factors = |i: usize| {
+        if uncertainty.position != 0.0 {
+            self.refuse_hands("sample with uncertain positions")?;
+        }
+        let drawn = |i: usize| {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
-            [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                .map(|sigma| (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip()))
+            let factors = [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
+                .map(|sigma| factor(sigma, &mut draw));
+            (factors, draw)
         };
         let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
-            let [friction, stiffness, squeeze] = factors(i);
+            let ([friction, stiffness, squeeze], mut draw) = drawn(i);
             let mut sampled: Contact<C> = contact.clone();
             sampled.friction *= friction;
             sampled.command[0] *= squeeze;
             sampled.stiffness = contact.stiffness.scaled(stiffness);
-            sampled
+            // Drawn last, and whether they count or not: other data are the same with them and without.
+            let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
+            let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
+            if uncertainty.position != 0.0 {
+                sampled.point += moved;
+            }
+            if uncertainty.normal == 0.0 { sampled } else { sampled.tilted(&tilt) }
         });
-        self.with_data(contacts.collect(), |drive| factors(self.len() + drive)[1])
+        self.with_data(contacts.collect(), |drive| drawn(self.len() + drive).0[1])
     }
 
     /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,
-    /// which are [`Self::sample`] 0, 1, …: the same bits for any number of threads. An error in one
-    /// does not stop the rest.
+    /// which are [`Self::sample`] 0, 1, …, each under its own load: the same bits for any number of
+    /// threads. An error in one does not stop the rest.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -125,6 +205,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         settings: &Settings,
     ) -> Vec<Result<Onset<D, C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
-        map_in_order(&numbers, |number| self.sample(uncertainty, *number)?.onset_with(ramp, settings))
+        map_in_order(&numbers, |number| {
+            let sample = self.sample(uncertainty, *number)?;
+            if uncertainty.load == 0.0 {
+                return sample.onset_with(ramp, settings);
+            }
+            sample.onset_with(&ramp.clone().with_load_times(uncertainty.load_factor(*number)), settings)
+        })
     }
 }

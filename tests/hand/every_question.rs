@@ -4,7 +4,7 @@ use grasp_lcp::energy::{MinimumOutcome, StabilityVerdict, Unknowns};
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Leg, Ramp, Tendon, Turn, Wrench};
-use grasp_lcp::squeeze::Loads;
+use grasp_lcp::squeeze::{Bounds, Loads};
 use grasp_lcp::structured::Workspace;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Limit, PolygonCone};
@@ -84,6 +84,8 @@ fn nothing_panics_and_what_agrees_agrees() {
         let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
         refused(grasp.weakest_direction(&load, [0.0; 2]).err());
+        refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
+        refused(grasp.onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         grasp.reserve(&ramp, 50.0).expect("a ramp");
         grasp.rolling_range(&ramp).expect("a ramp");
@@ -105,6 +107,9 @@ fn nothing_panics_and_what_agrees_agrees() {
         for outcome in grasp.onset_of_samples(&ramp, &uncertainty, 5) {
             outcome.expect("a sample");
         }
+        let robust =
+            grasp.robust_onset(&ramp, &uncertainty.with_normal(0.01).with_load(0.1)).expect("a ramp");
+        assert!(robust.spread.expect("slides").held_with(3.0) < robust.onset.factor().expect("slides"));
         let mut workspace = Workspace::default();
         let found = workspace.solve(&grasp, &load);
         assert!(found.is_ok());

@@ -97,3 +97,65 @@ fn onset_gradients_are_those_of_small_changes_too() {
         }
     }
 }
+
+/// Fingers of this hand with the frame of one contact turned: its joints move the contact point as before.
+fn tilted(phi: f64) -> Grasp<5> {
+    let (sin, cos) = phi.sin_cos();
+    let jaw = |x: f64, normal: [f64; 2]| {
+        let pad = Contact::new([x, 0.1 * x], normal).series_stiffness(4e3, 3e3).friction(0.6);
+        let joint = Joint::revolute([1.3 * x, -1.0]).stiffness(90.0).command(0.1 * x);
+        Finger::new([joint]).contact(pad.command([0.01, 0.002]))
+    };
+    // t = (n_y, -n_x) of the right finger is (0, 1).
+    Hand::new([jaw(1.0, [-cos, sin]), jaw(-1.0, [1.0, 0.0])]).grasp().expect("well posed")
+}
+
+#[test]
+fn normals_of_a_hand_tilt_with_their_frames() {
+    let load = Wrench::new([0.2, -0.5], 0.05);
+    let answer = |phi: f64| {
+        let outcome = tilted(phi).solve(&load).expect("a load");
+        let held = outcome.equilibrium().expect("holds");
+        let forces: Vec<f64> = held.contacts.iter().flat_map(|c| [c.force[0], c.force[1]]).collect();
+        [forces, held.joints.iter().map(|j| j.displacement).collect()].concat()
+    };
+    let base = tilted(0.0);
+    let outcome = base.solve(&load).expect("a load");
+    let held = outcome.equilibrium().expect("holds");
+    let derivative =
+        base.sensitivity(held, Parameter::Normal { contact: 0, axis: 1 }).expect("a regular piece");
+    let forces = derivative.forces.iter().flat_map(|f| [f[0], f[1]]);
+    let told: Vec<f64> = forces.chain(derivative.twist.joints()[..2].iter().copied()).collect();
+    let (there, back) = (answer(1e-6), answer(-1e-6));
+    for (k, told) in told.iter().enumerate() {
+        let measured = (there[k] - back[k]) / 2e-6;
+        assert!((told - measured).abs() < 1e-6 * (1.0 + measured.abs()), "{k}: {told} {measured}");
+    }
+    assert!(base.sensitivity(held, Parameter::Point { contact: 0, axis: 0 }).is_none());
+}
+
+/// First order and samples agree on the springs of joints, and positions are refused by name.
+#[test]
+fn onsets_of_a_hand_spread_with_its_springs() {
+    use grasp_lcp::Error;
+    use grasp_lcp::sweep::Uncertainty;
+    let grasp = tilted(0.1);
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.3, -1.0]));
+    let off = Uncertainty::seeded(4).with_stiffness(0.01).with_normal(0.005);
+    let spread = grasp.robust_onset(&ramp, &off).expect("a ramp").spread.expect("leaves");
+    let count = 4000;
+    let factors: Vec<f64> = grasp
+        .onset_of_samples(&ramp, &off, count)
+        .into_iter()
+        .map(|onset| onset.expect("a sample").factor().expect("leaves"))
+        .collect();
+    let mean = factors.iter().sum::<f64>() / count as f64;
+    let deviation = (factors.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt();
+    let known = spread.deviation.expect("one leaves");
+    assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
+    let off = off.with_position(1e-3);
+    let refused = grasp.robust_onset(&ramp, &off).unwrap_err();
+    assert_eq!(refused, Error::NotForHands { question: "onset_spread with uncertain positions" });
+    let refused = grasp.sample(&off, 0).unwrap_err();
+    assert_eq!(refused, Error::NotForHands { question: "sample with uncertain positions" });
+}

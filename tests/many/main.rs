@@ -1,5 +1,6 @@
 //! Many questions at once.
 
+mod robust_onset;
 mod screening;
 mod screening_exact;
 mod sweep;

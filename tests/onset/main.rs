@@ -3,9 +3,12 @@
 mod bracket;
 mod closed_forms;
 mod every_direction;
+mod geometry;
+mod geometry_closed_forms;
 mod invariance;
 mod least_squeeze;
 mod search;
 mod sensitivity;
 mod turn;
 mod turn_exact;
+mod worst_case;

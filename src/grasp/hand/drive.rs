@@ -123,6 +123,16 @@ impl<const D: usize> Drive<D> {
         self.rest /= times;
     }
 
+    /// The owner's stiffness, N m/rad or N/m.
+    pub(crate) fn stiffness_of_owner(&self) -> f64 {
+        self.stiffness * (self.unit * self.unit) / self.halves()
+    }
+
+    /// How many times as stiff as its owner it is: a saturating drive has two springs in series.
+    fn halves(&self) -> f64 {
+        if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
+    }
+
     /// What more of the owner's stiffness, N m/rad or N/m, adds to the force of its site while the stretch stays.
     pub(crate) fn by_stiffness<const C: usize>(&self, force: &SVector<f64, C>) -> SVector<f64, C> {
         let mut more = SVector::zeros();
@@ -132,8 +142,7 @@ impl<const D: usize> Drive<D> {
             Role::EndsBelow => force[0] - self.rest * self.stiffness,
             Role::Holds | Role::Pulls | Role::Slips => force[self.axis()],
         };
-        let halves = if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 };
-        more[self.axis()] = halves * elastic / self.stiffness / (self.unit * self.unit);
+        more[self.axis()] = self.halves() * elastic / self.stiffness / (self.unit * self.unit);
         more
     }
 

@@ -1,0 +1,44 @@
+//! What a small change of the geometry does to the grasp map of one contact.
+//!
+//! With the arm p from the reference point and the frame R = (n, t…), columns along the coordinate axes, `G F = (R F, p × R F)`.
+//!
+//! ```text
+//! point moved by δ:                      dG F = (0, δ × R F)
+//! frame turned, dR = R S, Sᵀ = -S:       dG   = G S
+//! ```
+//!
+//! The second holds for all rows of G, those of joints included: they are the same forces `R F`, felt elsewhere.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::grasp::{Site, grasp_map};
+
+/// dG for a point that moves along a coordinate axis, in inside coordinates whose unit of length is `length`, 1/m.
+pub(super) fn map_by_point<const D: usize, const C: usize>(
+    site: &Site<D, C>,
+    axis: usize,
+    length: f64,
+) -> SMatrix<f64, D, C> {
+    let mut arm = SVector::<f64, C>::zeros();
+    arm[axis] = 1.0 / length;
+    let mut map = grasp_map(&arm, &site.frame);
+    // The force itself stays: only its moment changes.
+    map.fixed_rows_mut::<C>(0).fill(0.0);
+    map
+}
+
+/// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, in space alone), or so that the normal tilts towards the
+/// tangent with this axis. `None` for an axis that there is not.
+pub(super) fn map_by_normal<const D: usize, const C: usize>(
+    site: &Site<D, C>,
+    axis: usize,
+) -> Option<SMatrix<f64, D, C>> {
+    let (from, to) = match axis {
+        0 if C == 3 => (1, 2),
+        1.. if axis < C => (0, axis),
+        _ => return None,
+    };
+    let mut turn = SMatrix::<f64, C, C>::zeros();
+    (turn[(to, from)], turn[(from, to)]) = (1.0, -1.0);
+    Some(site.map * turn)
+}

@@ -1,0 +1,124 @@
+//! The margins that vanish at an onset: how the factor at which they do changes with the data, `dτ = -dm / m'`.
+
+use nalgebra::SVector;
+
+use super::onset::{OnsetEvent, RollingState};
+use super::sensitivity::{Local, Parameter};
+use crate::contact::tangential;
+use crate::equilibrium::Cone;
+use crate::grasp::{Grasp, HandPart, Wrench};
+
+/// What leaves at an onset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Leaver {
+    /// A contact, from 0.
+    Contact(usize),
+    /// A drive of a hand.
+    Drive(HandPart),
+}
+
+/// The margins that vanish at one onset, with the equilibrium there.
+pub(crate) struct OnsetMargins<'g, const D: usize, const C: usize> {
+    local: Local<'g, D, C>,
+    margins: Vec<Margin<C>>,
+}
+
+/// `μ F_n - h·F_t` of what leaves, or `F_n` alone where there is no friction or no limit to it.
+struct Margin<const C: usize> {
+    leaver: Leaver,
+    site: usize,
+    h: Option<SVector<f64, C>>,
+    /// m' along the ramp.
+    slope: f64,
+}
+
+impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
+    /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
+    /// contacts.
+    pub(crate) fn new(grasp: &'g Grasp<D, C>, event: &OnsetEvent<D, C>) -> Option<Self> {
+        let state = grasp.state_at_onset(event)?;
+        let local = Local::new(grasp, &state)?;
+        let has_slipped = |i: usize| {
+            let sticks = local.states[i].is_rolling() && !local.problem.local(i).is_frictionless();
+            sticks && state.contacts[i].slip.norm() != 0.0
+        };
+        if (0..grasp.len()).any(has_slipped) {
+            return None;
+        }
+        let RollingState { drive_rates, wrench_rate, leaving, .. } = &event.local;
+        // What slides as soon as it touches leaves at a gap, not at a margin.
+        if leaving.iter().any(|&site| local.states[site].is_open()) {
+            return None;
+        }
+        let rates = local.piece.solve(grasp.sites(), drive_rates, wrench_rate).ok()?;
+        let mut margins = Vec::with_capacity(leaving.len());
+        for &site in leaving {
+            let Some(leaver) = leaver(grasp, site) else { continue };
+            let Some(h) = facet(&local, event.cone, site) else { continue };
+            let mut margin = Margin { leaver, site, h, slope: 1.0 };
+            margin.slope = margin.of(&local, &rates.forces[site]);
+            margins.push(margin);
+        }
+        Some(Self { local, margins })
+    }
+
+    /// What leaves.
+    pub(crate) fn leavers(&self) -> impl Iterator<Item = Leaver> {
+        self.margins.iter().map(|margin| margin.leaver)
+    }
+
+    /// The derivative of the factor of everything that leaves by one datum. `None` where
+    /// [`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity) has no derivative of the forces.
+    pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
+        let (_, forces) = self.local.derivative(parameter)?;
+        let of_friction = |margin: &Margin<C>| match parameter {
+            Parameter::Friction { contact } if contact == margin.site && margin.h.is_some() => {
+                self.local.forces[contact][0]
+            }
+            _ => 0.0,
+        };
+        Some(self.margins.iter().map(|m| self.moved(m, &forces, of_friction(m))).collect())
+    }
+
+    /// The same by a load, beside what is there; in proportion to it.
+    pub(crate) fn by_load(&self, load: &Wrench<D, C>) -> Option<Vec<f64>> {
+        let forces = self.local.forces_by_load(load)?;
+        Some(self.margins.iter().map(|m| self.moved(m, &forces, 0.0)).collect())
+    }
+
+    fn moved(&self, margin: &Margin<C>, forces: &[SVector<f64, C>], direct: f64) -> f64 {
+        -(margin.of(&self.local, &forces[margin.site]) + direct) / margin.slope
+    }
+}
+
+impl<const C: usize> Margin<C> {
+    fn of<const D: usize>(&self, local: &Local<D, C>, force: &SVector<f64, C>) -> f64 {
+        let cone = local.problem.local(self.site).cone();
+        self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
+    }
+}
+
+fn leaver<const D: usize, const C: usize>(grasp: &Grasp<D, C>, site: usize) -> Option<Leaver> {
+    match grasp.linkage() {
+        Some(linkage) if site >= grasp.len() => Some(Leaver::Drive(linkage.part(site - grasp.len())?)),
+        _ => Some(Leaver::Contact(site)),
+    }
+}
+
+/// The facet that is reached; inside `None` where the normal force alone counts.
+#[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
+fn facet<const D: usize, const C: usize>(
+    local: &Local<D, C>,
+    cone: Cone,
+    site: usize,
+) -> Option<Option<SVector<f64, C>>> {
+    let (law, force) = (local.problem.local(site), &local.forces[site]);
+    if !law.cone().has_edges() {
+        return Some(None);
+    }
+    if cone == Cone::Round {
+        return Some(Some(tangential(force).normalize()));
+    }
+    law.facets().iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force))).map(|h| Some(*h))
+}

@@ -1,0 +1,73 @@
+//! How far commands and loads may be off at most.
+
+use nalgebra::SVector;
+
+use crate::error::{Error, Field, is_moderate};
+use crate::grasp::{Grasp, Wrench};
+
+/// What is allowed.
+const ALLOWED: &str = "from 0 to 1e50";
+
+/// Bounds of what enters the forces of a rolling grasp linearly: each number may be off by its bound to either side, whatever the others
+/// are. Without bounds nothing is off.
+///
+/// ```
+/// use grasp_lcp::planar::{Bounds, Wrench};
+///
+/// // Commands of two fingers to 0.1 mm, and a pull of up to 2 N along x and as much along y.
+/// let bounds = Bounds::none().with_commands([[1e-4, 1e-4]; 2]).with_base(Wrench::force([2.0, 2.0]));
+/// # let _ = bounds;
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounds<const D: usize, const C: usize> {
+    pub(super) commands: Option<Vec<SVector<f64, C>>>,
+    pub(super) base: Wrench<D, C>,
+    pub(super) direction: Wrench<D, C>,
+}
+
+impl<const D: usize, const C: usize> Bounds<D, C> {
+    /// Everything is as it is said to be.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { commands: None, base: Wrench::ZERO, direction: Wrench::ZERO }
+    }
+
+    /// Bounds of the finger commands, one list of components a contact, along the axes of its frame, m.
+    #[must_use]
+    pub fn with_commands(mut self, bounds: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        self.commands = Some(bounds.into_iter().map(|bound| SVector::from(bound.into())).collect());
+        self
+    }
+
+    /// Bounds of the components of the base load, N and N m about the origin.
+    #[must_use]
+    pub fn with_base(mut self, bounds: Wrench<D, C>) -> Self {
+        self.base = bounds;
+        self
+    }
+
+    /// Bounds of the components of the load direction, N and N m for each unit of the factor.
+    #[must_use]
+    pub fn with_direction(mut self, bounds: Wrench<D, C>) -> Self {
+        self.direction = bounds;
+        self
+    }
+
+    /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
+    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+        let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));
+        for (bounds, what) in
+            [(&self.base, "bound of the base load"), (&self.direction, "bound of the load direction")]
+        {
+            if let Some(&value) = bounds.as_vector().iter().find(is_bad) {
+                return Err(Error::Argument { what, value, allowed: ALLOWED });
+            }
+        }
+        let Some(commands) = &self.commands else { return Ok(()) };
+        grasp.check_commands(commands, "bounds of the commands", Field::Command)?;
+        match commands.iter().flat_map(|bounds| bounds.iter()).find(is_bad) {
+            Some(&value) => Err(Error::Argument { what: "bound of a command", value, allowed: ALLOWED }),
+            None => Ok(()),
+        }
+    }
+}

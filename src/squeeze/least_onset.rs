@@ -1,0 +1,249 @@
+//! The least onset of sliding over all commands and loads within bounds, exact.
+//!
+//! While everything rolls, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
+//! factors τ >= 0, the one that each datum's own sign says:
+//!
+//! ```text
+//! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
+//! ```
+//!
+//! The plane has two conditions a contact, a polygon one for each facet. The round cone has `a = (μ, -cos φ, -sin φ)` at every angle φ.
+//! There the corner changes only where some `a·c_p` changes its sign, at two angles for each datum. So a corner for each arc between them
+//! is all that can be worst.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+
+use super::bounds::Bounds;
+use super::rolling::{Forces, Rolling, is_broken, round_row};
+use crate::contact::{Edges, Line};
+use crate::error::Error;
+use crate::grasp::{Contact, Grasp, Twist, Wrench};
+use crate::load_path::Ramp;
+use crate::search::Settings;
+
+/// The answer to "what is the least onset of sliding, if commands and loads are off by no more than this?"
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum LeastOnset<const D: usize, const C: usize> {
+    /// At this factor a contact leaves rolling in the worst case, in no case before.
+    #[non_exhaustive]
+    At {
+        /// The load factor, exact up to rounding.
+        factor: f64,
+        /// The contact, from 0.
+        contact: usize,
+        /// The commands of the worst case, in the contact frames, m.
+        commands: Vec<SVector<f64, C>>,
+        /// Its base load and load direction.
+        ramp: Ramp<D, C>,
+    },
+    /// Whatever is off, everything keeps rolling however far the load goes.
+    Never,
+    /// In some case this contact is open or slides at factor 0 already.
+    NotRolling {
+        /// The contact, from 0.
+        contact: usize,
+    },
+    /// Some load works on this motion, which nothing resists.
+    GivesWay {
+        /// A unit motion of the object.
+        motion: Twist<D, C>,
+    },
+}
+
+/// What may be off.
+#[derive(Clone, Copy)]
+enum Datum {
+    Command(usize, usize),
+    Base(usize),
+    Direction(usize),
+}
+
+/// What one datum does to the forces when it is off by its bound.
+struct Share<const C: usize> {
+    datum: Datum,
+    bound: f64,
+    forces: Forces<C>,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is. On the round cone
+    /// in space, with default [`Settings`]. Exact, not by sampling: see [`Bounds`].
+    ///
+    /// Of friction the worst case is the least: ask a grasp with that. Stiffness and geometry do not enter linearly;
+    /// [`Self::robust_onset`] has them to first order.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
+    ///
+    /// // Two fingers that press with 1000 N/m · 10 mm = 10 N, μ = 0.5, to 1 mm; a pull down of up to 2 N beside the weight.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let bounds = Bounds::none().with_commands([[0.001, 0.0]; 2]).with_base(Wrench::force([0.0, 2.0]));
+    /// // 2 μ · 9 N less 2 N.
+    /// let LeastOnset::At { factor, .. } = grasp.least_onset_within(&weight, &bounds)? else { panic!("it slides") };
+    /// assert!((factor - 7.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn least_onset_within(
+        &self,
+        ramp: &Ramp<D, C>,
+        bounds: &Bounds<D, C>,
+    ) -> Result<LeastOnset<D, C>, Error> {
+        self.least_onset_within_with(ramp, bounds, &Settings::default())
+    }
+
+    /// The same with other [`Settings`], which say for which cone.
+    ///
+    /// # Errors
+    /// As for [`Self::least_onset_within`].
+    pub fn least_onset_within_with(
+        &self,
+        ramp: &Ramp<D, C>,
+        bounds: &Bounds<D, C>,
+        settings: &Settings,
+    ) -> Result<LeastOnset<D, C>, Error> {
+        self.refuse_hands("least_onset_within")?;
+        bounds.check(self)?;
+        let base = self.load_alone(&ramp.base, "base load")?;
+        ramp.direction.check("load direction")?;
+        let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
+        let rolling = Rolling::new(self, settings);
+        let known = || -> Result<_, Twist<D, C>> {
+            let base = rolling.forces(&self.drives(), &base)?;
+            Ok((base, rolling.forces(&changes, &direction)?, shares(&rolling, bounds)?))
+        };
+        let (base, rate, shares) = match known() {
+            Ok(known) => known,
+            Err(motion) => return Ok(LeastOnset::GivesWay { motion }),
+        };
+        let mut least: Option<(f64, usize, Vec<f64>)> = None;
+        for (contact, edges) in rolling.edges.iter().enumerate() {
+            for row in worst_rows(edges, &shares, contact) {
+                let signs: Vec<f64> =
+                    shares.iter().map(|share| -row.dot(&share.forces.of[contact]).signum()).collect();
+                let line = corner([&base, &rate], &shares, &signs, contact);
+                if edges
+                    .worst(&line.force)
+                    .is_some_and(|(row, value)| is_broken(value, &row, line.force_size))
+                {
+                    return Ok(LeastOnset::NotRolling { contact });
+                }
+                let Some((exit, _)) = rolling.law(contact).first_exit(&line) else { continue };
+                if least.as_ref().is_none_or(|(factor, ..)| exit.step < *factor) {
+                    least = Some((exit.step, contact, signs));
+                }
+            }
+        }
+        Ok(match least {
+            None => LeastOnset::Never,
+            Some((factor, contact, signs)) => {
+                let (commands, ramp) = self.case(ramp, &shares, &signs);
+                LeastOnset::At { factor, contact, commands, ramp }
+            }
+        })
+    }
+
+    /// The commands and the ramp of a corner.
+    fn case(
+        &self,
+        ramp: &Ramp<D, C>,
+        shares: &[Share<C>],
+        signs: &[f64],
+    ) -> (Vec<SVector<f64, C>>, Ramp<D, C>) {
+        let mut commands: Vec<_> = self.contacts().iter().map(Contact::commanded).collect();
+        let (mut base, mut direction) = (*ramp.base.as_vector(), *ramp.direction.as_vector());
+        for (share, sign) in shares.iter().zip(signs) {
+            let off = sign * share.bound;
+            match share.datum {
+                Datum::Command(contact, axis) => commands[contact][axis] += off,
+                Datum::Base(component) => base[component] += off,
+                Datum::Direction(component) => direction[component] += off,
+            }
+        }
+        let (base, direction) = (Wrench::from_vector(base), Wrench::from_vector(direction));
+        (commands, Ramp { base, direction, ..ramp.clone() })
+    }
+}
+
+/// What each datum with a bound does.
+fn shares<const D: usize, const C: usize>(
+    rolling: &Rolling<D, C>,
+    bounds: &Bounds<D, C>,
+) -> Result<Vec<Share<C>>, Twist<D, C>> {
+    let grasp = rolling.grasp;
+    let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], SVector::zeros());
+    let mut shares = Vec::new();
+    for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
+        for (axis, &bound) in bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
+            let mut drives = at_rest.clone();
+            drives[contact][axis] = bound;
+            let forces = rolling.forces(&drives, &nothing)?;
+            shares.push(Share { datum: Datum::Command(contact, axis), bound, forces });
+        }
+    }
+    for (bounds, datum) in
+        [(&bounds.base, Datum::Base as fn(usize) -> Datum), (&bounds.direction, Datum::Direction)]
+    {
+        for (k, &bound) in bounds.as_vector().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
+            let mut load = SVector::<f64, D>::zeros();
+            load[k] = bound;
+            let forces = rolling.forces(&at_rest, &grasp.inside_unchecked(&Wrench::from_vector(load)))?;
+            shares.push(Share { datum: datum(k), bound, forces });
+        }
+    }
+    Ok(shares)
+}
+
+/// A condition for every corner of the box at which a contact may be worst.
+fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: usize) -> Vec<SVector<f64, C>> {
+    let limit = match edges {
+        Edges::Rows(rows) => return rows.clone(),
+        Edges::Round { limit } => *limit,
+    };
+    let mut turns = vec![0.0];
+    for share in shares {
+        // μ c_n = c₁ cos φ + c₂ sin φ.
+        let c = &share.forces.of[contact];
+        let (towards, aside) = (c[C - 1].atan2(c[1]), (limit * c[0] / c[1].hypot(c[C - 1])).acos());
+        // Where nothing changes its sign the angle is not a number.
+        turns.extend(
+            [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU)).iter().filter(|x| x.is_finite()),
+        );
+    }
+    turns.sort_by(f64::total_cmp);
+    let ends = turns.iter().skip(1).chain([&TAU]);
+    let middles = turns.iter().zip(ends).map(|(from, to)| 0.5 * (from + to));
+    middles.map(|angle| round_row(limit, angle)).collect()
+}
+
+/// The force of a contact at a corner of the box, and its rate.
+fn corner<const C: usize>(
+    [base, rate]: [&Forces<C>; 2],
+    shares: &[Share<C>],
+    signs: &[f64],
+    contact: usize,
+) -> Line<C> {
+    let mut line = Line {
+        force: base.of[contact],
+        rate: rate.of[contact],
+        force_size: base.sizes[contact],
+        rate_size: rate.sizes[contact],
+    };
+    for (share, sign) in shares.iter().zip(signs) {
+        let (more, size) = (share.forces.of[contact] * *sign, share.forces.sizes[contact]);
+        if matches!(share.datum, Datum::Direction(_)) {
+            (line.rate, line.rate_size) = (line.rate + more, line.rate_size + size);
+        } else {
+            (line.force, line.force_size) = (line.force + more, line.force_size + size);
+        }
+    }
+    line
+}

@@ -1,0 +1,239 @@
+//! Onsets of grasps that are not known exactly, to first order: against samples, which know no gradients, and in closed form.
+
+use std::f64::consts::PI;
+
+use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::sweep::{OnsetSpread, Uncertainty};
+use grasp_lcp::{Error, Field, planar, spatial};
+
+const SAMPLES: u64 = 4000;
+
+/// Where one contact leaves clearly before the others.
+fn in_the_plane() -> (planar::Grasp, planar::Ramp) {
+    let finger = |x: f64, y: f64, mu: f64| {
+        planar::Contact::new([x, y], [-x, 0.2 * y])
+            .series_stiffness(1000.0, 800.0)
+            .friction(mu)
+            .command([0.01, 0.001])
+    };
+    let grasp = planar::Grasp::new([finger(1.0, 0.1, 0.4), finger(-1.0, -0.2, 0.7), finger(-0.9, 0.4, 0.8)]);
+    let load = planar::Wrench::new([0.3, -0.5], 0.1);
+    (grasp.unwrap(), planar::Ramp::load(load, planar::Wrench::force([0.1, -1.0])))
+}
+
+fn in_space() -> (spatial::Grasp, spatial::Ramp) {
+    let finger = |angle: f64, mu: f64| {
+        let point = [angle.cos(), angle.sin(), 0.1 * angle.sin()];
+        spatial::Contact::new(point, point.map(|x| -x))
+            .series_stiffness_axes([1000.0, 700.0, 500.0])
+            .friction(mu)
+            .command([0.01, 0.001, -0.002])
+    };
+    let grasp = spatial::Grasp::new([finger(0.3, 0.4), finger(2.1, 0.7), finger(4.4, 0.8)]).unwrap();
+    let load = spatial::Wrench::new([0.3, -0.5, 0.2], [0.1, 0.0, 0.1]);
+    (grasp, spatial::Ramp::load(load, spatial::Wrench::force([0.1, 0.2, -1.0])))
+}
+
+/// Mean and standard deviation.
+fn moments(factors: &[f64]) -> [f64; 2] {
+    let mean = factors.iter().sum::<f64>() / factors.len() as f64;
+    let variance = factors.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / factors.len() as f64;
+    [mean, variance.sqrt()]
+}
+
+fn sampled<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    ramp: &Ramp<D, C>,
+    off: &Uncertainty,
+) -> [f64; 2] {
+    let onsets = grasp.onset_of_samples(ramp, off, SAMPLES);
+    let factors: Vec<f64> = onsets.into_iter().map(|onset| onset.unwrap().factor().unwrap()).collect();
+    moments(&factors)
+}
+
+fn spread<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    ramp: &Ramp<D, C>,
+    off: &Uncertainty,
+) -> OnsetSpread {
+    grasp.robust_onset(ramp, off).unwrap().spread.unwrap()
+}
+
+/// Each σ alone, then all of them.
+fn uncertainties() -> [Uncertainty; 7] {
+    let none = Uncertainty::seeded(11);
+    [
+        none.with_friction(0.01),
+        none.with_stiffness(0.01),
+        none.with_squeeze(0.01),
+        none.with_position(0.003),
+        none.with_normal(0.003),
+        none.with_load(0.01),
+        Uncertainty::seeded(12)
+            .with_friction(0.005)
+            .with_stiffness(0.01)
+            .with_squeeze(0.005)
+            .with_position(0.002)
+            .with_normal(0.002)
+            .with_load(0.005),
+    ]
+}
+
+fn compare<const D: usize, const C: usize>(grasp: &Grasp<D, C>, ramp: &Ramp<D, C>) {
+    for off in uncertainties() {
+        let spread = spread(grasp, ramp, &off);
+        let [mean, deviation] = sampled(grasp, ramp, &off);
+        let known = spread.deviation.unwrap();
+        // A standard deviation of so many samples is known to 1/√8000 = 1.1 %.
+        assert!(known > 0.0 && (deviation / known - 1.0).abs() < 0.05, "{off:?}: {deviation} {known}");
+        // The mean to 1/√4000 = 1.6 % of a deviation, and what is of second order.
+        let error = (mean - spread.mean.unwrap()).abs() / known;
+        assert!(error < 0.1, "{off:?}: {mean} {spread:?}");
+    }
+}
+
+#[test]
+fn small_deviations_are_those_of_samples_in_the_plane() {
+    let (grasp, ramp) = in_the_plane();
+    compare(&grasp, &ramp);
+}
+
+#[test]
+fn small_deviations_are_those_of_samples_in_space() {
+    let (grasp, ramp) = in_space();
+    compare(&grasp, &ramp);
+}
+
+/// The onset is 2 P min(μ₁, μ₂): of two normal numbers alike the lesser has the mean μ (1 - σ/√π) and the variance σ² μ² (1 - 1/π).
+#[test]
+fn the_lesser_of_two_that_leave_together() {
+    let finger = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0])
+            .series_stiffness(1000.0, 800.0)
+            .friction(0.4)
+            .pressed_with(10.0)
+    };
+    let grasp = planar::Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
+    let ramp = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
+    let sigma = 0.02;
+    let off = Uncertainty::seeded(5).with_friction(sigma);
+    let spread = spread(&grasp, &ramp, &off);
+    let mean = 8.0 * (1.0 - sigma / PI.sqrt());
+    let deviation = 8.0 * sigma * (1.0 - 1.0 / PI).sqrt();
+    assert!((spread.mean.unwrap() - mean).abs() < 1e-12, "{spread:?}");
+    assert!((spread.deviation.unwrap() - deviation).abs() < 1e-12, "{spread:?}");
+    assert!((spread.held_with(3.0) - 8.0 * (1.0 - 3.0 * sigma)).abs() < 1e-12, "{spread:?}");
+    let [found, off_by] = sampled(&grasp, &ramp, &off);
+    assert!((found - mean).abs() < 0.1 * deviation && (off_by / deviation - 1.0).abs() < 0.05);
+}
+
+/// Angles of a load that turns, sample by sample.
+#[test]
+fn onsets_of_turns_spread_alike() {
+    let (grasp, _) = in_space();
+    let turn = spatial::Turn::tilting([0.5, 0.0, -10.0], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2]).unwrap();
+    let off = Uncertainty::seeded(6).with_position(0.002).with_normal(0.002).with_squeeze(0.003);
+    let onset = grasp.onset_of_turn(&turn).unwrap().onset;
+    let known = grasp.onset_spread(onset.event().unwrap(), &off).unwrap().unwrap().deviation.unwrap();
+    let angle = |number| {
+        let sample = grasp.sample(&off, number).unwrap();
+        sample.onset_of_turn(&turn).unwrap().onset.factor().unwrap()
+    };
+    let [_, deviation] = moments(&(0..SAMPLES).map(angle).collect::<Vec<_>>());
+    assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
+}
+
+/// A σ of zero, or of other data, leaves the draws of friction, stiffness and squeeze as they are.
+#[test]
+fn other_uncertainties_do_not_change_a_sample() {
+    let (grasp, _) = in_space();
+    let old = Uncertainty::seeded(9).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.05);
+    let new = old.with_position(0.01).with_normal(0.02).with_load(0.1);
+    for number in 0..50 {
+        let (old, new) = (grasp.sample(&old, number).unwrap(), grasp.sample(&new, number).unwrap());
+        for ((old, new), given) in old.contacts().iter().zip(new.contacts()).zip(grasp.contacts()) {
+            assert_eq!(old.friction_coefficient().to_bits(), new.friction_coefficient().to_bits());
+            assert_eq!(old.series_stiffness_of_axes(), new.series_stiffness_of_axes());
+            assert_eq!(old.commanded(), new.commanded());
+            assert_eq!(old.point(), given.point());
+            assert_ne!(new.point(), given.point());
+        }
+        for (frame, given) in old.frames().zip(grasp.frames()) {
+            assert_eq!(frame, given);
+        }
+    }
+}
+
+/// Points and normals are distributed as they are said to be, and frames turn without a twist about their normals.
+#[test]
+fn positions_and_normals_have_their_deviations() {
+    let contact = Contact::new([0.3, -0.2, 0.1], [0.0, 0.6, 0.8]).series_stiffness(1.0, 1.0).friction(0.5);
+    let grasp = spatial::Grasp::new([contact]).unwrap();
+    let frame = *grasp.frames().next().unwrap();
+    let off = Uncertainty::seeded(2).with_position(0.02).with_normal(0.01);
+    let (mut moved, mut tilted, mut spun) = (Vec::new(), Vec::new(), 0.0_f64);
+    for number in 0..SAMPLES {
+        let sample = grasp.sample(&off, number).unwrap();
+        let seen = frame.transpose() * sample.frames().next().unwrap();
+        moved.extend((sample.contacts()[0].point() - grasp.contacts()[0].point()).iter());
+        tilted.extend([seen[(1, 0)], seen[(2, 0)]]);
+        spun = spun.max((seen[(2, 1)] - seen[(1, 2)]).abs());
+    }
+    for (list, sigma) in [(moved, 0.02), (tilted, 0.01)] {
+        let [mean, deviation] = moments(&list);
+        assert!(mean.abs() < 0.06 * sigma && (deviation / sigma - 1.0).abs() < 0.05, "{mean} {deviation}");
+    }
+    assert!(spun < 1e-15, "{spun}");
+}
+
+#[test]
+fn the_load_of_a_sample_is_its_factor_times_the_load() {
+    let (grasp, ramp) = in_the_plane();
+    let off = Uncertainty::seeded(8).with_load(0.2);
+    for (number, onset) in (0..).zip(grasp.onset_of_samples(&ramp, &off, 20)) {
+        let heavier = ramp.clone().with_load_times(off.load_factor(number));
+        let known = grasp.onset(&heavier).unwrap().factor().unwrap();
+        assert_eq!(onset.unwrap().factor().unwrap().to_bits(), known.to_bits());
+    }
+}
+
+#[test]
+fn a_deviation_that_is_no_number_is_refused() {
+    let (grasp, ramp) = in_the_plane();
+    let refused = grasp.sample(&Uncertainty::seeded(1).with_position(f64::NAN), 0).unwrap_err();
+    assert!(matches!(refused, Error::Contact { field: Field::Point, .. }), "{refused}");
+    let refused = grasp.sample(&Uncertainty::seeded(1).with_normal(f64::INFINITY), 0).unwrap_err();
+    assert!(matches!(refused, Error::Contact { field: Field::Normal, .. }), "{refused}");
+    let onsets = grasp.onset_of_samples(&ramp, &Uncertainty::seeded(1).with_load(f64::NAN), 1);
+    assert!(matches!(onsets[0], Err(Error::Wrench { what: "base load", .. })), "{onsets:?}");
+    let robust = grasp.robust_onset(&ramp, &Uncertainty::seeded(1).with_normal(f64::NAN)).unwrap();
+    assert!(robust.spread.unwrap().held_with(1.0).is_nan());
+}
+
+#[test]
+fn a_map_answers_in_order_with_the_same_bits_for_any_number_of_threads() {
+    let (grasp, _) = in_the_plane();
+    let off = uncertainties()[6];
+    let ramps: Vec<_> = (0..60)
+        .map(|k| {
+            let angle = f64::from(k) * 6_f64.to_radians();
+            planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([angle.cos(), angle.sin()]))
+        })
+        .collect();
+    let map = || -> Vec<Option<u64>> {
+        let map = grasp.robust_onset_each(&ramps, &off);
+        map.into_iter().map(|robust| robust.unwrap().spread.map(|s| s.held_with(3.0).to_bits())).collect()
+    };
+    let one_by_one: Vec<_> = ramps
+        .iter()
+        .map(|ramp| grasp.robust_onset(ramp, &off).unwrap().spread.map(|s| s.held_with(3.0).to_bits()))
+        .collect();
+    assert!(one_by_one.iter().flatten().count() > 50);
+    assert_eq!(map(), one_by_one);
+    #[cfg(feature = "parallel")]
+    for threads in [1, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert_eq!(pool.install(map), one_by_one);
+    }
+}

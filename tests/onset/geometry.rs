@@ -1,0 +1,251 @@
+//! Derivatives by positions and normals of contacts against central differences of grasps that are built again elsewhere. The solver that
+//! is asked twice knows nothing of derivatives.
+
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::{Onset, Parameter, Ramp, Turn};
+use nalgebra::{SMatrix, SVector};
+
+/// Steps of 1e-6 leave about 1e-10 of a derivative, and of a force of 1 N as much by rounding.
+const STEP: f64 = 1e-6;
+const TOLERANCE: f64 = 1e-6;
+
+/// A small generator, so that the scenes are the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    /// Uniform in [-1, 1).
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 33).unwrap()) / f64::from(1_u32 << 30) - 1.0
+    }
+
+    fn vector<const N: usize>(&mut self) -> SVector<f64, N> {
+        SVector::from_fn(|_, _| self.next())
+    }
+}
+
+#[derive(Clone)]
+struct Scene<const D: usize, const C: usize> {
+    point: Vec<SVector<f64, C>>,
+    frame: Vec<SMatrix<f64, C, C>>,
+    stiffness: Vec<SVector<f64, C>>,
+    friction: Vec<f64>,
+    command: Vec<SVector<f64, C>>,
+    change: Vec<SVector<f64, C>>,
+    load: [SVector<f64, D>; 3],
+}
+
+impl<const D: usize, const C: usize> Scene<D, C> {
+    /// Fingers around an object whose middle is at `place`.
+    fn random(dice: &mut Dice, contacts: usize, place: f64) -> Self {
+        let around: Vec<SVector<f64, C>> = (0..contacts).map(|_| dice.vector::<C>().normalize()).collect();
+        let mut scene = Self {
+            point: around.iter().map(|p| p + SVector::repeat(place)).collect(),
+            frame: Vec::new(),
+            stiffness: (0..contacts)
+                .map(|_| dice.vector::<C>().map(|x: f64| 10f64.powf(1.0 + 0.5 * x)))
+                .collect(),
+            friction: (0..contacts).map(|_| 0.4 + 0.35 * dice.next()).collect(),
+            command: (0..contacts).map(|_| dice.vector::<C>() * 0.02).collect(),
+            change: (0..contacts).map(|_| dice.vector::<C>() * 0.003).collect(),
+            load: [0.03, 0.5, 0.5].map(|size| dice.vector::<D>() * size),
+        };
+        scene.command.iter_mut().for_each(|a| a[0] = 0.1);
+        // Moments about the middle.
+        for load in &mut scene.load {
+            let force = SVector::<f64, C>::from_fn(|a, _| load[a]);
+            let moved = if C == 2 {
+                vec![place * (force[1] - force[0])]
+            } else {
+                let arm = nalgebra::Vector3::repeat(place);
+                arm.cross(&nalgebra::Vector3::new(force[0], force[1], force[C - 1])).as_slice().to_vec()
+            };
+            moved.iter().enumerate().for_each(|(k, m)| load[C + k] += m);
+        }
+        for p in &around {
+            let contact = Contact::new(*p, -p + dice.vector::<C>() * 0.3).tangent(dice.vector::<C>());
+            let alone = Grasp::<D, C>::new([contact.series_stiffness(1.0, 1.0)]).unwrap();
+            scene.frame.push(*alone.frames().next().unwrap());
+        }
+        scene
+    }
+
+    fn grasp(&self) -> Grasp<D, C> {
+        Grasp::new((0..self.point.len()).map(|i| {
+            Contact::new(self.point[i], self.frame[i].column(0).into_owned())
+                .tangent(self.frame[i].column(1).into_owned())
+                .series_stiffness_axes(self.stiffness[i])
+                .friction(self.friction[i])
+                .command(self.command[i])
+        }))
+        .unwrap()
+    }
+
+    fn wrenches(&self) -> [Wrench<D, C>; 3] {
+        self.load.map(Wrench::from_vector)
+    }
+
+    fn ramp(&self) -> Ramp<D, C> {
+        let [base, direction, _] = self.wrenches();
+        Ramp::load(base, direction).with_commands(self.change.clone())
+    }
+
+    fn turn(&self) -> Turn<D, C> {
+        let [constant, cosine, sine] = self.wrenches();
+        Turn::new(constant - cosine, cosine, sine)
+    }
+
+    fn onset(&self, turns: bool) -> Onset<D, C> {
+        let grasp = self.grasp();
+        if turns {
+            grasp.onset_of_turn(&self.turn()).unwrap().onset
+        } else {
+            grasp.onset(&self.ramp()).unwrap()
+        }
+    }
+
+    fn moved(&self, by: Parameter, step: f64) -> Self {
+        let mut scene = self.clone();
+        match by {
+            Parameter::Point { contact, axis } => scene.point[contact][axis] += step,
+            Parameter::Normal { contact, axis } => {
+                let (from, to) = if axis == 0 { (1, C - 1) } else { (0, axis) };
+                let frame = &self.frame[contact];
+                let turned = [
+                    frame.column(from) * step.cos() + frame.column(to) * step.sin(),
+                    frame.column(to) * step.cos() - frame.column(from) * step.sin(),
+                ];
+                scene.frame[contact].set_column(from, &turned[0]);
+                scene.frame[contact].set_column(to, &turned[1]);
+            }
+            other => unreachable!("{other:?} is no geometry"),
+        }
+        scene
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let of_one = |contact| {
+            let points = (0..C).map(move |axis| Parameter::Point { contact, axis });
+            points.chain((3 - C.min(3)..C).map(move |axis| Parameter::Normal { contact, axis }))
+        };
+        (0..self.point.len()).flat_map(of_one).collect()
+    }
+}
+
+/// Compares forces and motions; how many comparisons had a sliding contact.
+fn compare_equilibria<const D: usize, const C: usize>(
+    seed: u64,
+    scenes: usize,
+    contacts: usize,
+    place: f64,
+) -> usize {
+    let (mut dice, mut sliding) = (Dice(seed), 0);
+    for _ in 0..scenes {
+        let scene = Scene::<D, C>::random(&mut dice, contacts, place);
+        let solve = |scene: &Scene<D, C>| {
+            let load = scene.wrenches()[0] + scene.wrenches()[1];
+            scene.grasp().solve(&load).unwrap().equilibrium().cloned()
+        };
+        let Some(here) = solve(&scene) else { continue };
+        if !here.free_motions.is_empty() {
+            continue;
+        }
+        for by in scene.parameters() {
+            let (Some(up), Some(down)) = (solve(&scene.moved(by, STEP)), solve(&scene.moved(by, -STEP)))
+            else {
+                continue;
+            };
+            let kind = |e: &grasp_lcp::equilibrium::Equilibrium<D, C>| -> Vec<_> {
+                e.contacts.iter().map(|c| std::mem::discriminant(&c.state)).collect()
+            };
+            let jumps = (up.contacts[0].force - here.contacts[0].force).norm() > 1e-3;
+            if kind(&up) != kind(&here) || kind(&down) != kind(&here) || jumps {
+                continue;
+            }
+            let exact = scene.grasp().sensitivity(&here, by).expect("a regular piece");
+            for (i, force) in exact.forces.iter().enumerate() {
+                let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * STEP);
+                let error = (difference - force).norm();
+                assert!(error < TOLERANCE * (1.0 + force.norm()), "{by:?} contact {i}: {difference} {force}");
+            }
+            let difference = (up.twist.as_vector() - down.twist.as_vector()) / (2.0 * STEP);
+            let error = (difference - exact.twist.as_vector()).norm();
+            assert!(error < TOLERANCE * (1.0 + difference.norm()), "{by:?}: {difference} {exact:?}");
+            let slides = here.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. }));
+            sliding += usize::from(slides);
+        }
+    }
+    sliding
+}
+
+/// Compares onsets of ramps with changing commands, or of turns; how many.
+fn compare_onsets<const D: usize, const C: usize>(
+    seed: u64,
+    scenes: usize,
+    contacts: usize,
+    turns: bool,
+) -> usize {
+    let (mut dice, mut compared) = (Dice(seed), 0);
+    for _ in 0..scenes {
+        let scene = Scene::<D, C>::random(&mut dice, contacts, 0.0);
+        let onset = scene.onset(turns);
+        let Some(event) = onset.event().filter(|event| event.factor > 0.0) else { continue };
+        let gradients = scene.grasp().onset_gradients_by_geometry(event).unwrap();
+        let [gradient] = &gradients[..] else { continue };
+        for by in scene.parameters() {
+            let step = 0.1 * STEP;
+            let (up, down) = (scene.moved(by, step).onset(turns), scene.moved(by, -step).onset(turns));
+            let (Some(up), Some(down)) = (up.event(), down.event()) else { continue };
+            let same = |e: &grasp_lcp::load_path::OnsetEvent<D, C>| {
+                e.leaving.len() == 1 && e.leaving[0].contact == event.leaving[0].contact
+            };
+            // Far from the edge a small change of the data may move the onset by far.
+            if !same(up) || !same(down) || (up.factor - down.factor).abs() > 1e-3 * event.factor {
+                continue;
+            }
+            let exact = match by {
+                Parameter::Point { contact, axis } => gradient.point[contact][axis],
+                Parameter::Normal { contact, axis } => gradient.normal[contact][axis],
+                other => unreachable!("{other:?} is no geometry"),
+            };
+            let difference = (up.factor - down.factor) / (2.0 * step);
+            let size = (1.0 + exact.abs()) * (1.0 + event.factor);
+            assert!((difference - exact).abs() < TOLERANCE * size, "{by:?}: {difference} {exact}");
+            compared += 1;
+        }
+    }
+    compared
+}
+
+#[test]
+fn equilibria_in_the_plane() {
+    assert!(compare_equilibria::<3, 2>(21, 100, 4, 0.0) > 200);
+}
+
+#[test]
+fn equilibria_in_space() {
+    assert!(compare_equilibria::<6, 3>(22, 40, 6, 0.0) > 200);
+}
+
+/// The reference point of loads and motions is far from the contacts, and not in their middle.
+#[test]
+fn equilibria_far_from_the_origin() {
+    assert!(compare_equilibria::<3, 2>(23, 60, 4, 7.0) + compare_equilibria::<6, 3>(24, 20, 6, 7.0) > 200);
+}
+
+#[test]
+fn onsets_of_ramps_in_the_plane() {
+    assert!(compare_onsets::<3, 2>(25, 300, 3, false) > 300);
+}
+
+#[test]
+fn onsets_of_ramps_on_the_round_cone() {
+    assert!(compare_onsets::<6, 3>(26, 800, 4, false) > 300);
+}
+
+#[test]
+fn onsets_of_turns() {
+    assert!(compare_onsets::<3, 2>(27, 300, 3, true) > 200);
+    assert!(compare_onsets::<6, 3>(28, 800, 4, true) > 200);
+}

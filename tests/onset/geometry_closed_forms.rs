@@ -1,0 +1,199 @@
+//! Derivatives by positions and normals where they are known in closed form, and where there are none.
+
+use grasp_lcp::load_path::Parameter;
+use grasp_lcp::{Error, planar, spatial};
+
+const MU: f64 = 0.5;
+const PRESS: f64 = 10.0;
+
+/// Springs alike along both axes: then a tilted finger presses along its normal as before.
+fn palm(x: f64) -> planar::Contact {
+    planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS)
+}
+
+fn weight() -> planar::Ramp {
+    planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]))
+}
+
+/// One finger tilts by φ towards t: the horizontal force is `H = P (1 + cos φ) / 2`, and it slides at `W = 2 H tan(atan μ - φ)`.
+#[test]
+fn a_palm_that_tilts() {
+    let closed = |phi: f64| PRESS * (1.0 + phi.cos()) * (MU.atan() - phi).tan();
+    // t = (n_y, -n_x) = (0, -1) at the left.
+    let tilted = |phi: f64| {
+        let left = planar::Contact::new([-1.0, 0.0], [phi.cos(), -phi.sin()]);
+        let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
+        planar::Grasp::new([left, palm(1.0)]).unwrap()
+    };
+    for phi in [0.0, 0.1, 0.3] {
+        let grasp = tilted(phi);
+        let onset = grasp.onset(&weight()).unwrap();
+        let event = onset.event().unwrap();
+        assert!((event.factor - closed(phi)).abs() < 1e-13, "{phi}: {}", event.factor);
+        let gradient = &grasp.onset_gradients_by_geometry(event).unwrap()[0];
+        let (sin, slope) = (phi.sin(), 1.0 / (MU.atan() - phi).cos().powi(2));
+        let known = -PRESS * (sin * (MU.atan() - phi).tan() + (1.0 + phi.cos()) * slope);
+        assert!((gradient.normal[0][1] - known).abs() < 1e-11, "{phi}: {} {known}", gradient.normal[0][1]);
+    }
+}
+
+/// The weight hangs at x = 0: the left finger at -l carries the share 1 / (1 + l), and slides at `W = μ P (1 + l)`; the right one at
+/// `μ P (1 + l) / l`.
+#[test]
+fn a_palm_that_is_elsewhere() {
+    for l in [0.7, 1.0, 1.6] {
+        let left = planar::Contact::new([-l, 0.0], [1.0, 0.0]);
+        let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
+        let grasp = planar::Grasp::new([left, palm(1.0)]).unwrap();
+        let onset = grasp.onset(&weight()).unwrap();
+        for gradient in grasp.onset_gradients_by_geometry(onset.event().unwrap()).unwrap() {
+            let left_slides = gradient.leaving == grasp_lcp::load_path::Leaver::Contact(0);
+            let by_l = if left_slides { MU * PRESS } else { -MU * PRESS / (l * l) };
+            assert!((gradient.point[0][0] + by_l).abs() < 1e-11, "{l}: {gradient:?}");
+        }
+    }
+}
+
+/// Seen with its fingers turned all at once, a weight turns the other way: the sum over all tilts is that of the load.
+#[test]
+fn a_grasp_that_turns_as_a_whole() {
+    let at = |angle: f64, mu: f64| {
+        planar::Contact::new([angle.cos(), angle.sin()], [-angle.cos(), -angle.sin()])
+            .series_stiffness(900.0, 500.0)
+            .friction(mu)
+            .command([0.01, 0.001])
+    };
+    let grasp = planar::Grasp::new([at(0.2, 0.5), at(2.2, 0.7), at(4.4, 0.6)]).unwrap();
+    let onset = grasp.onset(&weight()).unwrap();
+    let event = onset.event().unwrap();
+    let gradient = &grasp.onset_gradients_by_geometry(event).unwrap()[0];
+    // From x to y: a point p moves by (-y, x), and the normal tilts away from t.
+    let turned: f64 = grasp
+        .contacts()
+        .iter()
+        .zip(gradient.point.iter().zip(&gradient.normal))
+        .map(|(c, (point, normal))| point[1] * c.point()[0] - point[0] * c.point()[1] - normal[1])
+        .sum();
+    // The weight (0, -1) turned back by the same angle changes by (-1, 0) for each rad.
+    let by_load = -grasp.onset_gradients(event)[0].base_load[0] * event.factor;
+    assert!(by_load.abs() > 0.1 && (turned - by_load).abs() < 1e-11, "{turned} {by_load}");
+}
+
+/// Commands that stay along the coordinate axes: the part that the docs add.
+#[test]
+fn commands_along_the_coordinate_axes() {
+    let grasp = |phi: f64| {
+        let left = planar::Contact::new([-1.0, 0.2], [phi.cos(), -phi.sin()]).command_world([0.011, 0.002]);
+        planar::Grasp::new([left.series_stiffness(800.0, 500.0).friction(0.45), palm(1.0)]).unwrap()
+    };
+    let factor = |phi: f64| grasp(phi).onset(&weight()).unwrap().factor().unwrap();
+    let onset = grasp(0.0).onset(&weight()).unwrap();
+    let event = onset.event().unwrap();
+    let by_command = grasp(0.0).onset_gradients(event)[0].command[0];
+    let in_the_frame = grasp(0.0).onset_gradients_by_geometry(event).unwrap()[0].normal[0][1];
+    let a = grasp(0.0).contacts()[0].commanded();
+    let known = in_the_frame + by_command[0] * a[1] - by_command[1] * a[0];
+    let difference = (factor(1e-6) - factor(-1e-6)) / 2e-6;
+    assert!((known - in_the_frame).abs() > 1e-2 && (difference - known).abs() < 1e-6, "{difference} {known}");
+}
+
+fn pinch(y: f64, z: f64) -> spatial::Grasp {
+    let finger = |x: f64, [y, z]: [f64; 2]| {
+        spatial::Contact::new([x, y, z], [-x, 0.0, 0.0])
+            .series_stiffness(1000.0, 700.0)
+            .friction(MU)
+            .pressed_with(PRESS)
+    };
+    spatial::Grasp::new([finger(-1.0, [y, z]), finger(1.0, [0.0, 0.0])]).unwrap()
+}
+
+/// Two point fingers turn freely about their line. A finger may move as long as the line still meets the load.
+#[test]
+fn a_pinch_whose_line_leaves_the_load() {
+    let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force([0.0, 0.0, -1.0]));
+    let factor = |z: f64| pinch(0.0, z).onset(&ramp).unwrap().factor().unwrap();
+    let onset = pinch(0.0, 0.0).onset(&ramp).unwrap();
+    let gradients = pinch(0.0, 0.0).onset_gradients_by_geometry(onset.event().unwrap()).unwrap();
+    let up = (factor(1e-7) - factor(0.0)) / 1e-7;
+    let least = gradients.iter().map(|gradient| gradient.point[0][2]).fold(f64::INFINITY, f64::min);
+    assert!((up - least).abs() < 1e-5, "{up} {least}");
+    // Aside, the weight turns the object about the line.
+    assert!(gradients.iter().all(|gradient| gradient.point[0][1].is_nan()), "{gradients:?}");
+}
+
+/// A motion that is free in this geometry, and held in all others: how far the object goes is not said to first order.
+#[test]
+fn a_motion_that_another_geometry_holds() {
+    let at = |x: f64, n: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [0.0, 0.0, n]).series_stiffness(1000.0, 700.0).friction(MU)
+    };
+    // Three points on a line, pressed together along z; the third moves along z, as its force.
+    let fingers = [at(-1.0, 1.0), at(1.0, 1.0), at(0.0, -1.0)].map(|c| c.pressed_with(PRESS));
+    let grasp = spatial::Grasp::new(fingers).unwrap();
+    let outcome = grasp.solve(&spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
+    let held = outcome.equilibrium().expect("holds");
+    assert!(!held.free_motions.is_empty());
+    assert!(grasp.sensitivity(held, Parameter::Point { contact: 2, axis: 2 }).is_none());
+    assert!(grasp.sensitivity(held, Parameter::Point { contact: 2, axis: 0 }).is_some());
+}
+
+#[test]
+fn what_there_is_not_has_no_derivative() {
+    let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
+    let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
+    let held = outcome.equilibrium().unwrap();
+    for by in [
+        Parameter::Point { contact: 2, axis: 0 },
+        Parameter::Point { contact: 0, axis: 2 },
+        Parameter::Normal { contact: 0, axis: 0 },
+        Parameter::Normal { contact: 0, axis: 2 },
+        Parameter::Normal { contact: 2, axis: 1 },
+    ] {
+        assert!(grasp.sensitivity(held, by).is_none(), "{by:?}");
+    }
+}
+
+/// Twice the load slides at half the factor; beside a base load and commands that change, small changes say.
+#[test]
+fn the_whole_load_times_a_number() {
+    let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
+    let onset = grasp.onset(&weight()).unwrap();
+    let event = onset.event().unwrap();
+    assert!((grasp.onset_gradients(event)[0].load_scale + event.factor).abs() < 1e-12);
+    let load = planar::Wrench::new([0.3, -1.0], 0.2);
+    let ramp = |times: f64| {
+        planar::Ramp::load(load * times, planar::Wrench::force([0.2, -1.0]) * times)
+            .with_commands([[1e-3, 0.0], [0.0, 1e-4]])
+    };
+    let factor = |times: f64| grasp.onset(&ramp(times)).unwrap().factor().unwrap();
+    let onset = grasp.onset(&ramp(1.0)).unwrap();
+    let known = grasp.onset_gradients(onset.event().unwrap())[0].load_scale;
+    let difference = (factor(1.0 + 1e-6) - factor(1.0 - 1e-6)) / 2e-6;
+    assert!((difference - known).abs() < 1e-7, "{difference} {known}");
+}
+
+#[test]
+fn a_hand_is_refused_by_name() -> Result<(), Error> {
+    use grasp_lcp::planar::hand::{Finger, Hand, Joint, Ramp, Wrench};
+    let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)]).contact(palm(x));
+    let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?;
+    let onset = grasp.onset(&Ramp::<5>::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    let refused = grasp.onset_gradients_by_geometry(onset.event().expect("slides")).unwrap_err();
+    assert_eq!(refused, Error::NotForHands { question: "onset_gradients_by_geometry" });
+    Ok(())
+}
+
+/// A finger below comes aside faster than the object comes down: it slides as soon as it touches, at a gap that no margin tells of.
+#[test]
+fn a_contact_that_slides_as_it_closes_has_no_margin() {
+    let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])
+        .series_stiffness(500.0, 400.0)
+        .friction(0.3)
+        .clearance(2e-3);
+    let grasp = planar::Grasp::new([palm(-1.0), palm(1.0), below]).unwrap();
+    let ramp = weight().with_commands([[0.0, 0.0], [0.0, 0.0], [0.0, 0.01]]);
+    let onset = grasp.onset(&ramp).unwrap();
+    let event = onset.event().unwrap();
+    assert!(event.leaving[0].contact == 2 && (event.factor - 3.2).abs() < 1e-12, "{event:?}");
+    assert!(grasp.onset_gradients(event).is_empty());
+}
