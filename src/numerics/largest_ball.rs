@@ -4,7 +4,8 @@
 //! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it
 //! give way to new ones. (G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001, in any dimension.)
 //!
-//! Where a set is smooth, faces become so thin that rounding hides their planes. The polytope ends there, and what is known by then holds.
+//! Where a set is smooth, faces become so thin that rounding hides their planes. Where the polytope comes nearer to the origin by that, it ends, and what was
+//! known before holds.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeSet, BinaryHeap};
@@ -19,8 +20,8 @@ const IN_PLANE: f64 = 1e-12;
 
 /// Faces that are kept at most: each new point is shown all of them.
 const MOST_FACES: usize = 20_000;
-/// A polytope that grows comes no nearer to the origin, but for this part of its distance.
-const GROWS: f64 = 1e-12;
+/// A polytope that grows comes no nearer to the origin, but for this part of its size.
+const SHRINKS: f64 = 1e-7;
 
 /// Bounds of the radius.
 #[derive(Debug, Clone, Copy)]
@@ -72,30 +73,25 @@ struct Polytope<const D: usize> {
     faces: Vec<Face<D>>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
-    /// Whether every face has a plane.
-    is_closed: bool,
 }
 
 impl<const D: usize> Polytope<D> {
     fn of(simplex: &[Vertex<D>]) -> Self {
         let points: Vec<_> = simplex.iter().map(|vertex| vertex.at).collect();
         let (faces, alive, queue) = (Vec::new(), Vec::new(), BinaryHeap::new());
-        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue, is_closed: true };
+        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue };
         for without in 0..=D {
             polytope.add(std::array::from_fn(|k| if k < without { k } else { k + 1 }));
         }
         polytope
     }
 
-    /// Adds the face through these points, if rounding lets it have a plane.
+    /// Adds the face through these points. One so thin that it has no plane is left out: its neighbours meet there, up to rounding.
     fn add(&mut self, vertices: [usize; D]) {
         let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
             self.points[vertices[row]][column] - self.middle[column]
         });
-        let Some(solver) = PartialPivoting::new(&rows) else {
-            self.is_closed = false;
-            return;
-        };
+        let Some(solver) = PartialPivoting::new(&rows) else { return };
         let normal = solver.solve(&SVector::repeat(1.0));
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
         self.queue.push(Waiting { distance, face: self.faces.len() });
@@ -153,10 +149,12 @@ pub(crate) fn largest_ball<const D: usize>(
 ) -> Option<BallBounds<D>> {
     let mut polytope = Polytope::of(simplex);
     let mut bounds: Option<BallBounds<D>> = None;
+    let size = simplex.iter().map(|vertex| vertex.at.norm()).fold(0.0, f64::max);
     for _ in 0..most_points {
         let (distance, direction) = polytope.nearest()?;
-        let shrinks = bounds.is_some_and(|known| distance < known.at_least - GROWS * known.at_least.abs());
-        if !polytope.is_closed || shrinks || polytope.alive.len() > MOST_FACES {
+        let shrinks =
+            bounds.is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - SHRINKS * size);
+        if shrinks || polytope.alive.len() > MOST_FACES {
             break;
         }
         let next = support(&direction);
