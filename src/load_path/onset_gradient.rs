@@ -36,10 +36,11 @@ pub struct OnsetGradient<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'` with the margin that vanishes,
-    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and its rate m' along the ramp. Of a load that turns they are those of the angle.
-    /// Empty if the onset was reached after a contact had closed on the way (the history then enters, too), or as one closes that slides
-    /// at once, or if the event has another number of contacts.
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The margin that vanishes is
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. Of a load that turns they are those of the angle.
+    ///
+    /// Empty if a contact had closed on the way, since the history then enters, too, or closes there and slides at once. Empty as well if the event has
+    /// another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};

@@ -213,8 +213,8 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         Some((solved.twist, solved.forces))
     }
 
-    /// dG of one contact. `None` if the axis is out of range, for the position of a contact of a hand, and where a motion that is free
-    /// would be held in another geometry: how far it goes then is not said by small changes.
+    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` as well where a motion that is
+    /// free would be held in another geometry: how far it goes then is not said by small changes.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<SMatrix<f64, D, C>> {
         let site = &self.problem.sites[contact];
         let change = match by {

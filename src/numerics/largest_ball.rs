@@ -2,7 +2,9 @@
 //!
 //! A polytope of support points grows where it comes nearest to the origin: its nearest face, at a distance that the ball can have at least, is asked for the
 //! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it
-//! give way to new ones. (G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001, in any dimension.)
+//! give way to new ones.
+//!
+//! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!
 //! Where a set is smooth, faces become so thin that rounding hides their planes. Where the polytope comes nearer to the origin by that, it ends, and what was
 //! known before holds.

@@ -1,7 +1,7 @@
 //! The onset of sliding of a grasp that is not known exactly, to first order: no samples, a few linear solves.
 //!
-//! Close to the data the factor at which something leaves is linear in them, `τ_j = τ + g_j·z` with z normally distributed (mean 0,
-//! variance 1 each) and g_j the derivative by each datum times its σ. So it is normally distributed with the standard deviation `|g_j|`.
+//! Close to the data the factor at which something leaves is linear in them, `τ_j = τ + g_j·z`. Here z is normally distributed (mean 0,
+//! variance 1 each), and g_j the derivative by each datum times its σ. So it is normally distributed with the standard deviation `|g_j|`.
 //! Where two leave together the onset is the lesser of two such factors (Clark, The greatest of a finite set of random variables, 1961):
 //!
 //! ```text

@@ -12,7 +12,7 @@ use crate::numerics::Draw;
 
 /// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
 /// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
-/// variance 1): its median is the datum, it keeps its sign, and zero and infinity stay what they
+/// variance 1). Its median is the datum, it keeps its sign, and zero and infinity stay what they
 /// are. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone.
 ///
 /// Positions and normals have no size that they could be a part of: `σ z` is added to each
