@@ -101,8 +101,8 @@ pub enum Error {
     Unlimited {
         /// The method.
         question: &'static str,
-        /// The contact, from 0.
-        contact: usize,
+        /// Which contact.
+        contact: ContactLabel,
     },
     /// A load that turns where only straight ones can be followed.
     #[error("{method}: the load of a leg turns, must go straight")]

@@ -1,7 +1,8 @@
 //! The load path: every event of a load program with its exact load, with slip memory.
 //!
-//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test (see
-//! [`super::straight`]), unless something slides on a round cone: then its direction turns (see [`super::turning`]).
+//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test; or it turns with
+//! the load, and the next event is a root (see [`super::straight`], [`super::turned`]). Where something slides on a round cone its direction
+//! turns (see [`super::turning`]).
 //! At an event some contacts stand on an edge of their cone, at its apex or at a closed gap. They form a small complementarity
 //! problem in rates. Its solution is the next straight piece, and without a solution the path ends.
 

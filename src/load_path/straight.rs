@@ -1,4 +1,5 @@
-//! Along a straight piece: everything is affine in the fraction of the leg, and the next event is a ratio test.
+//! Along a piece on which nothing slides on a round cone: everything is affine in the fraction of the leg, and the next event is a ratio test. While the
+//! load turns, everything turns with it, and the event is a root ([`super::turned`]).
 
 use super::event::PathEnd;
 use super::first_exits::Standing;

@@ -1,4 +1,4 @@
-//! The largest ball about the origin in a convex set, between two bounds that meet.
+//! The largest ball about the origin in a convex set, between two bounds.
 //!
 //! A polytope of support points grows where it comes nearest to the origin: its nearest face, at a distance that the ball can have at least, is asked for the
 //! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it

@@ -19,8 +19,9 @@ const CLOSE: f64 = 1e-9;
 pub struct WrenchBall<const D: usize, const C: usize> {
     /// ε is at least this, N: every load this large in its [scale](WrenchScale) can be balanced. Zero where some direction cannot be at all.
     pub at_least: f64,
-    /// And at most this, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. Where a grasp is symmetric, rounding
-    /// or the number of faces ends the search on the round cone at some 1e-3; [`Settings::most_steps`] may end it before.
+    /// And at most this, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. Where a grasp is
+    /// symmetric, thin faces or their number end the search on the round cone with bounds up to a percent apart.
+    /// [`Settings::most_steps`] may end it before.
     pub at_most: f64,
     /// A load of size 1 N in its scale; more than `at_most` times as much cannot be balanced.
     pub weakest: Wrench<D, C>,

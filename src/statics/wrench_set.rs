@@ -67,6 +67,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
             map.rows_range_mut(C..).iter_mut().for_each(|entry| *entry /= scale.length);
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
             if unlimited {
+                let contact = grasp.contacts()[contact].label(contact);
                 return Err(Error::Unlimited { question, contact });
             }
             let cone = local.cone();

@@ -66,16 +66,7 @@ impl Uncertainty {
     /// No uncertainty yet, with a seed.
     #[must_use]
     pub const fn seeded(seed: u64) -> Self {
-        let none = 0.0;
-        Self {
-            friction: none,
-            stiffness: none,
-            squeeze: none,
-            position: none,
-            normal: none,
-            load: none,
-            seed,
-        }
+        Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }
     }
 
     /// This uncertainty with the σ of the coefficients of friction.

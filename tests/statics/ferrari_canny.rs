@@ -161,6 +161,54 @@ fn reach(data: &[Datum<3>], budget: Budget, v: &SVector<f64, 6>) -> f64 {
     }
 }
 
+/// Random steps downhill from many places, shorter where they fail.
+fn no_descent_finds_less(
+    numbers: &mut Numbers,
+    data: &[Datum<3>],
+    budget: Budget,
+    ball: &WrenchBall<6, 3>,
+    within: f64,
+) {
+    let random = |numbers: &mut Numbers| SVector::<f64, 6>::from_fn(|_, _| numbers.signed());
+    for _ in 0..40 {
+        let mut v = random(numbers).normalize();
+        let (mut value, mut length) = (reach(data, budget, &v), 0.5);
+        while length > 1e-4 {
+            let next = (v + random(numbers) * length).normalize();
+            let there = reach(data, budget, &next);
+            if there < value {
+                (v, value) = (next, there);
+                length *= 1.3;
+            } else {
+                length *= 0.9;
+            }
+        }
+        assert!(value > ball.at_least - within, "{value} {ball:?}");
+    }
+}
+
+#[test]
+fn where_symmetry_ends_the_search_both_bounds_hold() {
+    // Fingers evenly round a ring: many directions are as weak as the weakest, and faces of the hull become thin.
+    let mut numbers = Numbers(59);
+    for fingers in [3_u32, 4, 6] {
+        let finger = |k: u32| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(fingers)).sin_cos();
+            (SVector::from([cos, sin, 0.0]), SVector::from([-cos, -sin, 0.0]), 0.6)
+        };
+        let data: Vec<Datum<3>> = (0..fingers).map(finger).collect();
+        let grasp: spatial::Grasp = grasp_of(&data);
+        for budget in [Budget::Total(1.0), Budget::Each(1.0)] {
+            let ball = grasp.ferrari_canny_with(budget, &plain(), &Settings::default()).expect("valid");
+            println!("{fingers} {budget:?}: {} {}", ball.at_least, ball.at_most);
+            assert!(ball.at_most - ball.at_least < 0.01 * ball.at_most, "{ball:?}");
+            let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.as_vector()[k]);
+            assert!((reach(&data, budget, &weakest) - ball.at_most).abs() < 1e-9, "{ball:?}");
+            no_descent_finds_less(&mut numbers, &data, budget, &ball, 1e-9);
+        }
+    }
+}
+
 #[test]
 fn on_the_round_cone_no_descent_finds_less() {
     let mut numbers = Numbers(57);
@@ -180,23 +228,7 @@ fn on_the_round_cone_no_descent_finds_less() {
         let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.as_vector()[k]);
         assert!((weakest.norm() - 1.0).abs() < 1e-12);
         assert!((reach(&data, budget, &weakest) - ball.at_most).abs() < 1e-9, "{ball:?}");
-        for _ in 0..40 {
-            // Random steps downhill, shorter where they fail.
-            let random = |numbers: &mut Numbers| SVector::<f64, 6>::from_fn(|_, _| numbers.signed());
-            let mut v = random(&mut numbers).normalize();
-            let (mut value, mut length) = (reach(&data, budget, &v), 0.5);
-            while length > 1e-4 {
-                let next = (v + random(&mut numbers) * length).normalize();
-                let there = reach(&data, budget, &next);
-                if there < value {
-                    (v, value) = (next, there);
-                    length *= 1.3;
-                } else {
-                    length *= 0.9;
-                }
-            }
-            assert!(value > ball.at_least - 1e-9, "{value} {ball:?}");
-        }
+        no_descent_finds_less(&mut numbers, &data, budget, &ball, 1e-9);
     }
     println!("{closed}");
     assert!(closed > 15, "{closed}");
