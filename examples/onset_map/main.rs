@@ -5,7 +5,8 @@
 //! `cargo run --release --example onset_map -- --scene examples/scenes/mug.json --at 0.006,0,-0.02` does it for a grasp in a file. The force acts at
 //! the point after `--at` (m), the origin without it. It comes on top of the base load of the first onset that the scene asks for, if it asks for one.
 //!
-//! The onset is found directly. The limit is where the load path in that direction, followed from event to event with slip memory, is lost; how it is lost
+//! The onset is found directly, and so is the weakest direction. Beside the onset stands what is left of it with three standard deviations in reserve,
+//! where friction, stiffness and squeeze are not known exactly. The limit is where the load path in that direction, followed from event to event with slip memory, is lost; how it is lost
 //! is told: a limit load has no equilibrium beyond, at a snap there are others, to which a grasp may or may not come.
 
 #[path = "../support/scene_file.rs"]
@@ -16,7 +17,6 @@ mod limit;
 mod plane;
 mod space;
 mod watch;
-mod weakest;
 
 use std::path::Path;
 use std::process::ExitCode;

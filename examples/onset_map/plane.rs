@@ -10,7 +10,7 @@ use grasp_lcp::scene::{Setup, WithGrasp};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End, Last};
-use crate::{Failure, watch, weakest};
+use crate::{Failure, watch};
 
 /// Directions of the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;
@@ -68,23 +68,25 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map) -> Result<(), Failure>
         let onset = grasp.onset_with(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::NAN)
     };
-    let weakest = weakest::in_the_plane(&angles, &onsets, onset_at);
+    let weakest =
+        ask::weakest(grasp, &quick, &base, at)?.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
 
     let words = ask::words(at, &base);
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &lasts, most);
     println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
-    for (angle, onset) in &weakest {
-        println!("  weakest direction {:.6}°: onset {onset:.15} N", angle.to_degrees());
-        if let Some(edge) = distance_of_edge(*angle, onset_at) {
-            println!("    the region in which nothing slides has a straight edge there, {edge:.15} N away");
-        }
+    if let Some((angle, size)) = weakest {
+        println!(
+            "  weakest direction {:.6}°: onset {size:.15} N, from onset_of_sliding {:.15} N",
+            angle.to_degrees(),
+            onset_at(angle)
+        );
     }
     if name == "two_fingers" {
         let exact = 65f64.sqrt() / 66.0;
         println!("  downwards: onset {:.15} N, exact √65/66 = {exact:.15} N", onset_at(0.75 * TAU));
     }
-    let svg = draw(title, grasp, &words, &angles, &onsets, &lasts, &weakest)?;
+    let svg = draw(title, grasp, &words, &angles, &firsts, &lasts, weakest)?;
     support::save(&format!("onset_map_{name}.svg"), &svg)?;
     Ok(())
 }
@@ -97,33 +99,20 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
 
 fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
     println!(
-        "  {:>9}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "held to (N)", "end of the path"
+        "  {:>9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
+        "direction", "onset (N)", "less 3σ (N)", "held to (N)", "end of the path"
     );
     for ((angle, first), last) in angles.iter().zip(firsts).zip(lasts).step_by(TABLE) {
         let held = last.words(most);
         println!(
-            "  {:8.1}°  {:14.9}  {held:>14}  {:22} {}",
+            "  {:8.1}°  {:14.9}  {:14.9}  {held:>14}  {:22} {}",
             angle.to_degrees(),
             first.factor,
+            first.robust,
             last.end.word(),
             first.who
         );
     }
-}
-
-/// The region in which nothing slides is a polygon: the distance of the edge that is crossed at this angle, from two points on it. `None` if the points beside lie on
-/// two edges.
-fn distance_of_edge(angle: f64, onset_at: impl Fn(f64) -> f64) -> Option<f64> {
-    let point = |angle: f64| {
-        let (radius, (sin, cos)) = (onset_at(angle), angle.sin_cos());
-        [radius * cos, radius * sin]
-    };
-    let [a, m, b] = [-0.01, 0.0, 0.01].map(|aside| point(angle + aside));
-    let along = [b[0] - a[0], b[1] - a[1]];
-    let size = along[0].hypot(along[1]);
-    let distance = |p: [f64; 2]| (p[0] * along[1] - p[1] * along[0]) / size;
-    ((distance(m) - distance(a)).abs() <= 1e-10 * distance(a).abs()).then(|| distance(a).abs())
 }
 
 fn draw<const W: usize>(
@@ -131,17 +120,19 @@ fn draw<const W: usize>(
     grasp: &Grasp<W, 2>,
     words: &[String],
     angles: &[f64],
-    onsets: &[f64],
+    firsts: &[First],
     lasts: &[Last],
-    weakest: &[(f64, f64)],
+    weakest: Option<(f64, f64)>,
 ) -> Result<String, Failure> {
     let with = |radii: &mut dyn Iterator<Item = f64>| angles.iter().copied().zip(radii).collect::<Vec<_>>();
     let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
-    let (onset, limit) = (most(&mut onsets.iter().copied()), most(&mut lasts.iter().map(|last| last.factor)));
+    let onsets = || firsts.iter().map(|first| first.factor);
+    let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
     let rim = onset.max(limit).min(SHOWN * onset) * 1.05;
     let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
         .rim(rim)
-        .curve("onset of sliding", with(&mut onsets.iter().copied()), Stroke::Line)
+        .curve("onset of sliding", with(&mut onsets()), Stroke::Line)
+        .curve(ask::NOT_KNOWN, with(&mut firsts.iter().map(|first| first.robust)), Stroke::Line)
         .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
     for (end, words) in [
         (End::Snap, "… where it snaps: other\nequilibria exist beyond"),
@@ -154,9 +145,10 @@ fn draw<const W: usize>(
             polar = polar.curve(words, points, Stroke::Circles);
         }
     }
-    let where_weak: Vec<_> = weakest.iter().map(|(angle, _)| format!("{:.1}°", angle.to_degrees())).collect();
-    let least = weakest.first().map_or(f64::NAN, |(_, onset)| *onset);
-    polar = polar.mark(weakest.to_vec(), format!("weakest: {least:.6} N\nat {}", where_weak.join(", ")));
+    if let Some((angle, size)) = weakest {
+        polar =
+            polar.mark(vec![(angle, size)], format!("weakest: {size:.6} N\nat {:.1}°", angle.to_degrees()));
+    }
     for (i, (contact, frame)) in grasp.contacts().iter().zip(grasp.frames()).enumerate() {
         polar = polar.ray(frame[(1, 0)].atan2(frame[(0, 0)]), contact.label_text(i));
     }

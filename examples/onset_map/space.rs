@@ -9,7 +9,7 @@ use grasp_lcp::spatial::hand::{Ramp, Wrench};
 
 use crate::ask::{self, First};
 use crate::limit::{self, End};
-use crate::{Failure, watch, weakest};
+use crate::{Failure, watch};
 
 /// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
 const ONSETS: (usize, usize) = (45, 120);
@@ -59,11 +59,8 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     let Some((nearest, least)) = finite().min_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| largest > 0.0) else {
         return Err("no direction has an onset above zero: the grasp carries nothing more".into());
     };
-    let onset_at = |d: [f64; 3]| {
-        let onset = grasp.onset_with(&ramp(d), &quick).ok().and_then(|onset| onset.factor());
-        onset.unwrap_or(f64::INFINITY)
-    };
-    let (weakest, onset) = weakest::in_space(directions[nearest], onset_at);
+    // Found directly where everything touches and rolls under the base load; of the map's directions the worst otherwise.
+    let (weakest, onset) = ask::weakest(grasp, &quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);
     let most = FAR * largest;
@@ -99,6 +96,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     }
     let first = ask::first(grasp, &quick, &ramp(weakest))?;
 
+    let robust: Vec<f64> = firsts.iter().map(|first| first.robust).collect();
     let marked = |map: SphereMap| {
         let normals = grasp.contacts().iter().zip(grasp.frames()).enumerate();
         let soft = grasp.len() > MANY;
@@ -118,6 +116,17 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     .note(format!("{words}."))
     .note(format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who));
     support::save(&format!("onset_map_{name}.svg"), &marked(map).to_svg()?)?;
+    let map = SphereMap::new(
+        format!("{title}: onset of sliding with 3σ in reserve"),
+        "onset − 3σ (N)",
+        grid,
+        robust,
+    )?
+    .meanings("never slides", "not known")
+    .note(NOTE)
+    .note(format!("{words}."))
+    .note(ask::NOT_KNOWN.replace('\n', " "));
+    support::save(&format!("onset_map_{name}_robust.svg"), &marked(map).to_svg()?)?;
     if let Some(lasts) = lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
         let held = lasts.iter().map(|last| last.factor).collect();
         let map =
@@ -143,8 +152,8 @@ fn print_table<const W: usize>(
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
     println!(
-        "  {:9}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "held to (N)", "end of the path"
+        "  {:9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
+        "direction", "onset (N)", "less 3σ (N)", "held to (N)", "end of the path"
     );
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
@@ -157,10 +166,10 @@ fn print_table<const W: usize>(
         ("−z", back(z)),
         ("weakest", weakest),
     ] {
-        let First { factor, who } = ask::first(grasp, &ask::quick(&setup.settings), &ramp(d))?;
+        let First { factor, who, robust } = ask::first(grasp, &ask::quick(&setup.settings), &ramp(d))?;
         let last = limit::last(grasp, &setup.settings, base, pull(d), most)?;
         let held = last.words(most);
-        println!("  {name:9}  {factor:14.9}  {held:>14}  {:22} {who}", last.end.word());
+        println!("  {name:9}  {factor:14.9}  {robust:14.9}  {held:>14}  {:22} {who}", last.end.word());
     }
     Ok(())
 }

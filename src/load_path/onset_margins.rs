@@ -54,7 +54,7 @@ impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
         let rates = local.piece.solve(grasp.sites(), drive_rates, wrench_rate).ok()?;
         let mut margins = Vec::with_capacity(leaving.len());
         for &site in leaving {
-            let Some(leaver) = leaver(grasp, site) else { continue };
+            let Some(leaver) = grasp.leaver(site) else { continue };
             let Some(h) = facet(&local, event.cone, site) else { continue };
             let mut margin = Margin { leaver, site, h, slope: 1.0 };
             margin.slope = margin.of(&local, &rates.forces[site]);
@@ -96,13 +96,6 @@ impl<const C: usize> Margin<C> {
     fn of<const D: usize>(&self, local: &Local<D, C>, force: &SVector<f64, C>) -> f64 {
         let cone = local.problem.local(self.site).cone();
         self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
-    }
-}
-
-fn leaver<const D: usize, const C: usize>(grasp: &Grasp<D, C>, site: usize) -> Option<Leaver> {
-    match grasp.linkage() {
-        Some(linkage) if site >= grasp.len() => Some(Leaver::Drive(linkage.part(site - grasp.len())?)),
-        _ => Some(Leaver::Contact(site)),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::drive_change::DriveChange;
 use super::event::Change;
 use super::onset::{Departure, Leaving};
+use super::onset_margins::Leaver;
 use crate::grasp::{Grasp, HandPart, Role};
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
@@ -35,6 +36,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let (contacts, drives): (Vec<_>, Vec<_>) = sites.into_iter().partition(|i| *i < self.len());
         let part = |i: &usize| self.linkage().and_then(|linkage| linkage.part(i - self.len()));
         (contacts, drives.iter().filter_map(part).collect())
+    }
+
+    /// The contact or the owner of the drive at a site; `None` for springs that nobody owns, which never leave.
+    pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
+        match self.linkage() {
+            Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
+            _ => Some(Leaver::Contact(site)),
+        }
     }
 
     fn named(&self, site: usize, frees: bool) -> Option<(HandPart, DriveChange)> {

@@ -1,4 +1,4 @@
-//! Forces of every contact while everything rolls, and what its cone asks of them.
+//! Forces of every site while everything rolls, and what its cone asks of them: contacts, then drives of a hand.
 
 use nalgebra::SVector;
 

@@ -9,6 +9,7 @@ use super::rolling::{Push, Rolling, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Grasp, Twist, Wrench};
+use crate::load_path::Leaver;
 use crate::numerics::Turning;
 use crate::search::Settings;
 
@@ -28,8 +29,8 @@ pub enum WeakestDirection<const D: usize, const C: usize> {
         direction: [f64; C],
         /// The base load with that force.
         load: Wrench<D, C>,
-        /// The contact that leaves rolling, from 0.
-        contact: usize,
+        /// The contact that leaves rolling, or the drive of a hand that reaches its limit.
+        leaver: Leaver,
     },
     /// However large the force is, everything keeps rolling in every direction.
     Never,
@@ -67,7 +68,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50. [`Error::NotForHands`] for a grasp by a hand.
+    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50.
     pub fn weakest_direction(
         &self,
         base: &Wrench<D, C>,
@@ -86,7 +87,6 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         point: impl Into<[f64; C]>,
         settings: &Settings,
     ) -> Result<WeakestDirection<D, C>, Error> {
-        self.refuse_hands("weakest_direction")?;
         let point = point.into();
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
@@ -104,29 +104,24 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             Ok(pushes) => pushes,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
-        let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), contact: 0 };
-        let contacts = rolling.edges.iter().zip(&forces.of).zip(&pushes);
-        for (contact, ((edges, force), pushes)) in contacts.enumerate() {
+        let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), site: 0 };
+        let sites = rolling.edges.iter().zip(&forces.of).zip(&pushes);
+        for (site, ((edges, force), pushes)) in sites.enumerate() {
             match edges {
-                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(contact, force, pushes, row)),
+                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(site, force, pushes, row)),
                 Edges::Round { limit } => {
-                    if !least.go_round(contact, *limit, force, pushes) {
+                    if !least.go_round(site, *limit, force, pushes) {
                         return Ok(WeakestDirection::Undecided);
                     }
                 }
             }
         }
-        if least.size.is_infinite() {
+        let Least { size, direction, site } = least;
+        let Some(leaver) = self.leaver(site).filter(|_| size.is_finite()) else {
             return Ok(WeakestDirection::Never);
-        }
-        let Least { size, direction, contact } = least;
+        };
         let direction = direction.into();
-        Ok(WeakestDirection::Force {
-            size,
-            direction,
-            load: *base + push(&point, &direction) * size,
-            contact,
-        })
+        Ok(WeakestDirection::Force { size, direction, load: *base + push(&point, &direction) * size, leaver })
     }
 }
 
@@ -134,26 +129,26 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 struct Least<const C: usize> {
     size: f64,
     direction: SVector<f64, C>,
-    contact: usize,
+    site: usize,
 }
 
 impl<const C: usize> Least<C> {
     /// The least force that breaks one condition.
-    fn cut(&mut self, contact: usize, force: &SVector<f64, C>, pushes: &Push<C>, row: &SVector<f64, C>) {
+    fn cut(&mut self, site: usize, force: &SVector<f64, C>, pushes: &Push<C>, row: &SVector<f64, C>) {
         let felt = pushes.felt(row);
         let size = row.dot(force).max(0.0) / felt.norm();
         if size < self.size {
-            *self = Self { size, direction: -felt.normalize(), contact };
+            *self = Self { size, direction: -felt.normalize(), site };
         }
     }
 
     /// The least force that breaks one of the conditions of a round cone. Whether it was found before cuts ran out.
-    fn go_round(&mut self, contact: usize, limit: f64, force: &SVector<f64, C>, pushes: &Push<C>) -> bool {
+    fn go_round(&mut self, site: usize, limit: f64, force: &SVector<f64, C>, pushes: &Push<C>) -> bool {
         // Where to begin: the facets towards and against the friction force, and across.
         let begin = force[C - 1].atan2(force[1]);
         for quarter in 0_u8..4 {
             let angle = begin + f64::from(quarter) * FRAC_PI_2;
-            self.cut(contact, force, pushes, &round_row(limit, angle));
+            self.cut(site, force, pushes, &round_row(limit, angle));
         }
         if self.size.is_infinite() {
             // What moves no condition at four angles moves none: three vectors say how all of them move.
@@ -164,7 +159,7 @@ impl<const C: usize> Least<C> {
             let turning = Turning { number, vector: pushes.turning(limit, self.size) };
             let Some(angle) = turning.deepest(TAU) else { return true };
             let before = self.size;
-            self.cut(contact, force, pushes, &round_row(limit, angle));
+            self.cut(site, force, pushes, &round_row(limit, angle));
             if self.size >= before {
                 // What is left is rounding.
                 return true;

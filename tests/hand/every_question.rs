@@ -83,7 +83,6 @@ fn nothing_panics_and_what_agrees_agrees() {
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
         let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
-        refused(grasp.weakest_direction(&load, [0.0; 2]).err());
         refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
         refused(grasp.onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());

@@ -10,3 +10,4 @@ mod pressed;
 mod sensitivity;
 mod stability;
 mod theory;
+mod weakest;

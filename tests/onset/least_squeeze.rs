@@ -1,6 +1,7 @@
 //! The least squeeze and the weakest direction against dense sampling from both sides.
 
 use grasp_lcp::equilibrium::{Outcome, Rung};
+use grasp_lcp::load_path::Leaver;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::{Error, planar, spatial};
 use support::numbers::Numbers;
@@ -50,7 +51,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         let grasp = Ball::new(3 + number % 3, &mut numbers).pressed(10.0)?;
         let base = spatial::Wrench::force(numbers.three());
         let point = numbers.three().map(|x| 0.2 * x);
-        let WeakestDirection::Force { size, direction, load, contact, .. } =
+        let WeakestDirection::Force { size, direction, load, leaver, .. } =
             grasp.weakest_direction(&base, point)?
         else {
             continue;
@@ -61,7 +62,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         let there = onset(direction)?;
         let event = there.event().expect("slides");
         assert!((event.factor - size).abs() < 1e-13 * size, "{number}: {} {size}", event.factor);
-        assert!(event.leaving.iter().any(|leaving| leaving.contact == contact));
+        assert!(event.leaving.iter().any(|leaving| Leaver::Contact(leaving.contact) == leaver));
         assert!((load.as_vector() - event.load.as_vector()).norm() < 1e-12 * size);
         let mut least = f64::INFINITY;
         for _ in 0..2000 {
