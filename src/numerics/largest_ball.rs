@@ -10,7 +10,7 @@
 //! known before holds.
 
 use std::cmp::Ordering;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::BinaryHeap;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -75,13 +75,15 @@ struct Polytope<const D: usize> {
     faces: Vec<Face<D>>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
+    /// Those of the faces that a new point sees: one list for all points, so that none is allocated for each.
+    ridges: Vec<[usize; D]>,
 }
 
 impl<const D: usize> Polytope<D> {
     fn of(simplex: &[Vertex<D>]) -> Self {
         let points: Vec<_> = simplex.iter().map(|vertex| vertex.at).collect();
-        let (faces, alive, queue) = (Vec::new(), Vec::new(), BinaryHeap::new());
-        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue };
+        let (faces, alive, queue, ridges) = (Vec::new(), Vec::new(), BinaryHeap::new(), Vec::new());
+        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue, ridges };
         for without in 0..=D {
             polytope.add(std::array::from_fn(|k| if k < without { k } else { k + 1 }));
         }
@@ -106,28 +108,28 @@ impl<const D: usize> Polytope<D> {
         let number = self.points.len();
         let from_middle = point - self.middle;
         self.points.push(point);
-        let mut rim: BTreeSet<[usize; D]> = BTreeSet::new();
-        let faces = &mut self.faces;
+        self.ridges.clear();
+        let (faces, ridges) = (&mut self.faces, &mut self.ridges);
         self.alive.retain(|&k| {
             let face = &mut faces[k];
             face.is_alive = face.normal.dot(&from_middle) < 1.0 - IN_PLANE;
             if !face.is_alive {
                 for without in 0..D {
-                    // A ridge is named by its vertices and a number that none has; seen twice it lies inside.
                     let mut ridge = face.vertices;
                     ridge[without..].rotate_left(1);
-                    ridge[D - 1] = usize::MAX;
-                    if !rim.remove(&ridge) {
-                        rim.insert(ridge);
-                    }
+                    ridge[D - 1] = number;
+                    ridges.push(ridge);
                 }
             }
             face.is_alive
         });
-        for mut vertices in rim {
-            vertices[D - 1] = number;
-            self.add(vertices);
+        // A ridge inside of what goes belongs to two faces of it, one of its rim to one; twins are neighbours once sorted.
+        let mut ridges = std::mem::take(&mut self.ridges);
+        ridges.sort_unstable();
+        for same in ridges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1) {
+            self.add(same[0]);
         }
+        self.ridges = ridges;
     }
 
     /// The nearest face.
