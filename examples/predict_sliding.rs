@@ -1,27 +1,9 @@
 //! When does the paper's two-finger grasp start to slide? Its table recomputed, the onset found directly, two pictures.
 //!
 //! `cargo run --release --example predict_sliding`
-//!
-//! The same for any grasp in a file, planar or spatial: what the file asks is printed; the first equilibrium is drawn, and a spatial grasp
-//! becomes a page, too, that one can turn with the mouse.
-//!
-//! `cargo run --release --example predict_sliding -- --scene examples/scenes/mug.json`
 
-#[path = "support/predict.rs"]
-mod predict;
-#[path = "support/predict_words.rs"]
-mod predict_words;
-#[path = "support/scene_file.rs"]
-mod scene_file;
-#[path = "support/scene_picture.rs"]
-mod scene_picture;
-
-use std::path::Path;
-use std::process::ExitCode;
-
-use grasp_lcp::picture::{Chart, Stroke, View, draw_grasp};
+use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};
-use grasp_lcp::scene::Space;
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
 
 /// What a contact does, in one word.
@@ -36,60 +18,7 @@ fn word(state: &ContactState) -> &'static str {
 
 type Failure = Box<dyn std::error::Error>;
 
-fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => the_papers_grasp(),
-        ["--scene", file] => of_file(Path::new(file)),
-        _ => Err("usage: predict_sliding [--scene FILE]".into()),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-/// What a scene file asks.
-fn of_file(file: &Path) -> Result<(), Failure> {
-    let scene = scene_file::read(file)?;
-    println!("{}", file.display());
-    if let Some(comment) = &scene.comment {
-        println!("{comment}");
-    }
-    let in_file = |error| format!("{}: {error}", file.display());
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    let title = stem.replace('_', " ");
-    let turns = match &scene.space {
-        Space::Planar(setup) => scene_picture::turns(setup, &title)?,
-        Space::Spatial(setup) => scene_picture::turns(setup, &title)?,
-    };
-    match &scene.space {
-        Space::Planar(setup) => {
-            predict::predict(setup).map_err(in_file)?;
-            if let Some(svg) = scene_picture::planar(setup, &title)? {
-                println!();
-                support::save(&format!("scene_{stem}.svg"), &svg)?;
-            }
-        }
-        Space::Spatial(setup) => {
-            predict::predict(setup).map_err(in_file)?;
-            println!();
-            let page = scene_picture::spatial(setup, &title)?;
-            support::save(&format!("scene_{stem}.html"), &page.to_html()?)?;
-            let first = (page.answers() > 0).then_some(0);
-            support::save(&format!("scene_{stem}.svg"), &page.to_svg(first, View::default())?)?;
-        }
-    }
-    if let Some(svg) = turns {
-        support::save(&format!("scene_{stem}_friction.svg"), &svg)?;
-    }
-    Ok(())
-}
-
-fn the_papers_grasp() -> Result<(), Failure> {
+fn main() -> Result<(), Failure> {
     let grasp = two_fingers()?;
 
     println!("The paper's second grasp under a growing load W along -y (N); margin = μ F_n - |F_t|\n");

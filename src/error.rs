@@ -96,6 +96,9 @@ pub enum Error {
     /// Commands that change while the load turns: events would have no exact angles.
     #[error("commands of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
+    /// An onset of sliding is asked along a ramp that does not change anything, of a scene.
+    #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
+    NothingChanges,
     /// A question that bounds normal forces, asked of a contact whose force they do not bound.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {

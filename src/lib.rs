@@ -73,7 +73,8 @@
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps that are not known exactly |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
-//! | `scene` | scenes and answers as JSON, or in any other format of serde that describes itself (feature `serde`) |
+//! | `scene` | scenes and answers in any format of serde that describes itself (feature `serde`), JSON with messages that name the field (feature `json`) |
+//! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
 //!
 //! # Answers
 //!
@@ -115,6 +116,8 @@ mod search;
 pub mod spatial;
 pub mod squeeze;
 pub mod statics;
+#[cfg(feature = "json")]
+pub mod stream;
 pub mod structured;
 pub mod sweep;
 

@@ -25,6 +25,7 @@ mod accuracy;
 mod answer;
 mod bracket;
 mod decomposition;
+mod display;
 mod distinct;
 #[cfg(test)]
 mod exact_refutation;
@@ -49,4 +50,5 @@ pub use refutation::Refutation;
 pub use residuals::Residuals;
 pub(crate) use write_out::site_states;
 
+pub(crate) use display::row;
 pub(crate) use questions::ACCURATE;

@@ -13,6 +13,23 @@ use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 ///
 /// The reference point of wrenches and twists is the origin of the coordinates in which the contact
 /// points are given.
+///
+/// | what you want | method |
+/// |---|---|
+/// | where the object goes and what contacts carry under a load, or the proof that nothing holds | [`solve`](Self::solve) |
+/// | the load at which the first contact slides | [`onset_of_sliding`](Self::onset_of_sliding), with commands [`onset`](Self::onset) |
+/// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
+/// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | onset and limit load side by side | [`reserve`](Self::reserve) |
+/// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch) |
+/// | how much squeeze suffices | [`least_squeeze`](Self::least_squeeze) |
+/// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
+/// | how an answer changes with the data | [`onset_gradients`](Self::onset_gradients), [`sensitivity`](Self::sensitivity), [`response`](Self::response) |
+/// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
+/// | whether fingers could hold it at all | [`force_closure`](Self::force_closure), [`form_closure`](Self::form_closure), [`ferrari_canny`](Self::ferrari_canny), [`load_limit`](Self::load_limit) |
+/// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
+/// | many questions on all cores | [`solve_each`](Self::solve_each), [`onset_each`](Self::onset_each), [the room](crate::sweep) |
+/// | what the paper's quadratic program says | [`minimum_energy`](Self::minimum_energy), [`compare_with_minimum_energy`](Self::compare_with_minimum_energy) |
 #[derive(Debug, Clone)]
 pub struct Grasp<const D: usize, const C: usize> {
     contacts: Vec<Contact<C>>,

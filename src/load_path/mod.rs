@@ -39,6 +39,7 @@ mod arc;
 mod beyond;
 mod course;
 mod crossing;
+mod display;
 mod drive_change;
 mod energy;
 mod event;

@@ -4,7 +4,7 @@ use super::event::{Loss, PathEnd};
 use super::leg::Leg;
 use super::onset::Onset;
 use super::ramp::Ramp;
-use crate::error::Error;
+use crate::error::{Error, is_moderate};
 use crate::grasp::Grasp;
 use crate::search::Settings;
 
@@ -84,6 +84,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         most: f64,
         settings: &Settings,
     ) -> Result<Reserve<D, C>, Error> {
+        if !(most > 0.0 && is_moderate(most)) {
+            let allowed = "more than 0 and at most 1e50";
+            return Err(Error::Argument { what: "most, the bound of the factor", value: most, allowed });
+        }
         let onset = self.onset_with(ramp, settings)?;
         let leg = Leg::along(&ramp.times(most));
         let mut path = self.follow_with(&ramp.base, &[leg], settings)?;

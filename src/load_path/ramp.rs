@@ -81,6 +81,14 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
         }
     }
 
+    /// Whether nothing changes along it.
+    #[cfg(feature = "serde")]
+    pub(crate) fn stands_still(&self) -> bool {
+        let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
+        let joints = self.joint_change.iter().flatten();
+        self.direction.as_vector().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
+    }
+
     /// What the drives of a grasp change by for each unit of the factor.
     pub(crate) fn drive_changes(&self, grasp: &Grasp<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
         if let Some(change) = &self.command_change {

@@ -31,7 +31,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     ///
     /// # Errors
     /// [`Error::Size`] unless there is one command change for each contact of the scene.
-    /// [`Error::JointCommands`] unless there is one for each joint and each tendon.
+    /// [`Error::JointCommands`] unless there is one for each joint and each tendon. [`Error::NothingChanges`] if all of the ramp is zero.
     pub fn ramp<const W: usize>(&self, asked: &RampAsked<D, C>) -> Result<Ramp<W, C>, Error> {
         let mut ramp = Ramp::load(asked.base.resized(), asked.direction.resized());
         if let Some(change) = &asked.command_change {
@@ -40,7 +40,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         if let Some(change) = &asked.joint_change {
             ramp = ramp.with_joint_commands(self.of_joints(change, "changes of joint commands")?);
         }
-        Ok(ramp)
+        if ramp.stands_still() { Err(Error::NothingChanges) } else { Ok(ramp) }
     }
 
     /// The legs of a load program as the grasp has them. Every point of a soft fingertip has the commands of its
@@ -119,7 +119,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     }
 
     /// Where contacts, joints and tendons of the grasp stand in the scene.
-    fn places(&self) -> Result<Places, Error> {
+    pub(super) fn places(&self) -> Result<Places, Error> {
         let mut contacts = Vec::new();
         for (contact, entry) in self.entries().enumerate() {
             let place = |point| Place { contact, point, name: entry.contact.name.clone() };

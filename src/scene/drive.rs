@@ -77,6 +77,18 @@ pub struct DriveTurn {
     pub what: DriveChange,
 }
 
+impl Part {
+    /// Its name, or what it is and its number.
+    #[must_use]
+    pub fn label(&self) -> String {
+        let (kind, number) = match self.part {
+            HandPart::Joint(joint) => ("joint", joint),
+            HandPart::Tendon(tendon) => ("tendon", tendon),
+        };
+        self.name.clone().unwrap_or_else(|| format!("{kind} {number}"))
+    }
+}
+
 impl Places {
     pub(super) fn part(&self, part: HandPart) -> Part {
         let name = match part {

@@ -244,14 +244,16 @@
 //! # Errors
 //!
 //! A scene that can be read has numbers in range and lists of matching length. Messages name the
-//! contact's data, the value and what is allowed; line and column are added by `serde_json`, the
-//! path of the field (`planar.contacts[1].friction`) by `serde_path_to_error`, as in the example
-//! `predict_sliding`.
+//! contact's data, the value and what is allowed. `Scene::from_json` (feature `json`) adds line and column and the
+//! path of the field, `planar.contacts[1].friction`. What can be asked but is seldom meant is a [`Warning`].
 
 mod answer;
 mod asked;
+mod brief;
 mod drive;
 mod equilibrium;
+#[cfg(feature = "json")]
+mod fault;
 mod fields;
 mod finger;
 mod fingertip;
@@ -270,13 +272,17 @@ mod settings;
 mod setup;
 mod turn;
 mod turn_onset;
+mod warning;
 mod width;
 mod wrench;
 mod written;
 
 pub use answer::Answer;
+pub use brief::Brief;
 pub use drive::{DriveTurn, JointTold, Part, TendonTold};
 pub use equilibrium::{Accuracy, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
+#[cfg(feature = "json")]
+pub use fault::{At, Fault, FaultKind};
 pub use finger::Finger;
 pub use fingertip::{Fingertip, MovedBy};
 pub use motion::Motion;
@@ -287,5 +293,6 @@ pub use place::{Doing, Place, Touch};
 pub use question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
 pub use turn_onset::{EdgeOf, EdgeTouch, TurnAnswer, TurnEvent, TurnOnset};
+pub use warning::Warning;
 pub use width::WithGrasp;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

@@ -20,6 +20,15 @@ pub struct Place {
     pub name: Option<String>,
 }
 
+impl Place {
+    /// Its name, or what it is and its number.
+    #[must_use]
+    pub fn label(&self) -> String {
+        let name = self.name.clone().unwrap_or_else(|| format!("contact {}", self.contact));
+        self.point.map_or(name.clone(), |point| format!("{name}, point {point}"))
+    }
+}
+
 /// What a grasp consists of, in its order, as the scene knows it.
 pub(super) struct Places {
     pub(super) contacts: Vec<Place>,

@@ -12,7 +12,7 @@ use crate::load_path::Turn;
 
 /// One question, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const D: usize, const C: usize> {
     /// The equilibrium under a load; see [`Grasp::solve_with`](crate::grasp::Grasp::solve_with).
@@ -33,6 +33,30 @@ pub enum Question<const D: usize, const C: usize> {
         /// The program.
         legs: Vec<Leg<D, C>>,
     },
+}
+
+/// Told to whoever writes no object, such as `"onset"` alone.
+const AN_OBJECT: &str = "a question with what it needs, such as {\"onset\": {\"direction\": {\"force\": [0, -1]}}}, with three numbers in space";
+
+/// A question that is read as an object: a bare name is refused with [`AN_OBJECT`].
+struct Named<const D: usize, const C: usize>(Question<D, C>);
+
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Named<D, C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        Question::deserialize(deserializer).map(Self)
+    }
+}
+
+impl<'de, const D: usize, const C: usize> Deserialize<'de> for Question<D, C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, AN_OBJECT, |Named(question)| Ok(question))
+    }
+}
+
+impl<const D: usize, const C: usize> Serialize for Question<D, C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Question::serialize(self, serializer)
+    }
 }
 
 /// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ

@@ -162,6 +162,14 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
     }
 
+    /// Number of contacts that its grasp has: soft fingertips count as many as they have points.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] for a patch that cannot be built.
+    pub fn points(&self) -> Result<usize, Error> {
+        self.entries().map(Fingertip::count).sum()
+    }
+
     /// Whether there are fingers or tendons: the grasp is then that of a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {

@@ -151,8 +151,7 @@ struct Out<'a> {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct In {
-    #[expect(dead_code, reason = "that it can be read is all that matters")]
-    format: Format,
+    format: Option<Format>,
     id: Option<Id>,
     comment: Option<String>,
     planar: Option<Setup<3, 2>>,
@@ -168,7 +167,10 @@ impl Serialize for Scene {
 
 impl<'de> Deserialize<'de> for Scene {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a scene", |In { id, comment, planar, spatial, .. }| {
+        object::read(deserializer, "a scene", |In { format, id, comment, planar, spatial }| {
+            if format.is_none() {
+                return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
+            }
             let space = match (planar, spatial) {
                 (Some(setup), None) => Space::Planar(setup),
                 (None, Some(setup)) => Space::Spatial(setup),

@@ -1,11 +1,11 @@
-//! The stream of the example: answers in order and the same for any number of threads, bad lines by themselves, bounded memory.
+//! The stream: answers in order and the same for any number of threads, bad lines by themselves, bounded memory.
 
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use crate::stream::{BLOCK_BYTES, LONGEST_LINE, Tally, answer_lines, most_ahead};
+use grasp_lcp::stream::{BLOCK_BYTES, LONGEST_LINE, StreamOptions, Tally, answer_lines, most_ahead};
 use serde_json::{Value, json};
 
 /// A pinch that is held, slides or drops its load, with an id.
@@ -26,9 +26,14 @@ fn line(id: usize) -> String {
         .to_string()
 }
 
+/// As many workers, otherwise as it is.
+fn on(threads: usize) -> StreamOptions {
+    StreamOptions::default().on_threads(threads)
+}
+
 fn run(input: &str, threads: usize) -> (Tally, String) {
     let mut output = Vec::new();
-    let tally = answer_lines(input.as_bytes(), &mut output, threads).unwrap();
+    let tally = answer_lines(input.as_bytes(), &mut output, &on(threads)).unwrap();
     (tally, String::from_utf8(output).unwrap())
 }
 
@@ -69,9 +74,12 @@ fn a_bad_line_stays_by_itself() {
     for threads in [1, 2] {
         let (tally, output) = run(&input, threads);
         assert_eq!(tally, Tally { lines: 10, answered: 3, errors: 5 });
-        let replies = replies(&output);
+        let mut replies = replies(&output);
         let numbers: Vec<_> = replies.iter().map(|r| r["line"].as_u64().unwrap()).collect();
-        assert_eq!(numbers, [1, 4, 5, 6, 7, 8, 9, 10]);
+        assert_eq!(numbers, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+        for blank in replies.drain(1..3) {
+            assert_eq!(blank.as_object().unwrap().keys().collect::<Vec<_>>(), ["blank", "line"]);
+        }
         for (k, reply) in replies.iter().enumerate() {
             assert_ne!(reply.get("answers").is_some(), reply.get("error").is_some());
             assert_eq!(reply.get("error").is_some(), (1..=5).contains(&k), "{reply}");
@@ -89,7 +97,13 @@ fn a_bad_line_stays_by_itself() {
         "point": [0, 0], "normal": [0, 1], "series_stiffness": [1, 1]
     }] } });
     let (tally, output) = run(&format!("{silent}\n{nothing}\n"), 1);
-    assert_eq!((tally.answered, tally.errors), (1, 1));
+    assert_eq!((tally.answered, tally.errors), (0, 2));
+    assert!(
+        replies(&output)[0]["error"]["message"]
+            .as_str()
+            .unwrap()
+            .contains("one of them must change something")
+    );
     assert_eq!(replies(&output)[1]["error"]["message"], "no questions: there is nothing to answer");
 }
 
@@ -97,7 +111,7 @@ fn a_bad_line_stays_by_itself() {
 fn bytes_that_are_no_text_are_a_bad_line() {
     let mut output = Vec::new();
     let input = [line(1).as_bytes(), b"\n\xff\xfe\x00\n", line(3).as_bytes(), b"\n"].concat();
-    let tally = answer_lines(&input[..], &mut output, 2).unwrap();
+    let tally = answer_lines(&input[..], &mut output, &on(2)).unwrap();
     assert_eq!(tally, Tally { lines: 3, answered: 2, errors: 1 });
     assert_eq!(replies(&String::from_utf8(output).unwrap())[1]["error"]["kind"], "syntax");
 }
@@ -107,7 +121,7 @@ fn a_line_without_end_is_not_kept() {
     let long = io::repeat(b' ').take(LONGEST_LINE as u64 + 1);
     let rest = format!("\n{}\n", line(2));
     let mut output = Vec::new();
-    let tally = answer_lines(long.chain(rest.as_bytes()), &mut output, 1).unwrap();
+    let tally = answer_lines(long.chain(rest.as_bytes()), &mut output, &on(1)).unwrap();
     assert_eq!(tally, Tally { lines: 2, answered: 1, errors: 1 });
     let reply = &replies(&String::from_utf8(output).unwrap())[0];
     assert_eq!(reply["error"]["message"], format!("longer than {LONGEST_LINE} bytes"));
@@ -172,7 +186,7 @@ fn no_more_is_read_than_can_be_kept() {
         // The last line of the buffer may be counted before the buffer is looked at.
         let in_buffer = BLOCK_BYTES / text.len() + 1;
         let input = Endless { text, at: 0, left: LINES, given: &given, written: &written, most: &most };
-        let tally = answer_lines(input, Slow(&written), threads).unwrap();
+        let tally = answer_lines(input, Slow(&written), &on(threads)).unwrap();
         assert_eq!(tally, Tally { lines: LINES, answered: 0, errors: LINES });
         assert_eq!(written.into_inner(), LINES);
         let most = most.into_inner();
@@ -227,7 +241,7 @@ fn every_line_is_answered_before_the_next_one_comes() {
     let lines: Vec<String> = (1..=5).map(|id| line(id) + "\n").collect();
     let input = Patient { lines: lines.into_iter(), answered, asked: false };
     let output = Prompt { text: io::BufWriter::new(Vec::new()), shown: 0, answered: tell };
-    assert_eq!(answer_lines(input, output, 2).unwrap(), Tally { lines: 5, answered: 5, errors: 0 });
+    assert_eq!(answer_lines(input, output, &on(2)).unwrap(), Tally { lines: 5, answered: 5, errors: 0 });
 }
 
 /// Fails after so many writes.
@@ -249,7 +263,7 @@ fn it_ends_when_nobody_reads_on() {
     let [given, written, most] = [const { AtomicUsize::new(0) }; 3];
     let text = (line(1) + "\n").into_bytes();
     let input = Endless { text, at: 0, left: 1_000_000, given: &given, written: &written, most: &most };
-    let error = answer_lines(input, Broken(3), 2).unwrap_err();
+    let error = answer_lines(input, Broken(3), &on(2)).unwrap_err();
     assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
     assert!(given.into_inner() < 10_000, "it must not read on");
 }
@@ -267,7 +281,7 @@ impl Read for Torn {
 fn what_was_read_before_reading_failed_is_answered() {
     let before = line(1) + "\n" + &line(2) + "\n";
     let mut output = Vec::new();
-    let error = answer_lines(before.as_bytes().chain(Torn), &mut output, 2).unwrap_err();
+    let error = answer_lines(before.as_bytes().chain(Torn), &mut output, &on(2)).unwrap_err();
     assert_eq!(error.to_string(), "the disk is gone");
     assert_eq!(replies(&String::from_utf8(output).unwrap()).len(), 2);
 }

@@ -1,10 +1,5 @@
 //! Scenes and pictures: what is read, what is written, what is drawn.
 
-#[path = "../../examples/support/scene_file.rs"]
-mod scene_file;
-#[path = "../../examples/support/stream.rs"]
-mod stream;
-
 mod direction_pictures;
 mod format;
 mod hands;

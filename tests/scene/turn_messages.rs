@@ -1,7 +1,7 @@
 //! Turns that are none are refused with a message that says where, what, and what is allowed.
 
-use crate::scene_file::parse;
 use grasp_lcp::planar::{Contact, Turn};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::scene::{Commands, Goal, Leg, Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
 
@@ -19,10 +19,10 @@ const SPACE: &str = r#"{"format": "grasp-lcp/1", "spatial": {"contacts": [{"poin
 
 /// Every case has the message that is expected of it.
 fn expect(scene: &str, cases: &[(&str, &str, &str)]) {
-    assert!(parse(scene.as_bytes()).unwrap().answers().is_ok());
+    assert!(Scene::from_json(scene.as_bytes()).unwrap().answers().is_ok());
     for (from, to, expected) in cases {
         assert!(scene.contains(from), "{from}");
-        let told = parse(scene.replacen(from, to, 1).as_bytes()).expect_err(to).to_string();
+        let told = Scene::from_json(scene.replacen(from, to, 1).as_bytes()).expect_err(to).to_string();
         assert_eq!(told, *expected);
     }
 }

@@ -7,9 +7,11 @@ use grasp_lcp::picture::{SphereGrid, SphereMap};
 use grasp_lcp::scene::{Setup, WithGrasp};
 use grasp_lcp::spatial::hand::{Ramp, Wrench};
 
-use crate::ask::{self, First};
-use crate::limit::{self, End};
-use crate::{Failure, watch};
+use super::ask::{self, First};
+use super::limit::{self, End};
+use super::watch;
+use crate::failure::Failure;
+use crate::files::Pictures;
 
 /// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
 const ONSETS: (usize, usize) = (45, 120);
@@ -22,14 +24,13 @@ const ALL_PATHS: Duration = Duration::from_secs(120);
 /// Load paths are followed this many times as far as the largest onset.
 const FAR: f64 = 5.0;
 
-pub(crate) fn map(setup: &Setup<6, 3>, title: &str, name: &str, at: [f64; 3]) -> Result<(), Failure> {
-    setup.with_grasp(Map { setup, title, name, at })?
+pub(crate) fn map(setup: &Setup<6, 3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Result<(), Failure> {
+    setup.with_grasp(Map { setup, pictures, at })?
 }
 
 struct Map<'a> {
     setup: &'a Setup<6, 3>,
-    title: &'a str,
-    name: &'a str,
+    pictures: &'a Pictures<'a>,
     at: [f64; 3],
 }
 
@@ -40,8 +41,9 @@ impl WithGrasp<3> for Map<'_> {
     }
 }
 
-fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure> {
-    let &Map { setup, title, name, at } = map;
+fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Failure> {
+    let &Map { setup, pictures, at } = map;
+    let title = pictures.title();
     let base: Wrench<W> = ask::base(setup);
     let pull = |direction: [f64; 3]| Wrench::force_at(direction, at);
     let ramp = |direction: [f64; 3]| Ramp::load(base, pull(direction));
@@ -52,12 +54,14 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
     let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(grasp, &quick, &ramp(*d)))?
-        .ok_or("onsets in so many directions take more than five minutes")?;
+        .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
     let Some((nearest, least)) = finite().min_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| largest > 0.0) else {
-        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
+        return Err(Failure::Scene(
+            "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
+        ));
     };
     // Found directly where everything touches and rolls under the base load; of the map's directions the worst otherwise.
     let (weakest, onset) = ask::weakest(grasp, &quick, &base, at)?.unwrap_or((directions[nearest], least));
@@ -115,7 +119,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     .note(NOTE)
     .note(format!("{words}."))
     .note(format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who));
-    support::save(&format!("onset_map_{name}.svg"), &marked(map).to_svg()?)?;
+    pictures.save("_map.svg", &marked(map).to_svg()?)?;
     let map = SphereMap::new(
         format!("{title}: onset of sliding with 3σ in reserve"),
         "onset − 3σ (N)",
@@ -126,7 +130,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
     .note(NOTE)
     .note(format!("{words}."))
     .note(ask::NOT_KNOWN.replace('\n', " "));
-    support::save(&format!("onset_map_{name}_robust.svg"), &marked(map).to_svg()?)?;
+    pictures.save("_map_robust.svg", &marked(map).to_svg()?)?;
     if let Some(lasts) = lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
         let held = lasts.iter().map(|last| last.factor).collect();
         let map =
@@ -135,7 +139,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map) -> Result<(), Failure>
                 .note(NOTE)
                 .note(format!("{words}."))
                 .note(format!("How the {} paths end: {}.", ways.len(), limit::count(&lasts)));
-        support::save(&format!("onset_map_{name}_limit.svg"), &marked(map).to_svg()?)?;
+        pictures.save("_map_limit.svg", &marked(map).to_svg()?)?;
     }
     Ok(())
 }

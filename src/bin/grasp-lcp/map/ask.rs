@@ -7,16 +7,7 @@ use grasp_lcp::squeeze::WeakestDirection;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Settings};
 
-use crate::Failure;
-
-/// Where the force acts: numbers between commas, or the origin.
-pub(crate) fn point<const C: usize>(text: Option<&str>) -> Result<[f64; C], Failure> {
-    let Some(text) = text else { return Ok([0.0; C]) };
-    let numbers: Option<Vec<f64>> =
-        text.split(',').map(|number| number.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
-    let point = numbers.and_then(|numbers| <[f64; C]>::try_from(numbers).ok());
-    point.ok_or_else(|| format!("--at {text}: must be {C} finite numbers with commas between them").into())
-}
+use crate::failure::Failure;
 
 /// The load on top of which the force comes.
 pub(crate) fn base<const D: usize, const W: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<W, C> {
@@ -110,14 +101,15 @@ pub(crate) fn check_base<const D: usize, const W: usize, const C: usize>(
 ) -> Result<(), Failure> {
     match grasp.onset_with(ramp, &setup.settings)? {
         Onset::NoBase(none) => {
-            Err(format!("no equilibrium exists under the base load: {:?}", none.proof).into())
+            Err(Failure::Scene(format!("no equilibrium exists under the base load: {:?}", none.proof)))
         }
-        Onset::AlreadySliding(_) => {
-            Err("something slides already under the base load: there is no onset to map".into())
-        }
-        Onset::Undecided(undecided) => {
-            Err(format!("the equilibrium under the base load is undecided: {:?}", undecided.doubt).into())
-        }
+        Onset::AlreadySliding(_) => Err(Failure::Scene(
+            "something slides already under the base load: there is no onset to map".to_owned(),
+        )),
+        Onset::Undecided(undecided) => Err(Failure::Scene(format!(
+            "the equilibrium under the base load is undecided: {:?}",
+            undecided.doubt
+        ))),
         _ => Ok(()),
     }
 }
@@ -134,4 +126,9 @@ pub(crate) fn words<const D: usize, const C: usize>(at: [f64; C], base: &Wrench<
         lines.push("no other load".to_owned());
     }
     lines
+}
+
+/// Of a map that nobody waits for.
+pub(crate) fn too_long() -> Failure {
+    Failure::Scene("a map of so many contacts takes more than five minutes".to_owned())
 }

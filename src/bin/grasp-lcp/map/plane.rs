@@ -8,9 +8,11 @@ use grasp_lcp::picture::{Polar, Stroke};
 use grasp_lcp::planar::hand::{Ramp, Wrench};
 use grasp_lcp::scene::{Setup, WithGrasp};
 
-use crate::ask::{self, First};
-use crate::limit::{self, End, Last};
-use crate::{Failure, watch};
+use super::ask::{self, First};
+use super::limit::{self, End, Last};
+use super::watch;
+use crate::failure::Failure;
+use crate::files::Pictures;
 
 /// Directions of the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;
@@ -20,16 +22,14 @@ const FAR: f64 = 5.0;
 const SHOWN: f64 = 3.0;
 /// Then something is wrong.
 const MOST: Duration = Duration::from_secs(300);
-const TOO_LONG: &str = "that takes more than five minutes";
 
-pub(crate) fn map(setup: &Setup<3, 2>, title: &str, name: &str, at: [f64; 2]) -> Result<(), Failure> {
-    setup.with_grasp(Map { setup, title, name, at })?
+pub(crate) fn map(setup: &Setup<3, 2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Result<(), Failure> {
+    setup.with_grasp(Map { setup, pictures, at })?
 }
 
 struct Map<'a> {
     setup: &'a Setup<3, 2>,
-    title: &'a str,
-    name: &'a str,
+    pictures: &'a Pictures<'a>,
     at: [f64; 2],
 }
 
@@ -40,8 +40,9 @@ impl WithGrasp<2> for Map<'_> {
     }
 }
 
-fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map) -> Result<(), Failure> {
-    let &Map { setup, title, name, at } = map;
+fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map<'_>) -> Result<(), Failure> {
+    let &Map { setup, pictures, at } = map;
+    let title = pictures.title();
     let base: Wrench<W> = ask::base(setup);
     let pull = |angle: f64| {
         // Quarter turns exactly, so that symmetric grasps have symmetric answers.
@@ -53,17 +54,19 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map) -> Result<(), Failure>
     let quick = ask::quick(&setup.settings);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
     let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(grasp, &quick, &ramp(*angle)))?
-        .ok_or(TOO_LONG)?;
+        .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
-        return Err("no direction has an onset above zero: the grasp carries nothing more".into());
+        return Err(Failure::Scene(
+            "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
+        ));
     }
     let most = FAR * largest;
     let lasts = watch::sweep("load paths", &angles, MOST, |angle| {
         limit::last(grasp, &setup.settings, base, pull(*angle), most)
     })?
-    .ok_or(TOO_LONG)?;
+    .ok_or_else(ask::too_long)?;
     let onset_at = |angle: f64| {
         let onset = grasp.onset_with(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::NAN)
@@ -82,12 +85,8 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map) -> Result<(), Failure>
             onset_at(angle)
         );
     }
-    if name == "two_fingers" {
-        let exact = 65f64.sqrt() / 66.0;
-        println!("  downwards: onset {:.15} N, exact √65/66 = {exact:.15} N", onset_at(0.75 * TAU));
-    }
-    let svg = draw(title, grasp, &words, &angles, &firsts, &lasts, weakest)?;
-    support::save(&format!("onset_map_{name}.svg"), &svg)?;
+    let svg = draw(&title, grasp, &words, &angles, &firsts, &lasts, weakest)?;
+    pictures.save("_map.svg", &svg)?;
     Ok(())
 }
 

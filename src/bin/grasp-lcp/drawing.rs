@@ -3,24 +3,44 @@
 
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::Grasp;
-use grasp_lcp::load_path::Onset;
-use grasp_lcp::picture::{Chart, SpatialPage, chart_of_turn, draw_grasp};
-use grasp_lcp::scene::{Question, Setup, WithGrasp};
+use grasp_lcp::load_path::{Onset, OnsetEvent};
+use grasp_lcp::picture::{Chart, SpatialPage, View, chart_of_turn, draw_grasp};
+use grasp_lcp::scene::{Question, Scene, Setup, Space, WithGrasp};
 
-type Failure = Box<dyn std::error::Error>;
+use crate::failure::Failure;
+use crate::files::Pictures;
 
-/// The SVG of a planar scene, if a question of it has an equilibrium.
-pub(crate) fn planar(setup: &Setup<3, 2>, title: &str) -> Result<Option<String>, Failure> {
+/// Draws a scene.
+pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure> {
+    let title = pictures.title();
+    let turns = match &scene.space {
+        Space::Planar(setup) => {
+            pictures.save(".svg", &planar(setup, &title)?)?;
+            turns(setup, &title)?
+        }
+        Space::Spatial(setup) => {
+            let page = spatial(setup, &title)?;
+            pictures.save(".html", &page.to_html()?)?;
+            let first = (page.answers() > 0).then_some(0);
+            pictures.save(".svg", &page.to_svg(first, View::default())?)?;
+            turns(setup, &title)?
+        }
+    };
+    turns.map_or(Ok(()), |svg| pictures.save("_friction.svg", &svg))
+}
+
+/// The SVG of a planar scene in the first equilibrium that a question of it has; without one there is nothing to draw.
+fn planar(setup: &Setup<3, 2>, title: &str) -> Result<String, Failure> {
     setup.with_grasp(Still { setup, title })?
 }
 
 /// The page of a spatial scene: one answer for each question that has a state to show.
-pub(crate) fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, Failure> {
+fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, Failure> {
     setup.with_grasp(Page { setup, title })?
 }
 
 /// What each contact uses of its friction while the load turns, one chart for each such question; none if there is no such question.
-pub(crate) fn turns<const D: usize, const C: usize>(
+fn turns<const D: usize, const C: usize>(
     setup: &Setup<D, C>,
     title: &str,
 ) -> Result<Option<String>, Failure> {
@@ -54,11 +74,14 @@ struct Still<'a> {
 }
 
 impl WithGrasp<2> for Still<'_> {
-    type Output = Result<Option<String>, Failure>;
+    type Output = Result<String, Failure>;
     fn with<const W: usize>(self, grasp: &Grasp<W, 2>) -> Self::Output {
-        let Some(state) = first_equilibrium(self.setup, grasp)? else { return Ok(None) };
+        let Some(state) = first_equilibrium(self.setup, grasp)? else {
+            let why = "nothing to draw: no question of the scene has an equilibrium or an onset to show";
+            return Err(Failure::Usage(why.to_owned()));
+        };
         let outline: Vec<[f64; 2]> = self.setup.outline.iter().map(|corner| (*corner).into()).collect();
-        Ok(Some(draw_grasp(grasp, &state, Some(&outline), self.title)?))
+        Ok(draw_grasp(grasp, &state, Some(&outline), self.title)?)
     }
 }
 
@@ -91,6 +114,16 @@ fn first_equilibrium<const W: usize>(
         }
     }
     Ok(None)
+}
+
+/// The equilibrium at an onset of the grasp itself.
+fn its_state<const W: usize, const C: usize>(
+    grasp: &Grasp<W, C>,
+    event: &OnsetEvent<W, C>,
+) -> Result<Equilibrium<W, C>, Failure> {
+    let lost =
+        || Failure::Scene("the equilibrium at the onset is not accurate enough to be drawn".to_owned());
+    grasp.state_at_onset(event).ok_or_else(lost)
 }
 
 struct Page<'a> {
@@ -128,7 +161,7 @@ fn shown<const W: usize>(
         }
         Question::Onset(ramp) => match grasp.onset_with(&setup.ramp(ramp)?, settings)? {
             Onset::At(event) => {
-                let state = grasp.state_at_onset(&event).ok_or("its own event")?;
+                let state = its_state(grasp, &event)?;
                 page.frame(format!("{number}. onset of sliding, factor {:.6}", event.factor), &state)
             }
             Onset::AlreadySliding(state) => page.frame(format!("{number}. slides at factor 0"), &state),
@@ -136,7 +169,7 @@ fn shown<const W: usize>(
         },
         Question::OnsetOfTurn(turn) => match grasp.onset_of_turn_with(&setup.turn(turn), settings)?.onset {
             Onset::At(event) => {
-                let state = grasp.state_at_onset(&event).ok_or("its own event")?;
+                let state = its_state(grasp, &event)?;
                 let angle = event.factor.to_degrees();
                 page.frame(format!("{number}. onset of sliding, turned by {angle:.4} degrees"), &state)
             }

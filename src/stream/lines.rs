@@ -3,38 +3,40 @@
 //! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order. A queue of
 //! bounded length carries, for each block, the place where its answer will be put; the reader waits while it is full. A block is closed
 //! when it is full or when no further line has arrived yet, and output is flushed before waiting: who types gets an answer to each line.
-#![allow(dead_code, reason = "each user needs a part of it")]
 
 use std::io::{self, BufReader, Read, Write};
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TryRecvError, channel, sync_channel};
 use std::thread;
 
-use grasp_lcp::scene::{Answers, Id};
-
-use super::scene_file::{Fault, id_of, parse};
+use super::options::StreamOptions;
+use super::reply::Reply;
 
 /// Lines of a block.
 const BLOCK: usize = 64;
 /// A block with this many bytes is full.
-pub(crate) const BLOCK_BYTES: usize = 1 << 16;
+pub const BLOCK_BYTES: usize = 1 << 16;
 /// A longer line is not kept; it is answered by an error.
-pub(crate) const LONGEST_LINE: usize = 1 << 26;
+pub const LONGEST_LINE: usize = 1 << 26;
+
+/// Bytes that are kept of a line that is too long.
+const KEPT: usize = 1 << 10;
 
 /// What was done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// Lines read, empty ones included.
-    pub(crate) lines: usize,
+    pub lines: usize,
     /// Lines answered by answers.
-    pub(crate) answered: usize,
+    pub answered: usize,
     /// Lines answered by an error.
-    pub(crate) errors: usize,
+    pub errors: usize,
 }
 
 /// Never more lines than this have been read of which the answers are not yet written, but for those in the buffer of [`BLOCK_BYTES`]
 /// that input is read into.
-pub(crate) const fn most_ahead(threads: usize) -> usize {
+#[must_use]
+pub const fn most_ahead(threads: usize) -> usize {
     // In the queue; at the reader that waits to put one there; at the writer.
     (queue(threads) + 2) * BLOCK
 }
@@ -45,16 +47,17 @@ const fn queue(threads: usize) -> usize {
 }
 
 /// One line.
-struct Line {
+pub(super) struct Line {
     /// From 1.
-    number: usize,
-    text: Vec<u8>,
-    too_long: bool,
+    pub(super) number: usize,
+    /// What is kept of it: of a line that is too long, its beginning.
+    pub(super) text: Vec<u8>,
+    pub(super) too_long: bool,
 }
 
 struct Job {
     lines: Vec<Line>,
-    answer: Sender<Answered>,
+    answer: Sender<io::Result<Answered>>,
 }
 
 struct Answered {
@@ -62,16 +65,19 @@ struct Answered {
     tally: Tally,
 }
 
-/// Answers every line of `input` by one line of `output`, in order; lines of nothing but white space are counted and skipped.
-pub(crate) fn answer_lines(
+/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`].
+///
+/// # Errors
+/// What reading or writing fails with; lines that are no scenes are answered by an error in their place.
+pub fn answer_lines(
     input: impl Read + Send,
     mut output: impl Write,
-    threads: usize,
+    options: &StreamOptions,
 ) -> io::Result<Tally> {
-    let threads = threads.max(1);
+    let threads = options.threads.max(1);
     // No more jobs than places.
     let (put_job, take_job) = channel::<Job>();
-    let (put_place, take_place) = sync_channel::<Receiver<Answered>>(queue(threads));
+    let (put_place, take_place) = sync_channel::<Receiver<io::Result<Answered>>>(queue(threads));
     let take_job = &Mutex::new(take_job);
     thread::scope(|scope| {
         let reader = scope.spawn(move || read_blocks(input, &put_job, &put_place));
@@ -79,7 +85,7 @@ pub(crate) fn answer_lines(
             scope.spawn(move || {
                 while let Some(Job { lines, answer }) = next(take_job) {
                     // Nobody waits for it if writing failed.
-                    let _ = answer.send(answer_block(&lines));
+                    let _ = answer.send(answer_block(&lines, options));
                 }
             });
         }
@@ -99,7 +105,7 @@ fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
 fn read_blocks(
     input: impl Read,
     jobs: &Sender<Job>,
-    places: &SyncSender<Receiver<Answered>>,
+    places: &SyncSender<Receiver<io::Result<Answered>>>,
 ) -> io::Result<usize> {
     let mut input = BufReader::with_capacity(BLOCK_BYTES, input);
     let mut number = 0;
@@ -135,7 +141,7 @@ fn read_blocks(
     }
 }
 
-/// The next line without its end; of one that is too long, nothing but that.
+/// The next line without its end; of one that is too long, its beginning.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<Line>> {
     use io::BufRead;
     let mut line = Line { number, text: Vec::new(), too_long: false };
@@ -153,7 +159,8 @@ fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Opti
         let part = &arrived[..end.unwrap_or(arrived.len())];
         line.too_long |= line.text.len() + part.len() > LONGEST_LINE;
         if line.too_long {
-            line.text = Vec::new();
+            line.text.truncate(KEPT);
+            line.text.shrink_to_fit();
         } else {
             line.text.extend_from_slice(part);
         }
@@ -165,11 +172,14 @@ fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Opti
     }
 }
 
-fn write_blocks(places: &Receiver<Receiver<Answered>>, output: &mut impl Write) -> io::Result<Tally> {
+fn write_blocks(
+    places: &Receiver<Receiver<io::Result<Answered>>>,
+    output: &mut impl Write,
+) -> io::Result<Tally> {
     let mut tally = Tally::default();
     while let Some(place) = receive(places, output)? {
         // A worker that is gone has panicked; the scope says so.
-        let Some(block) = receive(&place, output)? else { break };
+        let Some(block) = receive(&place, output)?.transpose()? else { break };
         output.write_all(&block.text)?;
         tally.answered += block.tally.answered;
         tally.errors += block.tally.errors;
@@ -190,55 +200,17 @@ fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<
     }
 }
 
-fn answer_block(lines: &[Line]) -> Answered {
+fn answer_block(lines: &[Line], options: &StreamOptions) -> io::Result<Answered> {
     let mut block = Answered { text: Vec::new(), tally: Tally::default() };
     for line in lines {
-        if line.text.trim_ascii().is_empty() && !line.too_long {
-            continue;
+        let reply = Reply::to(line, options);
+        match reply.is_answered() {
+            Some(true) => block.tally.answered += 1,
+            Some(false) => block.tally.errors += 1,
+            None => {}
         }
-        let answer = answer(line);
-        if answer.error.is_some() {
-            block.tally.errors += 1;
-        } else {
-            block.tally.answered += 1;
-        }
-        serde_json::to_writer(&mut block.text, &answer).expect("answers have text keys and go to memory");
+        serde_json::to_writer(&mut block.text, &reply)?;
         block.text.push(b'\n');
     }
-    block
-}
-
-/// What a line becomes.
-#[derive(serde::Serialize)]
-struct Reply {
-    line: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<Id>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    answers: Option<Answers>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    error: Option<Fault>,
-}
-
-fn answer(line: &Line) -> Reply {
-    let mut reply = Reply { line: line.number, id: None, answers: None, error: None };
-    if line.too_long {
-        reply.error = Some(Fault::of_line(format!("longer than {LONGEST_LINE} bytes")));
-        return reply;
-    }
-    let answered = parse(&line.text).and_then(|scene| {
-        reply.id.clone_from(&scene.id);
-        scene.answers().map_err(|error| Fault::of_question(&error))
-    });
-    match answered {
-        Ok(answers) if answers.is_empty() => {
-            reply.error = Some(Fault::of_line("no questions: there is nothing to answer".to_owned()));
-        }
-        Ok(answers) => reply.answers = Some(answers),
-        Err(fault) => {
-            reply.id = reply.id.or_else(|| id_of(&line.text));
-            reply.error = Some(fault);
-        }
-    }
-    reply
+    Ok(block)
 }

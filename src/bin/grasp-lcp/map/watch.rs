@@ -1,30 +1,37 @@
 //! Progress of a sweep, where somebody looks, and its end, if it takes too long.
 
-use std::io::IsTerminal;
+use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use grasp_lcp::Error;
 use grasp_lcp::sweep::map_watched;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// What is done sooner needs no bar.
+const SOON: Duration = Duration::from_secs(1);
 
 /// All answers in order, or the first error; `None` if they are not there within the time.
 pub(crate) fn sweep<T: Sync, R: Send>(
-    what: &str,
+    what: &'static str,
     items: &[T],
     most: Duration,
     f: impl Fn(&T) -> Result<R, Error> + Sync + Send,
 ) -> Result<Option<Vec<R>>, Error> {
-    let (seen, start) = (std::io::stderr().is_terminal(), Instant::now());
+    let start = Instant::now();
+    let bar = ProgressBar::with_draw_target(Some(items.len() as u64), ProgressDrawTarget::hidden());
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos} of {len}, {eta}") {
+        bar.set_style(style);
+    }
+    bar.set_message(what);
     let answers = map_watched(items, f, |progress| {
-        let percent = |answered: usize| 100 * answered / progress.of;
-        if seen && percent(progress.answered) != percent(progress.answered - 1) {
-            eprint!("\r{what}: {} of {}  ", progress.answered, progress.of);
+        if bar.is_hidden() && start.elapsed() > SOON && io::stderr().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
         }
+        bar.set_position(progress.answered as u64);
         if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    if seen {
-        eprintln!();
-    }
+    bar.finish_and_clear();
     // `None` as soon as one is missing.
     let answered: Option<Vec<_>> = answers.into_iter().collect();
     answered.map(|answers| answers.into_iter().collect()).transpose()

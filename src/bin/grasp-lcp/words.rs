@@ -1,9 +1,8 @@
 //! Words for what a scene's answers say.
 
 use grasp_lcp::equilibrium::DriveState;
-use grasp_lcp::grasp::{HandPart, Wrench};
-use grasp_lcp::load_path::DriveChange;
-use grasp_lcp::scene::{Doing, Motion, Part, Place, Proof, Touch};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::scene::{Doing, Motion, Proof, Touch};
 
 /// What is left of a limit, if there is one.
 pub(crate) fn left(margin: f64) -> String {
@@ -16,25 +15,6 @@ pub(crate) fn gives_way(state: DriveState) -> &'static str {
         DriveState::Slack => "  slack",
         _ => "",
     }
-}
-
-pub(crate) fn drive_word(what: DriveChange) -> &'static str {
-    match what {
-        DriveChange::Yields => "yields at its limit",
-        DriveChange::Holds => "holds again",
-        DriveChange::Slackens => "slackens",
-        DriveChange::Tightens => "tightens",
-        _ => "changes",
-    }
-}
-
-pub(crate) fn part_name(part: &Part) -> String {
-    let (kind, number) = match part.part {
-        HandPart::Joint(joint) => ("joint", joint),
-        HandPart::Tendon(tendon) => ("tendon", tendon),
-        _ => ("part", 0),
-    };
-    part.name.clone().unwrap_or_else(|| format!("{kind} {number}"))
 }
 
 /// A motion of the object, and of the joints if there are any.
@@ -78,11 +58,6 @@ pub(crate) fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> Stri
         }
         other => format!("{other:?}"),
     }
-}
-
-pub(crate) fn name(place: &Place) -> String {
-    let name = place.name.clone().unwrap_or_else(|| format!("contact {}", place.contact));
-    place.point.map_or(name.clone(), |point| format!("{name}, point {point},"))
 }
 
 pub(crate) fn wrench<const D: usize, const C: usize>(wrench: &Wrench<D, C>) -> String {

@@ -1,0 +1,186 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
+
+/// Does the grasp hold? At which load does a contact start to slide, and what comes after?
+///
+/// A scene is a JSON file: contacts with points, normals, stiffness, friction and squeeze, and questions. The format is described in the
+/// documentation of the module `scene`; examples are in `examples/scenes`. Lengths are in m, forces in N, angles in degrees.
+#[derive(Debug, Parser)]
+#[command(name = "grasp-lcp", version, max_term_width = 100, after_help = AFTER)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const AFTER: &str = "\
+Examples:
+  grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
+  grasp-lcp draw mug.json                     its answers as a page to turn, and as SVG
+  grasp-lcp stream < scenes.jsonl             one scene a line in, one answer a line out
+
+Exit codes:
+  0  everything was answered; \"no equilibrium\" is an answer
+  1  a file could not be read or written
+  2  the command line is wrong
+  3  the scene is refused, with the field and what is allowed
+  4  an answer is \"undecided\"";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Answers every question of a scene.
+    Ask(Ask),
+    /// Where does the object go, and what do the contacts carry, under a load?
+    Solve {
+        #[command(flatten)]
+        load: Load,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// At which load does the first contact start to slide?
+    ///
+    /// The load grows from nothing along a force and a moment; the factor of the answer counts them.
+    Onset {
+        #[command(flatten)]
+        load: Load,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// At which angle does the first contact start to slide while a weight is tilted?
+    Turn {
+        /// The weight, N: components between commas.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        weight: Option<Numbers>,
+        /// The centre of mass, m; the origin if left out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        at: Option<Numbers>,
+        /// In space the axis about which the grasp is tilted.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
+        axis: Option<Numbers>,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// What happens on the way as the load goes from one force to the next?
+    Follow {
+        /// A force that the load goes to, N, one for each leg.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        to: Vec<Numbers>,
+        /// Where the forces act, m; the origin if left out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        at: Option<Numbers>,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// How much is held in every direction, and which is the weakest? A table and pictures.
+    Map {
+        /// The scene; `-` for standard input.
+        scene: PathBuf,
+        /// Where the force acts, m; the origin if left out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        at: Option<Numbers>,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Draws the grasp with its answers: SVG, and of a spatial grasp also a page to turn with the mouse.
+    Draw {
+        /// The scene; `-` for standard input.
+        scene: PathBuf,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Answers scenes in JSON, one a line, on all cores, in order.
+    ///
+    /// Every line of standard input is a scene; every line of standard output is its answer, with the number of the line and the scene's `id`, or
+    /// a hash of the line. A line that cannot be answered gives an error in its place, and the rest goes on.
+    Stream {
+        /// Workers; the output does not depend on them. All cores if left out.
+        #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+        threads: Option<u16>,
+        /// Answers in a hundred bytes: outcome, factor and the first contact.
+        #[arg(long)]
+        brief: bool,
+        /// A scene with more points of contact is refused.
+        #[arg(long, default_value_t = 2000)]
+        most_points: usize,
+        /// Most combinations of contact states that a scene may try.
+        #[arg(long, default_value_t = 20_000)]
+        most_states: usize,
+        /// Most steps along sliding arcs that a leg may take.
+        #[arg(long, default_value_t = 20_000)]
+        most_steps: usize,
+    },
+    /// Completions for a shell, to be put where it looks for them.
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+    /// The manual page, in roff.
+    Man,
+}
+
+/// Which scene, and how the answer is written.
+#[derive(Debug, Args)]
+pub(crate) struct Ask {
+    /// The scene; `-` for standard input.
+    pub(crate) scene: PathBuf,
+    /// The answers in JSON in place of words.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// A load in place of those that the scene asks for.
+#[derive(Debug, Args)]
+pub(crate) struct Load {
+    /// The force, N: components between commas. Without force and moment the scene's own questions are asked.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+    pub(crate) force: Option<Numbers>,
+    /// The moment, N m: one number in the plane, three in space.
+    #[arg(long, allow_hyphen_values = true, value_name = "M")]
+    pub(crate) moment: Option<Numbers>,
+    /// Where the force acts, m; the origin if left out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+    pub(crate) at: Option<Numbers>,
+}
+
+/// Where pictures go.
+#[derive(Debug, Args)]
+pub(crate) struct Output {
+    /// The folder that pictures are written to; it is made if it is not there.
+    #[arg(long, short, default_value = "output")]
+    pub(crate) output: PathBuf,
+    /// What the names of pictures begin with; the name of the scene's file if left out.
+    #[arg(long)]
+    pub(crate) name: Option<String>,
+}
+
+/// Numbers between commas.
+#[derive(Debug, Clone)]
+pub(crate) struct Numbers(pub(crate) Vec<f64>);
+
+impl std::str::FromStr for Numbers {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |part: &str| match part.trim().parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(format!(
+                "`{part}` is no finite number; write numbers with commas between them, such as 0,0,-1"
+            )),
+        };
+        text.split(',').map(number).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Numbers {
+    /// As many as the axes of the scene.
+    pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
+        let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
+        self.0
+            .as_slice()
+            .try_into()
+            .map_err(|_| format!("--{option}: {} given, must be {space}", self.0.len()))
+    }
+}

@@ -1,0 +1,89 @@
+//! Scenes in files: asked, drawn, mapped and streamed.
+
+mod arguments;
+mod asking;
+mod drawing;
+mod failure;
+mod files;
+mod map;
+mod report;
+mod words;
+
+use std::io::{self, BufWriter, Write};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::{CommandFactory, Parser};
+use grasp_lcp::stream::{StreamOptions, answer_lines};
+
+use arguments::{Arguments, Command};
+use asking::Asked;
+use failure::Failure;
+use files::Pictures;
+
+fn main() -> ExitCode {
+    match run(Arguments::parse().command) {
+        Ok(code) => code,
+        Err(failure) => {
+            if !matches!(failure, Failure::Closed) {
+                eprintln!("{failure}");
+            }
+            failure.code()
+        }
+    }
+}
+
+fn run(command: Command) -> Result<ExitCode, Failure> {
+    match command {
+        Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
+        Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
+        Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),
+        Command::Turn { weight, at, axis, ask } => {
+            return asking::ask(&ask, &Asked::Turn { weight, at, axis });
+        }
+        Command::Follow { to, at, ask } => return asking::ask(&ask, &Asked::Follow { to, at }),
+        Command::Map { scene, at, output } => {
+            map::map(&files::read(&scene)?, &Pictures::new(&output, &scene), at.as_ref())?;
+        }
+        Command::Draw { scene, output } => {
+            drawing::draw(&files::read(&scene)?, &Pictures::new(&output, &scene))?;
+        }
+        Command::Stream { threads, brief, most_points, most_states, most_steps } => {
+            let mut options = StreamOptions::default();
+            options.threads = threads.map_or(options.threads, usize::from);
+            (options.brief, options.most_points) = (brief, most_points);
+            (options.most_states, options.most_steps) = (most_states, most_steps);
+            stream(&options)?;
+        }
+        Command::Completions { shell } => {
+            clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut io::stdout());
+        }
+        Command::Man => manual(&mut io::stdout().lock())?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The page of the program, then those of its commands.
+fn manual(out: &mut impl Write) -> Result<(), Failure> {
+    let command = Arguments::command();
+    clap_mangen::Man::new(command.clone()).render(out)?;
+    for part in command.get_subcommands() {
+        clap_mangen::Man::new(part.clone()).render(out)?;
+    }
+    Ok(())
+}
+
+fn stream(options: &StreamOptions) -> Result<(), Failure> {
+    let start = Instant::now();
+    let tally = answer_lines(io::stdin(), BufWriter::new(io::stdout()), options)?;
+    let seconds = start.elapsed().as_secs_f64();
+    eprintln!(
+        "{} lines: {} answered, {} errors, {seconds:.3} s, {:.0} scenes/s on {} threads",
+        tally.lines,
+        tally.answered,
+        tally.errors,
+        tally.answered as f64 / seconds,
+        options.threads
+    );
+    Ok(())
+}

@@ -1,0 +1,30 @@
+//! How much is held in every direction: onset of sliding and what the load path holds, with the weakest direction.
+//!
+//! The onset is found directly, and so is the weakest direction. Beside the onset stands what is left of it with three standard deviations in reserve,
+//! where friction, stiffness and squeeze are not known exactly. The limit is where the load path in that direction, followed from event to event with slip
+//! memory, is lost; how it is lost is told: a limit load has no equilibrium beyond, at a snap there are others, to which a grasp may or may not come.
+
+mod ask;
+mod limit;
+mod plane;
+mod space;
+mod watch;
+
+use grasp_lcp::scene::{Scene, Space};
+
+use crate::arguments::Numbers;
+use crate::failure::Failure;
+use crate::files::Pictures;
+
+/// Prints a table and draws the maps of a scene, for a force at a point. It comes on top of the base load of the first onset that the scene asks for.
+pub(crate) fn map(scene: &Scene, pictures: &Pictures<'_>, at: Option<&Numbers>) -> Result<(), Failure> {
+    match &scene.space {
+        Space::Planar(setup) => plane::map(setup, pictures, point(at)?),
+        Space::Spatial(setup) => space::map(setup, pictures, point(at)?),
+    }
+}
+
+/// Where the force acts, the origin unless said otherwise.
+fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
+    at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
+}

@@ -1,0 +1,262 @@
+//! Answers in words and tables.
+
+use std::io::{self, Write};
+
+use grasp_lcp::scene::{
+    Answer, Beyond, Departure, Doing, DriveTurn, EdgeOf, Equilibrium, Leaving, OnsetAnswer, PathAnswer,
+    PathEnd, Question, Setup, SolveAnswer, Touch, Turn, TurnAnswer, TurnOnset,
+};
+
+use crate::words::{doing, gives_way, left, proof, row, wrench};
+
+/// Prints the answers to the questions of a scene.
+pub(crate) fn print<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    answers: &[Answer<D, C>],
+) -> io::Result<()> {
+    let points = setup.points().unwrap_or_default();
+    writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
+    for (question, answer) in setup.questions.iter().zip(answers) {
+        match (question, answer) {
+            (Question::Solve { load }, Answer::Solve(outcome)) => {
+                writeln!(out, "\nUnder the load {}", wrench(load))?;
+                solved(out, setup, outcome)?;
+            }
+            (Question::Onset(ramp), Answer::Onset(onset)) => {
+                write!(
+                    out,
+                    "\nOnset of sliding from {} along {}",
+                    wrench(&ramp.base),
+                    wrench(&ramp.direction)
+                )?;
+                writeln!(
+                    out,
+                    "{}",
+                    if ramp.command_change.is_some() { ", finger commands changing along" } else { "" }
+                )?;
+                slides(out, setup, onset)?;
+            }
+            (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(onset)) => {
+                let (from, most) = (wrench(&turn.load_at(0.0)), turn.angle().to_degrees());
+                writeln!(out, "\nOnset of sliding from {from} while the load turns by {most:.6} degrees")?;
+                slides_turned(out, setup, onset)?;
+            }
+            (Question::Follow { start, legs }, Answer::Follow(path)) => {
+                writeln!(out, "\nLoad program of {} legs from {}", legs.len(), wrench(start))?;
+                followed(out, setup, path)?;
+            }
+            (_, other) => writeln!(out, "{other:?}")?,
+        }
+    }
+    Ok(())
+}
+
+fn solved<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    outcome: &SolveAnswer<D, C>,
+) -> io::Result<()> {
+    match outcome {
+        SolveAnswer::Equilibrium(state) => table(out, setup, state)?,
+        SolveAnswer::NoEquilibrium(why) => writeln!(out, "  no equilibrium exists: {}", proof(why))?,
+        SolveAnswer::Undecided { doubt } => writeln!(out, "  undecided: {doubt}")?,
+        other => writeln!(out, "  {other:?}")?,
+    }
+    Ok(())
+}
+
+fn slides<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    onset: &OnsetAnswer<D, C>,
+) -> io::Result<()> {
+    match onset {
+        OnsetAnswer::At(event) => {
+            writeln!(out, "  at factor {:.12}, that is {}", event.factor, wrench(&event.load))?;
+            leave(out, &event.leaving, &event.drives)?;
+            table(out, setup, &event.state)?;
+            goes_on(out, &event.beyond)?;
+        }
+        OnsetAnswer::Never => writeln!(out, "  never: everything keeps rolling however far the load goes")?,
+        OnsetAnswer::AlreadySliding { state } => {
+            writeln!(out, "  something slides already at factor 0:")?;
+            table(out, setup, state)?;
+        }
+        OnsetAnswer::NoBase(why) => writeln!(out, "  no equilibrium exists at factor 0: {}", proof(why))?,
+        OnsetAnswer::GivesWay { factor, reason } => {
+            writeln!(
+                out,
+                "  nothing slides, but from factor {factor:.12} on nothing resists: {}",
+                proof(reason)
+            )?;
+        }
+        other => writeln!(out, "  {other:?}")?,
+    }
+    Ok(())
+}
+
+fn slides_turned<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    answer: &TurnAnswer<D, C>,
+) -> io::Result<()> {
+    match &answer.onset {
+        TurnOnset::At(event) => {
+            let (angle, load) = (event.angle, wrench(&event.load));
+            writeln!(out, "  at {:.9} degrees, {angle:.12} rad, that is {load}", angle.to_degrees())?;
+            leave(out, &event.leaving, &event.drives)?;
+            table(out, setup, &event.state)?;
+            goes_on(out, &event.beyond)?;
+        }
+        TurnOnset::Never => writeln!(out, "  never: everything keeps rolling up to the last angle")?,
+        TurnOnset::AlreadySliding { state } => {
+            writeln!(out, "  something slides already at angle 0:")?;
+            table(out, setup, state)?;
+        }
+        TurnOnset::NoBase(why) => writeln!(out, "  no equilibrium exists at angle 0: {}", proof(why))?,
+        TurnOnset::GivesWay { angle, reason } => {
+            writeln!(
+                out,
+                "  nothing slides, but from {angle:.12} rad on nothing resists: {}",
+                proof(reason)
+            )?;
+        }
+        other => writeln!(out, "  {other:?}")?,
+    }
+    for touch in &answer.touches {
+        let who = match &touch.of {
+            EdgeOf::Contact(place) => place.label(),
+            EdgeOf::Drive(part) => part.label(),
+            other => format!("{other:?}"),
+        };
+        writeln!(out, "  {who} touches its edge at {:.9} degrees", touch.angle.to_degrees())?;
+    }
+    Ok(())
+}
+
+/// Who leaves rolling, and how.
+fn leave<const C: usize>(
+    out: &mut dyn Write,
+    leaving: &[Leaving<C>],
+    drives: &[DriveTurn],
+) -> io::Result<()> {
+    for Leaving { place, how, .. } in leaving {
+        match how {
+            Departure::Slides { direction } => {
+                writeln!(
+                    out,
+                    "  {} slides over the object along {}",
+                    place.label(),
+                    row(direction.as_slice())
+                )?;
+            }
+            Departure::Opens => writeln!(out, "  {} opens", place.label())?,
+            other => writeln!(out, "  {} {other:?}", place.label())?,
+        }
+    }
+    for DriveTurn { part, what, .. } in drives {
+        writeln!(out, "  {} {}", part.label(), what)?;
+    }
+    Ok(())
+}
+
+/// What comes after an onset.
+fn goes_on<const D: usize, const C: usize>(out: &mut dyn Write, next: &Beyond<D, C>) -> io::Result<()> {
+    match next {
+        Beyond::Continues { states, .. } => {
+            let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
+            writeln!(out, "  beyond: the grasp holds on, points that slide: {sliding}")?;
+        }
+        other => beyond(out, other)?,
+    }
+    Ok(())
+}
+
+fn followed<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    path: &PathAnswer<D, C>,
+) -> io::Result<()> {
+    for event in &path.events {
+        for change in &event.changes {
+            let what = match &change.what {
+                Turn::Slides { direction } => format!("slides along {}", row(direction.as_slice())),
+                Turn::Sticks => "sticks".to_owned(),
+                Turn::Reverses { direction } => format!("slides back along {}", row(direction.as_slice())),
+                Turn::Turns { direction } => format!("turns to {}", row(direction.as_slice())),
+                Turn::Opens => "opens".to_owned(),
+                Turn::Closes => "closes".to_owned(),
+                Turn::ClosesSliding { direction } => {
+                    format!("closes, sliding along {}", row(direction.as_slice()))
+                }
+                other => format!("{other:?}"),
+            };
+            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
+            writeln!(out, "  {at}, {}: {} {what}", wrench(&event.load), change.place.label())?;
+        }
+        for DriveTurn { part, what, .. } in &event.drives {
+            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
+            writeln!(out, "  {at}, {}: {} {}", wrench(&event.load), part.label(), what)?;
+        }
+    }
+    match &path.end {
+        PathEnd::Completed { state: Some(state) } => {
+            writeln!(out, "  all legs are held to their end:")?;
+            table(out, setup, state)?;
+        }
+        PathEnd::Completed { state: None } => writeln!(out, "  all legs are held to their end")?,
+        PathEnd::Lost { loss, beyond: next } => {
+            let how = loss.kind;
+            let at = format!("{:.9} of leg {}", loss.fraction, loss.leg);
+            writeln!(out, "  this equilibrium ends at {at}, {}: {how}", wrench(&loss.load))?;
+            beyond(out, next)?;
+        }
+        PathEnd::NoStart { start } => {
+            writeln!(out, "  there is nothing to start from:")?;
+            solved(out, setup, start)?;
+        }
+        other => writeln!(out, "  {other:?}")?,
+    }
+    Ok(())
+}
+
+/// One line for each contact of the scene; forces of a soft fingertip are sums over its points.
+fn table<const D: usize, const C: usize>(
+    out: &mut dyn Write,
+    setup: &Setup<D, C>,
+    state: &Equilibrium<D, C>,
+) -> io::Result<()> {
+    writeln!(out, "  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)")?;
+    for (index, entry) in setup.entries().enumerate() {
+        let points: Vec<&Touch<C>> = state.contacts.iter().filter(|c| c.place.contact == index).collect();
+        let sum = |axis: usize| points.iter().map(|c| c.force[axis]).sum::<f64>();
+        let tangential = (1..C).map(sum).fold(0.0, f64::hypot);
+        let margin = points.iter().map(|c| c.margin).fold(f64::INFINITY, f64::min);
+        let label = entry.contact.label_text(index);
+        writeln!(out, "  {label:24} {:12.6} {tangential:12.6} {margin:12.6}  {}", sum(0), doing(&points))?;
+    }
+    for joint in &state.joints {
+        let (label, torque, margin) = (joint.part.label(), joint.torque, joint.margin);
+        writeln!(out, "  {label:24} torque  {torque:12.6}{}{}", left(margin), gives_way(joint.state))?;
+    }
+    for tendon in &state.tendons {
+        let (label, tension, margin) = (tendon.part.label(), tendon.tension, tendon.margin);
+        writeln!(out, "  {label:24} tension {tension:12.6}{}{}", left(margin), gives_way(tendon.state))?;
+    }
+    let r = &state.residuals;
+    let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
+    writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.as_vector().as_slice()))?;
+    Ok(())
+}
+
+/// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
+fn beyond<const D: usize, const C: usize>(out: &mut dyn Write, beyond: &Beyond<D, C>) -> io::Result<()> {
+    match beyond {
+        Beyond::LimitLoad => writeln!(out, "  beyond: no equilibrium; it is the limit load")?,
+        Beyond::Snap => writeln!(out, "  beyond: another equilibrium; the grasp snaps over or is lost")?,
+        Beyond::Ends { reason } => writeln!(out, "  beyond: this equilibrium ends: {}", proof(reason))?,
+        other => writeln!(out, "  beyond: {other:?}")?,
+    }
+    Ok(())
+}

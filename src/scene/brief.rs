@@ -1,0 +1,197 @@
+//! Answers in a hundred bytes: what came out, at which load, and who was first.
+
+use serde::Serialize;
+
+use super::place::{Doing, Places};
+use super::question::Question;
+use super::setup::Setup;
+use super::width::WithGrasp;
+use crate::equilibrium::{ContactAnswer, Equilibrium, Outcome};
+use crate::error::Error;
+use crate::grasp::{Grasp, HandPart};
+use crate::load_path::{Departure, DriveChange, Leaving, Onset, PathEnd};
+
+/// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Wrench};
+/// use grasp_lcp::scene::{Question, RampAsked, Setup};
+///
+/// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+/// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::Onset(RampAsked::along(Wrench::force([0.0, -2.0]))));
+/// let brief = &setup.brief_answers()?[0];
+/// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.does), ("at", Some(5.0), Some("contact 0"), Some("slides")));
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Brief {
+    /// The name of the question in [the format](crate::scene).
+    pub question: &'static str,
+    /// The name of the outcome there.
+    pub outcome: &'static str,
+    /// The load factor of an onset.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub factor: Option<f64>,
+    /// The angle of an onset while the load turns, rad.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// The leg on which a path ends, from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leg: Option<usize>,
+    /// How much of that leg was gone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fraction: Option<f64>,
+    /// Of an equilibrium the least margin `μ F_n - |F_t|` among contacts that have one, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub margin: Option<f64>,
+    /// The first contact, joint or tendon that leaves rolling, or the contact of the least margin: its name, or what it is and its number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first: Option<String>,
+    /// What that does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub does: Option<&'static str>,
+}
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    /// The answer to every question in short, in order.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
+        self.with_grasp(Briefly(self))?
+    }
+}
+
+struct Briefly<'a, const D: usize, const C: usize>(&'a Setup<D, C>);
+
+impl<const D: usize, const C: usize> WithGrasp<C> for Briefly<'_, D, C> {
+    type Output = Result<Vec<Brief>, Error>;
+    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
+        let places = self.0.places()?;
+        self.0.questions.iter().map(|question| self.0.brief(grasp, &places, question)).collect()
+    }
+}
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    fn brief<const W: usize>(
+        &self,
+        grasp: &Grasp<W, C>,
+        places: &Places,
+        question: &Question<D, C>,
+    ) -> Result<Brief, Error> {
+        let settings = &self.settings;
+        Ok(match question {
+            Question::Solve { load } => {
+                places.solved_briefly("solve", &grasp.solve_with(&load.resized(), settings)?)
+            }
+            Question::Onset(asked) => {
+                places.onset_briefly("onset", &grasp.onset_with(&self.ramp(asked)?, settings)?)
+            }
+            Question::OnsetOfTurn(turn) => {
+                let found = grasp.onset_of_turn_with(&self.turn(turn), settings)?;
+                let mut brief = places.onset_briefly("onset_of_turn", &found.onset);
+                brief.angle = brief.factor.take();
+                brief
+            }
+            Question::Follow { start, legs } => {
+                let mut path = grasp.follow_with(&start.resized(), &self.legs(legs)?, settings)?;
+                path.by_ref().for_each(drop);
+                places.path_briefly(path.end())
+            }
+        })
+    }
+}
+
+impl Brief {
+    fn new(question: &'static str, outcome: &'static str) -> Self {
+        let (factor, angle, leg, fraction, margin, first, does) = (None, None, None, None, None, None, None);
+        Self { question, outcome, factor, angle, leg, fraction, margin, first, does }
+    }
+}
+
+impl Places {
+    fn solved_briefly<const W: usize, const C: usize>(
+        &self,
+        question: &'static str,
+        outcome: &Outcome<W, C>,
+    ) -> Brief {
+        match outcome {
+            Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
+            Outcome::NoEquilibrium(_) => Brief::new(question, "no_equilibrium"),
+            Outcome::Undecided(_) => Brief::new(question, "undecided"),
+        }
+    }
+
+    /// With the contact of the least margin.
+    fn tightest<const W: usize, const C: usize>(&self, brief: Brief, state: &Equilibrium<W, C>) -> Brief {
+        let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
+        let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
+        let Some((site, contact)) = least else { return brief };
+        let (margin, first) = (Some(contact.margin), Some(self.contacts[site].label()));
+        Brief { margin, first, does: Some(doing(contact)), ..brief }
+    }
+
+    fn onset_briefly<const W: usize, const C: usize>(
+        &self,
+        question: &'static str,
+        onset: &Onset<W, C>,
+    ) -> Brief {
+        match onset {
+            Onset::At(event) => {
+                let of_contact = |leaving: &Leaving<C>| {
+                    let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
+                    (self.contacts[leaving.contact].label(), does)
+                };
+                let of_drive =
+                    |(part, change): &(HandPart, DriveChange)| (self.part(*part).label(), drive(*change));
+                let first =
+                    event.leaving.first().map(of_contact).or_else(|| event.drives.first().map(of_drive));
+                let (first, does) = first.unzip();
+                Brief { factor: Some(event.factor), first, does, ..Brief::new(question, "at") }
+            }
+            Onset::Never => Brief::new(question, "never"),
+            Onset::AlreadySliding(state) => self.tightest(Brief::new(question, "already_sliding"), state),
+            Onset::NoBase(_) => Brief::new(question, "no_base"),
+            Onset::GivesWay { factor, .. } => {
+                Brief { factor: Some(*factor), ..Brief::new(question, "gives_way") }
+            }
+            Onset::Undecided(_) => Brief::new(question, "undecided"),
+        }
+    }
+
+    fn path_briefly<const W: usize, const C: usize>(&self, end: Option<&PathEnd<W, C>>) -> Brief {
+        let brief = |outcome| Brief {
+            leg: end.and_then(PathEnd::leg),
+            fraction: end.and_then(PathEnd::fraction),
+            ..Brief::new("follow", outcome)
+        };
+        match end {
+            Some(PathEnd::Completed) => brief("completed"),
+            Some(PathEnd::Lost(loss)) => {
+                let first = loss.contacts.first().map(|site| self.contacts[*site].label());
+                Brief { first, ..brief("lost") }
+            }
+            Some(PathEnd::NoStart(_)) => brief("no_start"),
+            Some(PathEnd::Undecided { .. }) | None => brief("undecided"),
+        }
+    }
+}
+
+fn doing<const C: usize>(contact: &ContactAnswer<C>) -> &'static str {
+    match Doing::from(contact.state) {
+        Doing::Separated => "separated",
+        Doing::Rolling => "rolling",
+        Doing::Sliding { .. } => "sliding",
+        Doing::Frictionless => "frictionless",
+    }
+}
+
+fn drive(change: DriveChange) -> &'static str {
+    match change {
+        DriveChange::Yields => "yields",
+        DriveChange::Holds => "holds",
+        DriveChange::Slackens => "slackens",
+        DriveChange::Tightens => "tightens",
+    }
+}

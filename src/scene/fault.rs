@@ -1,0 +1,139 @@
+//! Scenes in JSON; of bad ones it is said where and why (feature `json`).
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde_path_to_error::Track;
+
+use super::written::{FORMAT, Id, Scene};
+use crate::error::Error;
+
+/// What is wrong with the text of a scene, or with what it asks.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[non_exhaustive]
+pub struct Fault {
+    /// No JSON at all, JSON that is no scene, or a scene that asks what cannot be asked.
+    pub kind: FaultKind,
+    /// Why, and what is allowed.
+    pub message: String,
+    /// The field, `planar.contacts[1].friction`; `None` for the scene as a whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<String>,
+    /// Where reading had come to when it was noticed.
+    #[serde(flatten)]
+    pub at: Option<At>,
+}
+
+/// What kind of fault it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum FaultKind {
+    /// The text is no JSON.
+    Syntax,
+    /// The JSON is no scene.
+    Scene,
+    /// The scene asks what cannot be asked of its grasp.
+    Question,
+}
+
+/// A place in the text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct At {
+    /// From 1. It is not written: a scene of a stream stands on one line.
+    #[serde(skip)]
+    pub line: usize,
+    /// From 1.
+    pub column: usize,
+}
+
+impl std::error::Error for Fault {}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(At { line, column }) = self.at {
+            write!(f, "line {line}, column {column}: ")?;
+        }
+        if let Some(field) = &self.field {
+            write!(f, "{field}: ")?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+/// What can be read of a scene that cannot be read as a whole.
+#[derive(Deserialize)]
+struct Outside {
+    format: Option<String>,
+    id: Option<Id>,
+}
+
+impl Fault {
+    fn new(text: &[u8], error: &serde_path_to_error::Error<serde_json::Error>) -> Self {
+        let inner = error.inner();
+        let (line, column) = (inner.line(), inner.column());
+        let at = (line > 0).then_some(At { line, column });
+        // Whatever a scene of another version has in it, the version comes first.
+        let format = serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.format);
+        if let Some(format) = format.filter(|format| format != FORMAT) {
+            let message = format!("\"{format}\" is not a format that is read here, must be \"{FORMAT}\"");
+            return Self { kind: FaultKind::Scene, message, field: Some("format".to_owned()), at: None };
+        }
+        let message = inner.to_string();
+        let position = format!(" at line {line} column {column}");
+        let message = message.strip_suffix(&position).unwrap_or(&message).to_owned();
+        let field = Some(error.path().to_string()).filter(|path| path != ".");
+        let kind = if inner.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
+        Self { kind, message, field, at }
+    }
+
+    /// The id of a scene that cannot be read as a whole, if that much can be read.
+    pub(crate) fn id_of(text: &[u8]) -> Option<Id> {
+        serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.id)
+    }
+
+    /// Of a scene as a whole.
+    pub(crate) fn of_scene(message: String) -> Self {
+        Self { kind: FaultKind::Scene, message, field: None, at: None }
+    }
+
+    /// A question that the grasp refuses.
+    pub(crate) fn of_question(error: &Error) -> Self {
+        Self { kind: FaultKind::Question, message: error.to_string(), field: None, at: None }
+    }
+}
+
+/// Three bytes with which some editors begin a file.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+impl Scene {
+    /// A scene from [JSON](crate::scene), feature `json`.
+    ///
+    /// ```
+    /// use grasp_lcp::scene::Scene;
+    ///
+    /// let fault = Scene::from_json(br#"{"format": "grasp-lcp/1", "planar": {"contacts": [{"point": [0, 0], "normal": "up"}]}}"#).unwrap_err();
+    /// assert_eq!(fault.field.as_deref(), Some("planar.contacts[0].normal"));
+    /// ```
+    ///
+    /// # Errors
+    /// A [`Fault`] that names the field, its place in the text and what is allowed.
+    pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
+        // Which field is read is kept track of only where it matters.
+        serde_json::from_slice(text).or_else(|_| parse_on_track(text))
+    }
+}
+
+fn parse_on_track(text: &[u8]) -> Result<Scene, Fault> {
+    if text.starts_with(BYTE_ORDER_MARK) {
+        let message = "begins with a byte-order mark, must begin with {: save it as UTF-8 without one";
+        let at = Some(At { line: 1, column: 1 });
+        return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
+    }
+    let mut json = serde_json::Deserializer::from_slice(text);
+    let mut track = Track::new();
+    let scene = Scene::deserialize(serde_path_to_error::Deserializer::new(&mut json, &mut track));
+    scene
+        .and_then(|scene| json.end().map(|()| scene))
+        .map_err(|error| Fault::new(text, &serde_path_to_error::Error::new(track.path(), error)))
+}

@@ -1,0 +1,136 @@
+//! What a scene says that is seldom meant: it is answered, with a word of warning.
+
+use std::fmt;
+
+use nalgebra::SVector;
+use serde::Serialize;
+
+use super::question::Question;
+use super::setup::Setup;
+use super::width::WithGrasp;
+use super::written::{Scene, Space};
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+
+/// Something that a scene says and hardly means.
+///
+/// ```
+/// use grasp_lcp::planar::Contact;
+/// use grasp_lcp::scene::{Setup, Warning};
+///
+/// let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+/// let setup: Setup<3, 2> = Setup::new([contact(-1.0).into(), contact(1.0).into()]);
+/// assert_eq!(setup.warnings()?, [Warning::NothingPresses]);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Warning {
+    /// A question begins without load, and no command, clearance or drive presses a contact on.
+    NothingPresses,
+    /// The outline says that a normal points out of the object.
+    PointsOut {
+        /// The contact of the scene, from 0.
+        contact: usize,
+        /// How messages call it.
+        name: String,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NothingPresses => f.write_str(
+                "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
+            ),
+            Self::PointsOut { name, .. } => write!(
+                f,
+                "{name}: its normal points out of the outline; normals point into the object, the way the finger pushes"
+            ),
+        }
+    }
+}
+
+impl Scene {
+    /// What it says and hardly means.
+    ///
+    /// # Errors
+    /// As for [`Setup::warnings`].
+    pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
+        match &self.space {
+            Space::Planar(setup) => setup.warnings(),
+            Space::Spatial(setup) => setup.warnings(),
+        }
+    }
+}
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    /// What it says and hardly means.
+    ///
+    /// # Errors
+    /// As for [`Self::with_grasp`].
+    pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
+        let mut warnings = Vec::new();
+        if self.begins_without_load() && self.with_grasp(NothingPresses)? {
+            warnings.push(Warning::NothingPresses);
+        }
+        for (contact, entry) in self.entries().enumerate() {
+            let (point, normal) = (entry.contact.point(), entry.contact.normal);
+            if points_out(&self.outline, &point, &normal) {
+                warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
+            }
+        }
+        Ok(warnings)
+    }
+}
+
+impl<const D: usize, const C: usize> Setup<D, C> {
+    /// Whether a question does, or none is asked yet.
+    fn begins_without_load(&self) -> bool {
+        let without = |question: &Question<D, C>| match question {
+            Question::Solve { load } => *load == Wrench::ZERO,
+            Question::Onset(asked) => asked.base == Wrench::ZERO,
+            Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
+            Question::Follow { start, .. } => *start == Wrench::ZERO,
+        };
+        self.questions.is_empty() || self.questions.iter().any(without)
+    }
+}
+
+/// Whether no drive pushes at all.
+struct NothingPresses;
+
+impl<const C: usize> WithGrasp<C> for NothingPresses {
+    type Output = bool;
+    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> bool {
+        grasp.drives().iter().all(|drive| drive[0] <= 0.0)
+    }
+}
+
+/// A step from a contact into the object or out of it, in parts of the size of its outline.
+const STEP: f64 = 1e-3;
+
+/// Whether a step along the normal leads out of the outline and one against it leads in. In space the outline is no surface, and nothing is said.
+fn points_out<const C: usize>(
+    outline: &[SVector<f64, C>],
+    point: &SVector<f64, C>,
+    normal: &SVector<f64, C>,
+) -> bool {
+    if C != 2 || outline.len() < 3 {
+        return false;
+    }
+    let size = outline.iter().map(|corner| (corner - outline[0]).norm()).fold(0.0, f64::max);
+    let step = normal.normalize() * (STEP * size);
+    is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
+}
+
+/// Whether a ray along x from a point crosses a closed line an odd number of times.
+fn is_inside<const C: usize>(outline: &[SVector<f64, C>], point: &SVector<f64, C>) -> bool {
+    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+    let crossed = sides.filter(|(a, b)| {
+        let part = (point[1] - a[1]) / (b[1] - a[1]);
+        (a[1] > point[1]) != (b[1] > point[1]) && point[0] < a[0] + part * (b[0] - a[0])
+    });
+    crossed.count() % 2 == 1
+}

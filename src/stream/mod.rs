@@ -1,0 +1,26 @@
+//! Scenes in JSON, one a line, answered in order on all cores in bounded memory (feature `json`).
+//!
+//! Every line of input is a scene ([the format](crate::scene)) on one line. Every line of output is an object for that line:
+//!
+//! | field | value |
+//! |---|---|
+//! | `line` | its number, from 1, in this input |
+//! | `id` | that of the scene, if it has one |
+//! | `hash` | where there is no id: 64 bits of FNV-1a over the bytes of the line, without white space at its ends, in 16 hexadecimal digits |
+//! | `answers` | one answer for each question, in order |
+//! | `brief` | the same in short ([`Brief`](crate::scene::Brief)), where [`StreamOptions::brief`] asks for it |
+//! | `warnings` | what the scene says and hardly means ([`Warning`](crate::scene::Warning)), if anything |
+//! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault) |
+//! | `begins` | of a line that is no scene and has no id: its first characters |
+//! | `blank` | `true` for a line of white space, with nothing else |
+//!
+//! So a line is found again behind a pipe that splits its input, where numbers start anew in every part.
+//!
+//! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order.
+
+mod lines;
+mod options;
+mod reply;
+
+pub use lines::{BLOCK_BYTES, LONGEST_LINE, Tally, answer_lines, most_ahead};
+pub use options::StreamOptions;

@@ -1,0 +1,52 @@
+//! How a stream is answered.
+
+/// How a stream is answered.
+///
+/// ```
+/// use grasp_lcp::stream::{StreamOptions, answer_lines};
+///
+/// let scene = r#"{"format": "grasp-lcp/1", "id": "a", "planar": {"contacts": [
+///     {"point": [-1, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10},
+///     {"point": [1, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10}],
+///     "questions": [{"onset": {"direction": {"force": [0, -2]}}}]}}"#.replace('\n', "");
+/// let mut output = Vec::new();
+/// answer_lines(scene.as_bytes(), &mut output, &StreamOptions::default().in_brief())?;
+/// let brief = r#"{"line":1,"id":"a","brief":[{"question":"onset","outcome":"at","factor":5.0,"first":"contact 0","does":"slides"}]}"#;
+/// assert_eq!(String::from_utf8_lossy(&output).trim_end(), brief);
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct StreamOptions {
+    /// Workers; the output does not depend on them. All cores unless said otherwise.
+    pub threads: usize,
+    /// Whether answers come in short.
+    pub brief: bool,
+    /// A scene with more points of contact is refused, for it would hold up all lines behind it. 2 000 unless said otherwise.
+    pub most_points: usize,
+    /// No scene tries more combinations of contact states than this, whatever its settings say. 20 000 unless said otherwise.
+    pub most_states: usize,
+    /// No leg takes more steps along sliding arcs than this, whatever the settings of a scene say. 20 000 unless said otherwise.
+    pub most_steps: usize,
+}
+
+impl Default for StreamOptions {
+    fn default() -> Self {
+        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Self { threads, brief: false, most_points: 2000, most_states: 20_000, most_steps: 20_000 }
+    }
+}
+
+impl StreamOptions {
+    /// With so many workers, at least one.
+    #[must_use]
+    pub fn on_threads(self, threads: usize) -> Self {
+        Self { threads, ..self }
+    }
+
+    /// With answers in short.
+    #[must_use]
+    pub fn in_brief(self) -> Self {
+        Self { brief: true, ..self }
+    }
+}

@@ -1,0 +1,131 @@
+//! What a line of the stream becomes.
+
+use serde::Serialize;
+
+use super::lines::{LONGEST_LINE, Line};
+use super::options::StreamOptions;
+use crate::error::Error;
+use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
+
+/// Characters of a line that are repeated where nothing else tells which one it was.
+const BEGINNING: usize = 60;
+
+/// See [the stream](super).
+#[derive(Serialize)]
+pub(super) struct Reply {
+    line: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<Id>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hash: Option<String>,
+    #[serde(skip_serializing_if = "is_false")]
+    blank: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    answers: Option<Answers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    brief: Option<Vec<Brief>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<Fault>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    begins: Option<String>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
+impl Reply {
+    /// The reply to a line.
+    pub(super) fn to(line: &Line, options: &StreamOptions) -> Self {
+        let text = line.text.trim_ascii();
+        let (answers, brief, warnings, error, begins) = (None, None, Vec::new(), None, None);
+        let mut reply = Self {
+            line: line.number,
+            id: None,
+            hash: None,
+            blank: false,
+            answers,
+            brief,
+            warnings,
+            error,
+            begins,
+        };
+        if line.too_long {
+            reply.error = Some(Fault::of_scene(format!("longer than {LONGEST_LINE} bytes")));
+            reply.begins = Some(beginning(text));
+            return reply;
+        }
+        if text.is_empty() {
+            reply.blank = true;
+            return reply;
+        }
+        match Scene::from_json(text) {
+            Ok(mut scene) => {
+                reply.id = scene.id.take();
+                if let Err(fault) = reply.answer(scene, options) {
+                    reply.error = Some(fault);
+                }
+            }
+            Err(fault) => {
+                reply.id = Fault::id_of(text);
+                reply.begins = reply.id.is_none().then(|| beginning(text));
+                reply.error = Some(fault);
+            }
+        }
+        reply.hash = reply.id.is_none().then(|| format!("{:016x}", fnv1a(text)));
+        reply
+    }
+
+    /// Whether it has answers; `None` for a blank line.
+    pub(super) fn is_answered(&self) -> Option<bool> {
+        if self.blank { None } else { Some(self.error.is_none()) }
+    }
+
+    fn answer(&mut self, scene: Scene, options: &StreamOptions) -> Result<(), Fault> {
+        match scene.space {
+            Space::Planar(setup) => self.answer_setup(setup, options, Answers::Planar),
+            Space::Spatial(setup) => self.answer_setup(setup, options, Answers::Spatial),
+        }
+    }
+
+    fn answer_setup<const D: usize, const C: usize>(
+        &mut self,
+        mut setup: Setup<D, C>,
+        options: &StreamOptions,
+        wrap: impl FnOnce(Vec<crate::scene::Answer<D, C>>) -> Answers,
+    ) -> Result<(), Fault> {
+        if setup.questions.is_empty() {
+            return Err(Fault::of_scene("no questions: there is nothing to answer".to_owned()));
+        }
+        let refused = |error: Error| Fault::of_question(&error);
+        let points = setup.points().map_err(refused)?;
+        if points > options.most_points {
+            let most = options.most_points;
+            return Err(Fault::of_scene(format!(
+                "{points} points of contact, must be at most {most} in this stream"
+            )));
+        }
+        setup.settings.most_states = setup.settings.most_states.min(options.most_states);
+        setup.settings.most_steps = setup.settings.most_steps.min(options.most_steps);
+        self.warnings = setup.warnings().map_err(refused)?.iter().map(Warning::to_string).collect();
+        if options.brief {
+            self.brief = Some(setup.brief_answers().map_err(refused)?);
+        } else {
+            self.answers = Some(wrap(setup.answers().map_err(refused)?));
+        }
+        Ok(())
+    }
+}
+
+fn beginning(text: &[u8]) -> String {
+    String::from_utf8_lossy(&text[..text.len().min(4 * BEGINNING)]).chars().take(BEGINNING).collect()
+}
+
+/// G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*: short in any language.
+fn fnv1a(text: &[u8]) -> u64 {
+    text.iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
