@@ -6,6 +6,7 @@
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
+//! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
 //! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
 //!
 //! The pages have no items of their own; their examples are compiled and run with the tests.
@@ -14,4 +15,5 @@ pub mod choosing_facets;
 pub mod hands;
 pub mod reading_a_ray;
 pub mod several_equilibria;
+pub mod suction_cups;
 pub mod which_answer;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::drive_change::DriveChange;
-use super::event::{Loss, LossKind, PathEnd};
+use super::event::{Change, Loss, LossKind, PathEnd};
 use super::onset::{Departure, Onset, OnsetEvent};
 use crate::equilibrium::row;
 use crate::grasp::HandPart;
@@ -19,6 +19,23 @@ impl<const D: usize, const C: usize> fmt::Display for Onset<D, C> {
                 write!(f, "nothing slides, but from factor {factor:.12} on nothing resists: {reason}")
             }
             Self::Undecided(undecided) => write!(f, "undecided at factor 0: {undecided}"),
+        }
+    }
+}
+
+/// What the contact does from the event on.
+impl<const C: usize> fmt::Display for Change<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Slides { direction } => write!(f, "slides along {}", row(direction.as_slice())),
+            Self::Sticks => f.write_str("sticks"),
+            Self::Reverses { direction } => write!(f, "slides back along {}", row(direction.as_slice())),
+            Self::Turns { direction } => write!(f, "turns to {}", row(direction.as_slice())),
+            Self::Opens => f.write_str("opens"),
+            Self::Closes => f.write_str("closes"),
+            Self::ClosesSliding { direction } => {
+                write!(f, "closes, sliding along {}", row(direction.as_slice()))
+            }
         }
     }
 }

@@ -1,0 +1,47 @@
+//! How far does an onset spread where friction, stiffness, squeeze and places are not known exactly?
+//!
+//! `cargo run --release --example not_known_exactly`
+
+use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
+use grasp_lcp::sweep::Uncertainty;
+
+fn main() -> Result<(), grasp_lcp::Error> {
+    let finger = |x: f64, y: f64, side: f64, newtons: f64| {
+        Contact::new([x, y], [-side, 0.0]).series_stiffness(2e3, 1.5e3).friction(0.5).pressed_with(newtons)
+    };
+    let grasp = Grasp::new([
+        finger(-0.04, 0.02, -1.0, 4.0),
+        finger(-0.04, -0.02, -1.0, 4.0),
+        finger(0.04, 0.0, 1.0, 8.0),
+    ])?;
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+
+    // Standard deviations: 10 % of friction and stiffness, 5 % of the squeeze, 1 mm of places, 2 degrees of normals.
+    let uncertainty = Uncertainty::seeded(1)
+        .with_friction(0.1)
+        .with_stiffness(0.1)
+        .with_squeeze(0.05)
+        .with_position(1e-3)
+        .with_normal(2_f64.to_radians());
+    let robust = grasp.robust_onset(&ramp, &uncertainty)?;
+    println!("slides {}", robust.onset);
+    if let Some(spread) = robust.spread {
+        println!(
+            "to first order {:.6} N are held with three standard deviations in reserve",
+            spread.held_with(3.0)
+        );
+    }
+    let mut samples: Vec<f64> = Vec::new();
+    for onset in grasp.onset_of_samples(&ramp, &uncertainty, 10_000) {
+        samples.extend(onset?.factor());
+    }
+    samples.sort_by(f64::total_cmp);
+    println!("of 10 000 samples one in a thousand slides below {:.6} N", samples[samples.len() / 1000]);
+
+    // Every command may be off by 0.2 mm, all at the worst at once.
+    let bounds = Bounds::none().with_commands([[2e-4, 0.0]; 3]);
+    if let LeastOnset::At { factor, contact, .. } = grasp.least_onset_within(&ramp, &bounds)? {
+        println!("with commands off by up to 0.2 mm contact {contact} slides at {factor:.6} N, never before");
+    }
+    Ok(())
+}
