@@ -251,7 +251,8 @@ impl Pad {
             let fraction = if leg == 0 { part / MOST } else { (MOST - part) / (2.0 * MOST) };
             while path.next_before(leg, fraction).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
-            let centre = [3.0 * (k % 3) as f64, if k < 3 { 3.2 } else { 0.0 }];
+            // As far apart as makes them round on the chart, with the legend between the rows.
+            let centre = [4.0 * (k % 3) as f64, if k < 3 { 3.5 } else { 0.0 }];
             for i in 0..450 {
                 let (r, angle) =
                     (((f64::from(i) + 0.5) / 450.0).sqrt(), f64::from(i) * 2.399_963_229_728_653);
@@ -273,7 +274,7 @@ impl Pad {
             shown[..3].join(", "),
             shown[3..].join(", ")
         );
-        let mut chart = Chart::new(title, "x/a", "y/a");
+        let mut chart = Chart::new(title, "x/a, each zone 4 beside the one before", "y/a, rows 3.5 apart");
         for (name, dots) in ["sticks", "slips one way", "slips the other way"].into_iter().zip(dots) {
             chart = chart.series(name, dots, Stroke::Dots);
         }
