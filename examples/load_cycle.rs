@@ -4,7 +4,7 @@
 //! `cargo run --release --example load_cycle`
 
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::planar::{Beyond, Change, Contact, Equilibrium, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{Beyond, Change, Contact, Equilibrium, Grasp, Leg, LoadPath, PathEnd, Wrench};
 
 /// Pairs of fingers above and below the bar, squeezed less and less towards the end that is pulled.
 fn bar() -> Result<Grasp, grasp_lcp::Error> {
@@ -84,59 +84,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
 
-    // Between events all is linear: the knots are the whole curve.
-    let curve = |leg: usize, point: &dyn Fn(&Equilibrium) -> (f64, f64)| -> Vec<(f64, f64)> {
-        let events = happens.iter().filter(|event| event.leg == leg).map(|event| event.fraction);
-        let knots = [0.0].into_iter().chain(events).chain([1.0]);
-        knots.filter_map(|fraction| path.state_at(leg, fraction)).map(|state| point(&state)).collect()
-    };
-    // Where numbers belong; several at one point share a label.
-    let numbered = |chart: Chart, pair: Option<usize>, point: &dyn Fn(&Equilibrium) -> (f64, f64)| {
-        let mut labels: Vec<((f64, f64), String)> = Vec::new();
-        for (number, event) in happens.iter().enumerate() {
-            let Some(state) = path.state_at(event.leg, event.fraction) else { continue };
-            let (at, words) = (point(&state), (number + 1).to_string());
-            let near = |there: &(f64, f64)| (there.0 - at.0).abs() + (there.1 - at.1).abs() < 1e-6;
-            if pair.is_some_and(|pair| !event.pairs.contains(&pair)) {
-                continue;
-            }
-            match labels.iter_mut().find(|(there, _)| near(there)) {
-                Some((_, before)) => *before += &format!(", {words}"),
-                None => labels.push((at, words)),
-            }
-        }
-        labels.into_iter().fold(chart, |chart, (at, words)| chart.label(at, words))
-    };
-
-    let load = |state: &Equilibrium| state.load.as_vector()[0];
-    let mut chart = Chart::new(
-        "A grasp with slip memory: finger forces run through loops (numbers: events)",
-        "load (N)",
-        "tangential force of one finger (N)",
-    );
-    for (pair, name) in ["rear", "middle", "front"].into_iter().enumerate() {
-        let force = |state: &Equilibrium| (load(state), state.contacts[2 * pair].force_world[0]);
-        let mut whole: Vec<_> = (0..legs.len()).flat_map(|leg| curve(leg, &force)).collect();
-        whole.dedup();
-        chart = numbered(chart.series(name, whole, Stroke::Directed), Some(pair), &force);
-    }
     println!();
-    support::save("load_cycle_forces.svg", &chart.to_svg()?)?;
-
-    let moves = |state: &Equilibrium| (1e3 * state.twist.translation()[0], load(state));
-    let mut chart = Chart::new(
-        "The hysteresis loop of the grasp (numbers: events)",
-        "displacement of the bar (mm)",
-        "load (N)",
-    );
-    for (leg, name) in ["pull to 13 N", "release", "push to -9 N", "release", "pull until it is lost"]
-        .into_iter()
-        .enumerate()
-    {
-        chart = chart.series(format!("leg {leg}: {name}"), curve(leg, &moves), Stroke::Directed);
-    }
-    support::save("load_cycle_loop.svg", &numbered(chart, None, &moves).to_svg()?)?;
-    Ok(())
+    Pictures { path: &path, legs: legs.len(), happens: &happens }.save()
 }
 
 /// An event, and the pairs of fingers that it changes.
@@ -144,6 +93,72 @@ struct Happens {
     leg: usize,
     fraction: f64,
     pairs: Vec<usize>,
+}
+
+/// The forces and the loop, with the numbers of the events.
+struct Pictures<'a> {
+    path: &'a LoadPath<'a>,
+    legs: usize,
+    happens: &'a [Happens],
+}
+
+/// What of a state is drawn.
+type Point<'a> = &'a dyn Fn(&Equilibrium) -> (f64, f64);
+
+impl Pictures<'_> {
+    fn save(&self) -> Result<(), Box<dyn std::error::Error>> {
+        let load = |state: &Equilibrium| state.load.as_vector()[0];
+        let mut chart = Chart::new(
+            "A grasp with slip memory: finger forces run through loops (numbers: events)",
+            "load (N)",
+            "tangential force of one finger (N)",
+        );
+        for (pair, name) in ["rear", "middle", "front"].into_iter().enumerate() {
+            let force = |state: &Equilibrium| (load(state), state.contacts[2 * pair].force_world[0]);
+            let mut whole: Vec<_> = (0..self.legs).flat_map(|leg| self.leg(leg, &force)).collect();
+            whole.dedup();
+            chart = self.numbered(chart.series(name, whole, Stroke::Directed), Some(pair), &force);
+        }
+        support::save("load_cycle_forces.svg", &chart.to_svg()?)?;
+
+        let moves = |state: &Equilibrium| (1e3 * state.twist.translation()[0], load(state));
+        let mut chart = Chart::new(
+            "The hysteresis loop of the grasp (numbers: events)",
+            "displacement of the bar (mm)",
+            "load (N)",
+        );
+        let names = ["pull to 13 N", "release", "push to -9 N", "release", "pull until it is lost"];
+        for (leg, name) in names.into_iter().enumerate() {
+            chart = chart.series(format!("leg {leg}: {name}"), self.leg(leg, &moves), Stroke::Directed);
+        }
+        support::save("load_cycle_loop.svg", &self.numbered(chart, None, &moves).to_svg()?)?;
+        Ok(())
+    }
+
+    /// Between events all is linear: the knots are the whole curve.
+    fn leg(&self, leg: usize, point: Point) -> Vec<(f64, f64)> {
+        let events = self.happens.iter().filter(|event| event.leg == leg).map(|event| event.fraction);
+        let knots = [0.0].into_iter().chain(events).chain([1.0]);
+        knots.filter_map(|fraction| self.path.state_at(leg, fraction)).map(|state| point(&state)).collect()
+    }
+
+    /// With the numbers of events, or of those of a pair of fingers; several at one point share a label.
+    fn numbered(&self, chart: Chart, pair: Option<usize>, point: Point) -> Chart {
+        let mut labels: Vec<((f64, f64), String)> = Vec::new();
+        for (number, event) in self.happens.iter().enumerate() {
+            if pair.is_some_and(|pair| !event.pairs.contains(&pair)) {
+                continue;
+            }
+            let Some(state) = self.path.state_at(event.leg, event.fraction) else { continue };
+            let (at, words) = (point(&state), (number + 1).to_string());
+            let near = |there: &(f64, f64)| (there.0 - at.0).abs() + (there.1 - at.1).abs() < 1e-6;
+            match labels.iter_mut().find(|(there, _)| near(there)) {
+                Some((_, before)) => *before = format!("{before}, {words}"),
+                None => labels.push((at, words)),
+            }
+        }
+        labels.into_iter().fold(chart, |chart, (at, words)| chart.label(at, words))
+    }
 }
 
 fn word(change: &Change) -> &'static str {

@@ -9,7 +9,7 @@ use super::sheet::{Place, Sheet};
 use super::window::Window;
 
 /// About how many numbers there are at an axis, and their height.
-const NUMBERS: f64 = 8.0;
+const NUMBERS: f64 = 11.0;
 const SIZE: f64 = 14.0;
 
 /// A metre is as long upwards as sideways.

@@ -13,8 +13,8 @@ use super::series::{Series, Stroke};
 
 /// Pixels of one chart, and heights of its letters.
 const SIZE: (u32, u32) = (860, 540);
-const TITLE: u32 = 20 * FINE;
-const LETTERS: u32 = 14 * FINE;
+const TITLE: u32 = 23 * FINE;
+const LETTERS: u32 = 17 * FINE;
 /// Room for what has a size in pixels, beside and above points that are not in lines, in parts of
 /// the chart.
 const ROOM: (f64, f64) = (0.02, 0.06);
@@ -180,8 +180,8 @@ impl Chart {
             .margin_top(46 * FINE)
             // Half of the last number at the axis.
             .margin_right(30 * FINE)
-            .x_label_area_size(46 * FINE)
-            .y_label_area_size(76 * FINE)
+            .x_label_area_size(50 * FINE)
+            .y_label_area_size(82 * FINE)
             .build_cartesian_2d(Axis::new(x0..x1, self.logarithmic), Axis::new(y0..y1, self.logarithmic))?;
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
@@ -221,7 +221,7 @@ impl Chart {
             .x_desc(&self.x_label)
             .y_desc(&self.y_label)
             .label_style((FONT, LETTERS))
-            .axis_desc_style((FONT, 15 * FINE))
+            .axis_desc_style((FONT, LETTERS))
             .draw()?;
         Ok(())
     }

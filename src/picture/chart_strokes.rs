@@ -16,7 +16,13 @@ const SHORTEST: f64 = 14.0;
 /// Pixels drawn and left out of a dashed line.
 const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
 /// Height of letters.
-const LETTERS: u32 = 14 * FINE;
+const LETTERS: u32 = 16 * FINE;
+
+/// Samples of the legend around which there is a line: one with a dot, and one with an arrow.
+const DOTTED: [(i32, i32); 10] =
+    [(0, -1), (7, -1), (10, -4), (13, -1), (20, -1), (20, 1), (13, 1), (10, 4), (7, 1), (0, 1)];
+const ARROWED: [(i32, i32); 10] =
+    [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
 
 /// Draws a series and its entry in the legend.
 pub(super) fn draw_series<'a, 'b: 'a>(
@@ -53,6 +59,10 @@ pub(super) fn draw_series<'a, 'b: 'a>(
     let entry = chart.draw_series(std::iter::empty::<Circle<(f64, f64), u32>>())?;
     entry.label(&series.name).legend(move |(x, y)| {
         let (line, middle) = ([(x, y), (x + 20 * fine, y)], (x + 10 * fine, y));
+        let around = |corners: &[(i32, i32)]| {
+            let corners = corners.iter().map(|(across, down)| (x + across * fine, y + down * fine));
+            Polygon::new(corners.collect::<Vec<_>>(), color.filled())
+        };
         match stroke {
             Stroke::Circles => Circle::new(middle, 4 * FINE, style).into_dyn(),
             Stroke::Dots => Circle::new(middle, 2 * FINE, faint(color)).into_dyn(),
@@ -61,7 +71,9 @@ pub(super) fn draw_series<'a, 'b: 'a>(
                 Rectangle::new(corners, faint(color)).into_dyn()
             }
             Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
-            Stroke::Line | Stroke::Directed | Stroke::Marked => PathElement::new(line, style).into_dyn(),
+            Stroke::Marked => around(&DOTTED).into_dyn(),
+            Stroke::Directed => around(&ARROWED).into_dyn(),
+            Stroke::Line => PathElement::new(line, style).into_dyn(),
         }
     });
     Ok(())

@@ -226,8 +226,10 @@ impl<'a> Picture<'a> {
         let tip = at + force * self.scale;
         let (from, to) = (axes.place(at), axes.place(tip));
         if force != Vector2::zeros() {
-            painting.dashes(axes.across(at, force.normalize()), GREY, 1.0);
             painting.arrow([from, to].map(flat), BLACK, 3.0, 1);
+        }
+        if moment == 0.0 && force != Vector2::zeros() {
+            painting.dashes(axes.across(at, force.normalize()), GREY, 1.0);
         }
         if moment != 0.0 {
             // Open where the force leaves.

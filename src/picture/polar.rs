@@ -153,7 +153,7 @@ impl Polar {
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
             // A little aside of a named direction.
             let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < BESIDE;
-            let aside = if self.rays.iter().any(named) { 0.13 } else { 0.0 };
+            let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
             outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0);
         }
     }

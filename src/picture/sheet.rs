@@ -13,7 +13,7 @@ const FINE: f64 = 100.0;
 /// the paper, and far below the largest integer.
 const FARTHEST: f64 = 1e5;
 /// Widths of letters of a sans serif face, in parts of their height; few are wider.
-const LETTER: f64 = 0.54;
+const LETTER: f64 = 0.57;
 const WIDE_LETTER: f64 = 0.6;
 /// Height of a title, and its distance from the edges.
 const TITLE: f64 = 20.0;

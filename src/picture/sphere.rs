@@ -44,7 +44,7 @@ const RADIUS: f64 = 165.0;
 /// Middles of the discs.
 const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
 /// Letters of a line of a note.
-const LETTERS: usize = 104;
+const LETTERS: usize = 114;
 /// Where the notes begin.
 const FOOT: f64 = 510.0;
 /// Right edge of the colour scale, and its height.

@@ -8,7 +8,7 @@ use grasp_lcp::{Settings, planar, spatial};
 use crate::svg::{Failure, shapes, view_box};
 
 /// Width of a letter of a sans serif face in parts of its height, on the average.
-const LETTER: f64 = 0.5;
+const LETTER: f64 = 0.55;
 const LONG: &str =
     "A title that is so long that it would not fit on one line in letters of the usual height, nor nearly so";
 

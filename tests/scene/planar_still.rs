@@ -7,6 +7,7 @@ use crate::svg::{Failure, Shape, shapes};
 
 const LOAD: &str = "#000000";
 const FINGER: &str = "#B0B0B0";
+const GREY: &str = "#6E6E6E";
 const ROLLING: &str = "#0072B2";
 /// Widths of the arrow of a force and of the arc of a moment, pixels.
 const FORCE: f64 = 3.0;
@@ -97,6 +98,8 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
         tips.iter().find(|tip| (tip[0] / tip[1] - foot[0] / foot[1]).abs() < 0.01).ok_or("the foot's")?;
     let [long, short] = [arrows[0][0][1] - tip[1], of_foot[0].hypot(of_foot[1])];
     assert!((long / short - 950.0 / foot.norm()).abs() < 0.001, "{long} {short}");
+    let line = drawn.shapes.iter().find(|shape| shape.dashed).ok_or("the line of action")?;
+    assert!(line.points.iter().all(|end| (drawn.point(*end)[0] - tip[0]).abs() < NEAR * drawn.metres));
     assert!(drawn.says("load 950 N") && drawn.lines(LOAD, ARC).is_empty());
     Ok(())
 }
@@ -124,6 +127,8 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
             away.windows(2).map(|p| (p[0][0] * p[1][1] - p[0][1] * p[1][0]) / radius.powi(2)).sum();
         assert!(turns * moment > 0.0 && (3.0..5.0).contains(&turns.abs()), "{turns}");
         assert_eq!(drawn.lines(LOAD, FORCE).len(), usize::from(force != [0.0, 0.0]));
+        // No line of action is drawn where it is not.
+        assert!(!drawn.shapes.iter().any(|shape| shape.ink == GREY && shape.dashed));
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! A soft fingertip on paper: one force and one cone, at its centre of pressure, and a dot for each of its points.
 
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
-use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};
+use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};
 use grasp_lcp::{planar, spatial};
 
 use crate::svg::{Failure, Shape, circles, shapes};
@@ -24,7 +24,7 @@ fn pinch() -> Result<(Grasp, Equilibrium), Failure> {
         Grasp::new([tip.contacts(&finger("thumb", -0.03))?, tip.contacts(&finger("index", 0.03))?].concat())?;
     assert_eq!(grasp.len(), TIPS * POINTS);
     // Its weight acts beside the line of the pinch, so that pressure is not even.
-    let state = grasp.solve(&Wrench::force_at([0.0, 0.0, -1.0], [0.004, 0.0, 0.0]))?;
+    let state = grasp.solve(&Wrench::force_at([0.0, 0.0, -1.0], [0.02, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or("it holds")?.clone();
     assert!(state.contacts.iter().all(|c| matches!(c.state, spatial::ContactState::Rolling)));
     Ok((grasp, state))
@@ -59,10 +59,10 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
         let [low, high] =
             [f64::min as fn(f64, f64) -> f64, f64::max].map(|pick| points.iter().copied().reduce(pick));
         let (low, high) = (low.ok_or("points")?, high.ok_or("points")?);
-        let pressed: Vec<_> = state.contacts[range].iter().map(|c| c.normal_force()).collect();
+        let pressed: Vec<_> = state.contacts[range].iter().map(ContactAnswer::normal_force).collect();
         let moment: f64 = points.iter().zip(&pressed).map(|(z, f)| z * f).sum();
         let centre = moment / pressed.iter().sum::<f64>();
-        assert!(centre.abs() > 1e-4, "the load shifts it: {centre}");
+        assert!(centre.abs() > 5e-5, "the load shifts it: {centre}");
         let (top, bottom) = heights(side);
         let on_paper = bottom - (centre - low) / (high - low) * (bottom - top);
         let nearest = starts.iter().map(|at| (at[1] - on_paper).abs()).fold(f64::INFINITY, f64::min);

@@ -9,6 +9,7 @@ pub(crate) struct Shape {
     pub(crate) ink: String,
     pub(crate) points: Vec<[f64; 2]>,
     pub(crate) width: Option<f64>,
+    pub(crate) dashed: bool,
     /// Letters, their height, and the part of their width that is left of the place.
     pub(crate) words: String,
     pub(crate) size: f64,
@@ -35,6 +36,7 @@ pub(crate) fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
             ink: ink.unwrap_or_default().to_owned(),
             points,
             width: number("stroke-width")?,
+            dashed: value("stroke-dasharray").is_some(),
             words: text.split_once('>').map_or("", |(_, words)| words).trim().to_owned(),
             size: number("font-size")?.unwrap_or(0.0),
             left: match value("text-anchor") {

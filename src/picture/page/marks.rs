@@ -120,7 +120,7 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
             None => marks.push(Mark::Dot { at, radius: CONTACT, ink: GREY, open: true }),
         }
         if drawing.tips.len() <= MANY {
-            marks.push(Mark::Name { at, words: tip.name.clone() });
+            marks.push(Mark::Name { at: tail, words: tip.name.clone() });
         }
     }
     if let Some(state) = state {

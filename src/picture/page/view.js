@@ -182,7 +182,7 @@
     } else {
       drawDot(point, null, i === lit ? 9 : 6);
     }
-    if (i === lit || (layers.names && scene.contacts.length <= scene.many)) text(point, name, "#222", i === lit);
+    if (i === lit || (layers.names && scene.contacts.length <= scene.many)) text(add(point, normal, -scene.finger), name, "#222", i === lit);
   };
 
   // A round force, and the arrow that stands for it.
