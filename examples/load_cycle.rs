@@ -153,7 +153,7 @@ impl Pictures<'_> {
             let (at, words) = (point(&state), (number + 1).to_string());
             let near = |there: &(f64, f64)| (there.0 - at.0).abs() + (there.1 - at.1).abs() < 1e-6;
             match labels.iter_mut().find(|(there, _)| near(there)) {
-                Some((_, before)) => *before = format!("{before}, {words}"),
+                Some((_, before)) => *before = format!("{before},{words}"),
                 None => labels.push((at, words)),
             }
         }

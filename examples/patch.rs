@@ -224,6 +224,7 @@ impl Pad {
         );
         let largest = 2.0 / std::f64::consts::PI * NORMAL * (DEPTH / RADIUS).sqrt();
         let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
+        let mut found = Vec::new();
         for (_, part) in &SHOWN[..3] {
             while path.next_before(0, part / MOST).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
@@ -231,15 +232,11 @@ impl Pad {
             let c = (1.0 - part).cbrt();
             let ellipse = |r: f64, c: f64| (1.0 - (r / c).powi(2)).max(0.0).sqrt();
             let exact = radii().map(|r| (r, ellipse(r, 1.0) - c * ellipse(r, c))).collect();
-            let found = radii()
-                .step_by(6)
-                .map(|r| (r, self.traction(&state, r * self.a).abs() / (FRICTION * largest)));
-            chart = chart.series(format!("Q = {part} μP, Cattaneo-Mindlin"), exact, Stroke::Line).series(
-                format!("Q = {part} μP, springs"),
-                found.collect(),
-                Stroke::Circles,
-            );
+            let traction = |r: f64| self.traction(&state, r * self.a).abs() / (FRICTION * largest);
+            found.extend(radii().step_by(6).map(|r| (r, traction(r))));
+            chart = chart.series(format!("Q = {part} μP, Cattaneo-Mindlin"), exact, Stroke::Line);
         }
+        chart = chart.series("springs", found, Stroke::Circles);
         Ok(chart)
     }
 

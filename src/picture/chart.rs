@@ -15,6 +15,8 @@ use super::series::{Series, Stroke};
 const SIZE: (u32, u32) = (860, 540);
 const TITLE: u32 = 23 * FINE;
 const LETTERS: u32 = 17 * FINE;
+/// Width of a letter in parts of the height that plotters takes for it.
+const LETTER: f64 = 0.5;
 /// Room for what has a size in pixels, beside and above points that are not in lines, in parts of
 /// the chart.
 const ROOM: (f64, f64) = (0.02, 0.06);
@@ -171,7 +173,12 @@ impl Chart {
 
     fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
-        let title = (FONT, TITLE).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+        // Smaller where it would not fit.
+        let room = f64::from(SIZE.0 * FINE) / self.title.chars().count() as f64;
+        let title = (FONT, f64::from(TITLE).min(room / LETTER))
+            .into_font()
+            .color(&BLACK)
+            .pos(Pos::new(HPos::Center, VPos::Center));
         let (wide, _) = root.dim_in_pixel();
         root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
         let mut chart = ChartBuilder::on(root)
@@ -186,8 +193,13 @@ impl Chart {
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
             chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;
-            let at = (from + 0.02 * (x1 - x0), y0 + 0.05 * (y1 - y0));
-            chart.draw_series([Text::new(label.clone(), at, (FONT, LETTERS).into_font().color(&GREY))])?;
+            // To the left of the right edge where there is little room.
+            let little = *from > x0 + 0.75 * (x1 - x0);
+            let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
+            let shift = 0.015 * (x1 - x0) * if little { -1.0 } else { 1.0 };
+            let style = (FONT, LETTERS).into_font().color(&GREY).pos(Pos::new(side, VPos::Center));
+            let at = (x + shift, y0 + 0.04 * (y1 - y0));
+            chart.draw_series([Text::new(label.clone(), at, style)])?;
         }
         self.draw_axes(&mut chart)?;
         for (series, color) in self.series.iter().zip(PALETTE.iter().cycle()) {

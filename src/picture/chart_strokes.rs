@@ -15,8 +15,9 @@ const ARROW: (f64, f64) = (11.0, 4.5);
 const SHORTEST: f64 = 14.0;
 /// Pixels drawn and left out of a dashed line.
 const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
-/// Height of letters.
+/// Height of letters, and of those on plaques.
 const LETTERS: u32 = 16 * FINE;
+const NUMBERS: u32 = 14 * FINE;
 
 /// Samples of the legend around which there is a line: one with a dot, and one with an arrow.
 const DOTTED: [(i32, i32); 10] =
@@ -120,10 +121,10 @@ pub(super) fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, 
 
 /// A few letters on a plaque.
 pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
-    let (wide, high) = plaque_size(words, f64::from(LETTERS));
+    let (wide, high) = plaque_size(words, f64::from(NUMBERS));
     #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
-    let (x, y) = ((0.6 * wide.max(0.8 * high)).round() as i32, (0.5 * high).round() as i32);
-    let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+    let (x, y) = ((0.45 * wide.max(0.8 * high)).round() as i32, (0.5 * high).round() as i32);
+    let style = (FONT, NUMBERS).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
     chart.draw_series([EmptyElement::at(point)
         + Rectangle::new([(-x, -y), (x, y)], WHITE.mix(0.9).filled())
         + Rectangle::new([(-x, -y), (x, y)], GREY.stroke_width(FINE))

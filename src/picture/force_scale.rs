@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 /// Parts of the size of a picture that the largest force takes at most and at least.
 const LARGEST: f64 = 0.4;
-const LEAST: f64 = 0.15;
+const LEAST: f64 = 0.12;
 /// Part of the way to the contacts on the other side that a normal force goes at most: two that
 /// oppose each other do not meet.
 const WAY: f64 = 0.48;

@@ -43,7 +43,7 @@ fn charts() -> Vec<Chart> {
         Stroke::Bars,
     ];
     let of_stroke = |stroke| {
-        let chart = Chart::new("A loop", "x (m)", "y (N)").series("there and back", loop_.to_vec(), stroke);
+        let chart = Chart::new(LONG, "x (m)", "y (N)").series("there and back", loop_.to_vec(), stroke);
         chart
             .label(loop_[2], "1")
             .label((f64::NAN, 0.0), "nowhere")
