@@ -4,7 +4,7 @@
 //! `cargo run --release --example load_cycle`
 
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::planar::{Beyond, Change, Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{Beyond, Change, Contact, Equilibrium, Grasp, Leg, LoadPath, PathEnd, Wrench};
 
 /// Pairs of fingers above and below the bar, squeezed less and less towards the end that is pulled.
 fn bar() -> Result<Grasp, grasp_lcp::Error> {
@@ -28,8 +28,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
 
     println!("Pull along x to 13 N, release, push to -9 N, release, pull to 20 N\n");
-    println!("  leg  fraction of the leg     load (N)   what happens");
-    let mut knots = vec![(0, 0.0)];
+    println!("  no.  leg  fraction of the leg     load (N)   what happens");
+    let mut happens = Vec::new();
     for event in path.by_ref() {
         let what: Vec<String> = event
             .changes
@@ -37,22 +37,26 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .map(|(i, change)| format!("{} {}", grasp.contacts()[*i].label_text(*i), word(change)))
             .collect();
         println!(
-            "  {:3}  {:.15}  {:11.6}   {}",
+            "  {:3}  {:3}  {:.15}  {:11.6}   {}",
+            happens.len() + 1,
             event.leg,
             event.fraction,
             event.load.as_vector()[0],
             what.join(", ")
         );
-        knots.push((event.leg, event.fraction));
+        let pairs = event.changes.iter().map(|(i, _)| i / 2).collect();
+        happens.push(Happens { leg: event.leg, fraction: event.fraction, pairs });
     }
     match path.end() {
         Some(PathEnd::Lost(loss)) if matches!(path.beyond(), Some(Beyond::LimitLoad)) => {
             let exact = loss.load.as_vector()[0];
             println!(
-                "  {:3}  {:.15}  {exact:11.6}   limit load: the bar is pulled out",
-                loss.leg, loss.fraction
+                "  {:3}  {:3}  {:.15}  {exact:11.6}   limit load: the bar is pulled out",
+                happens.len() + 1,
+                loss.leg,
+                loss.fraction
             );
-            knots.push((loss.leg, loss.fraction));
+            happens.push(Happens { leg: loss.leg, fraction: loss.fraction, pairs: vec![0, 1, 2] });
         }
         other => println!("  the path ends: {other:?}"),
     }
@@ -80,29 +84,81 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
 
-    // Between events all is linear: the knots are the whole curve.
-    for leg in 0..legs.len() {
-        knots.extend([(leg, 0.0), (leg, 1.0)]);
-    }
-    knots.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let states: Vec<_> = knots.iter().filter_map(|&(leg, f)| path.state_at(leg, f)).collect();
-    let mut chart = Chart::new(
-        "A grasp with slip memory: finger forces run through loops",
-        "load (N)",
-        "tangential force of one finger (N)",
-    );
-    for (i, name) in [(0, "rear"), (2, "middle"), (4, "front")] {
-        let curve = states.iter().map(|s| (s.load.as_vector()[0], s.contacts[i].force_world[0])).collect();
-        chart = chart.series(name, curve, Stroke::Line);
-    }
     println!();
-    support::save("load_cycle_forces.svg", &chart.to_svg()?)?;
-    let loop_: Vec<_> =
-        states.iter().map(|s| (1e3 * s.twist.translation()[0], s.load.as_vector()[0])).collect();
-    let chart = Chart::new("The hysteresis loop of the grasp", "displacement of the bar (mm)", "load (N)")
-        .series("load, release, push, release, pull", loop_, Stroke::Line);
-    support::save("load_cycle_loop.svg", &chart.to_svg()?)?;
-    Ok(())
+    Pictures { path: &path, legs: legs.len(), happens: &happens }.save()
+}
+
+/// An event, and the pairs of fingers that it changes.
+struct Happens {
+    leg: usize,
+    fraction: f64,
+    pairs: Vec<usize>,
+}
+
+/// The forces and the loop, with the numbers of the events.
+struct Pictures<'a> {
+    path: &'a LoadPath<'a>,
+    legs: usize,
+    happens: &'a [Happens],
+}
+
+/// What of a state is drawn.
+type Point<'a> = &'a dyn Fn(&Equilibrium) -> (f64, f64);
+
+impl Pictures<'_> {
+    fn save(&self) -> Result<(), Box<dyn std::error::Error>> {
+        let load = |state: &Equilibrium| state.load.as_vector()[0];
+        let mut chart = Chart::new(
+            "A grasp with slip memory: finger forces run through loops (numbers: events)",
+            "load (N)",
+            "tangential force of one finger (N)",
+        );
+        for (pair, name) in ["rear", "middle", "front"].into_iter().enumerate() {
+            let force = |state: &Equilibrium| (load(state), state.contacts[2 * pair].force_world[0]);
+            let mut whole: Vec<_> = (0..self.legs).flat_map(|leg| self.leg(leg, &force)).collect();
+            whole.dedup();
+            chart = self.numbered(chart.series(name, whole, Stroke::Directed), Some(pair), &force);
+        }
+        support::save("load_cycle_forces.svg", &chart.to_svg()?)?;
+
+        let moves = |state: &Equilibrium| (1e3 * state.twist.translation()[0], load(state));
+        let mut chart = Chart::new(
+            "The hysteresis loop of the grasp (numbers: events)",
+            "displacement of the bar (mm)",
+            "load (N)",
+        );
+        let names = ["pull to 13 N", "release", "push to -9 N", "release", "pull until it is lost"];
+        for (leg, name) in names.into_iter().enumerate() {
+            chart = chart.series(format!("leg {leg}: {name}"), self.leg(leg, &moves), Stroke::Directed);
+        }
+        support::save("load_cycle_loop.svg", &self.numbered(chart, None, &moves).to_svg()?)?;
+        Ok(())
+    }
+
+    /// Between events all is linear: the knots are the whole curve.
+    fn leg(&self, leg: usize, point: Point) -> Vec<(f64, f64)> {
+        let events = self.happens.iter().filter(|event| event.leg == leg).map(|event| event.fraction);
+        let knots = [0.0].into_iter().chain(events).chain([1.0]);
+        knots.filter_map(|fraction| self.path.state_at(leg, fraction)).map(|state| point(&state)).collect()
+    }
+
+    /// With the numbers of events, or of those of a pair of fingers; several at one point share a label.
+    fn numbered(&self, chart: Chart, pair: Option<usize>, point: Point) -> Chart {
+        let mut labels: Vec<((f64, f64), String)> = Vec::new();
+        for (number, event) in self.happens.iter().enumerate() {
+            if pair.is_some_and(|pair| !event.pairs.contains(&pair)) {
+                continue;
+            }
+            let Some(state) = self.path.state_at(event.leg, event.fraction) else { continue };
+            let (at, words) = (point(&state), (number + 1).to_string());
+            let near = |there: &(f64, f64)| (there.0 - at.0).abs() + (there.1 - at.1).abs() < 1e-6;
+            match labels.iter_mut().find(|(there, _)| near(there)) {
+                Some((_, before)) => *before = format!("{before},{words}"),
+                None => labels.push((at, words)),
+            }
+        }
+        labels.into_iter().fold(chart, |chart, (at, words)| chart.label(at, words))
+    }
 }
 
 fn word(change: &Change) -> &'static str {

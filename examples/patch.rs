@@ -224,6 +224,7 @@ impl Pad {
         );
         let largest = 2.0 / std::f64::consts::PI * NORMAL * (DEPTH / RADIUS).sqrt();
         let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
+        let mut found = Vec::new();
         for (_, part) in &SHOWN[..3] {
             while path.next_before(0, part / MOST).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
@@ -231,15 +232,11 @@ impl Pad {
             let c = (1.0 - part).cbrt();
             let ellipse = |r: f64, c: f64| (1.0 - (r / c).powi(2)).max(0.0).sqrt();
             let exact = radii().map(|r| (r, ellipse(r, 1.0) - c * ellipse(r, c))).collect();
-            let found = radii()
-                .step_by(6)
-                .map(|r| (r, self.traction(&state, r * self.a).abs() / (FRICTION * largest)));
-            chart = chart.series(format!("Q = {part} μP, Cattaneo-Mindlin"), exact, Stroke::Line).series(
-                format!("Q = {part} μP, springs"),
-                found.collect(),
-                Stroke::Circles,
-            );
+            let traction = |r: f64| self.traction(&state, r * self.a).abs() / (FRICTION * largest);
+            found.extend(radii().step_by(6).map(|r| (r, traction(r))));
+            chart = chart.series(format!("Q = {part} μP, Cattaneo-Mindlin"), exact, Stroke::Line);
         }
+        chart = chart.series("springs", found, Stroke::Circles);
         Ok(chart)
     }
 
@@ -251,7 +248,8 @@ impl Pad {
             let fraction = if leg == 0 { part / MOST } else { (MOST - part) / (2.0 * MOST) };
             while path.next_before(leg, fraction).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
-            let centre = [3.0 * (k % 3) as f64, if k < 3 { 3.2 } else { 0.0 }];
+            // As far apart as makes them round on the chart, with the legend between the rows.
+            let centre = [4.0 * (k % 3) as f64, if k < 3 { 3.5 } else { 0.0 }];
             for i in 0..450 {
                 let (r, angle) =
                     (((f64::from(i) + 0.5) / 450.0).sqrt(), f64::from(i) * 2.399_963_229_728_653);
@@ -273,7 +271,7 @@ impl Pad {
             shown[..3].join(", "),
             shown[3..].join(", ")
         );
-        let mut chart = Chart::new(title, "x/a", "y/a");
+        let mut chart = Chart::new(title, "x/a, each zone 4 beside the one before", "y/a, rows 3.5 apart");
         for (name, dots) in ["sticks", "slips one way", "slips the other way"].into_iter().zip(dots) {
             chart = chart.series(name, dots, Stroke::Dots);
         }

@@ -1,10 +1,76 @@
-//! A plane with coordinates to draw on, as plotters has it.
+//! A plane with coordinates to draw on, as plotters has it, with round numbers at its axes.
+
+use std::ops::Range;
 
 use plotters::chart::ChartContext;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::{Cartesian2d, SVGBackend};
 
-pub(super) type Canvas<'a, 'b> =
-    ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
+
+pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 /// What plotters says of each stroke.
 pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
+
+/// Plotters rounds to whole pixels; drawn this many times as large and shown at its size, a chart
+/// has smooth curves.
+pub(super) const FINE: u32 = 4;
+/// About how many numbers stand at an axis.
+const NUMBERS: f64 = 10.0;
+
+/// From one number to another.
+pub(super) struct Axis {
+    coordinates: RangedCoordf64,
+    step: f64,
+    /// Numbers are decimal logarithms of what they stand for.
+    logarithmic: bool,
+}
+
+impl Axis {
+    pub(super) fn new(range: Range<f64>, logarithmic: bool) -> Self {
+        let step = (range.end - range.start) / NUMBERS;
+        let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
+        Self { coordinates: range.into(), step, logarithmic }
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        self.coordinates.map(value, limit)
+    }
+
+    fn key_points<H: KeyPointHint>(&self, _: H) -> Vec<f64> {
+        let Range { start, end } = self.range();
+        let first = whole_above(start / self.step);
+        // So many at most, whatever rounding makes of them.
+        let steps = (0..20).map(|k| first + f64::from(k));
+        steps.take_while(|k| *k <= whole_below(end / self.step)).map(|k| k * self.step).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.coordinates.range()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, value: &f64) -> String {
+        if self.logarithmic { power_of_ten(*value) } else { in_steps(*value, self.step) }
+    }
+}
+
+/// The label of a decade.
+fn power_of_ten(exponent: f64) -> String {
+    let raised = |c| match c {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
+    };
+    format!("10{}", format!("{exponent:.0}").chars().map(raised).collect::<String>())
+}

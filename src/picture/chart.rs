@@ -1,18 +1,27 @@
 //! Curves against a load factor, with events marked.
 
 use plotters::coord::Shift;
-use plotters::element::{DashedPathElement, IntoDynElement};
 use plotters::prelude::*;
-use plotters::style::text_anchor as text_style;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::canvas::{Canvas, Plotted};
-use super::error::{Drawn, PictureError};
+use super::canvas::{Axis, Canvas, FINE, Plotted};
+use super::chart_strokes::{draw_label, draw_mark, draw_series};
+use super::error::PictureError;
 use super::legend_corner::emptiest_corner;
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{Series, Stroke};
-use super::sheet::pixels;
 
-/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points and marks that are
+/// Pixels of one chart, and heights of its letters.
+const SIZE: (u32, u32) = (860, 540);
+const TITLE: u32 = 23 * FINE;
+const LETTERS: u32 = 17 * FINE;
+/// Width of a letter in parts of the height that plotters takes for it.
+const LETTER: f64 = 0.5;
+/// Room for what has a size in pixels, beside and above points that are not in lines, in parts of
+/// the chart.
+const ROOM: (f64, f64) = (0.02, 0.06);
+
+/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points, labels and marks that are
 /// not finite are left out; a line ends before such a point and goes on behind it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
@@ -21,6 +30,7 @@ pub struct Chart {
     y_label: String,
     series: Vec<Series>,
     marks: Vec<(f64, String)>,
+    labels: Vec<((f64, f64), String)>,
     shaded: Option<(f64, String)>,
     logarithmic: bool,
 }
@@ -62,6 +72,14 @@ impl Chart {
         self
     }
 
+    /// Names a point (x, y), a few letters on a plaque: numbers, for what happens one after the
+    /// other.
+    #[must_use]
+    pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
+        self.labels.push((point, words.into()));
+        self
+    }
+
     /// Shades everything to the right of x and says why.
     #[must_use]
     pub fn shade_from(mut self, x: f64, label: impl Into<String>) -> Self {
@@ -98,32 +116,35 @@ impl Chart {
         let columns = columns.min(charts.len());
         let rows = charts.len().div_ceil(columns);
         let mut svg = String::new();
+        let shown;
         {
-            let size = (pixels(columns, 860)?, pixels(rows, 540)?);
+            let size = (fine_pixels(columns, SIZE.0)?, fine_pixels(rows, SIZE.1)?);
             let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             root.fill(&WHITE).map_err(PictureError::from_backend)?;
             for (chart, area) in charts.iter().zip(root.split_evenly((rows, columns))) {
                 chart.draw_on(&area)?;
             }
             root.present().map_err(PictureError::from_backend)?;
+            let size_of = |(wide, high)| format!("width=\"{wide}\" height=\"{high}\"");
+            shown = [size_of(size), size_of((size.0 / FINE, size.1 / FINE))];
         }
-        Ok(svg)
+        Ok(svg.replacen(&shown[0], &shown[1], 1))
     }
 
-    fn draw_on(&self, area: &Area<'_>) -> Drawn {
+    fn draw_on(&self, area: &Area<'_>) -> Result<(), PictureError> {
         let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
         chart.marks.retain(|(x, _)| x.is_finite());
-        let finite: Vec<(f64, f64)> = chart
-            .series
-            .iter()
-            .flat_map(|s| s.points.iter().copied())
-            .filter(|(x, y)| x.is_finite() && y.is_finite())
-            .collect();
+        let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
+        chart.labels.retain(|(point, _)| is_finite(point));
+        let corners = chart.series.iter().flat_map(Series::corners);
+        let finite: Vec<(f64, f64)> = corners.filter(is_finite).collect();
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
         }
-        let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), 0.0);
-        let (y0, y1) = range(finite.iter().map(|p| p.1), if self.logarithmic { 0.0 } else { 0.06 });
+        let apart = chart.series.iter().any(|series| !matches!(series.stroke, Stroke::Line | Stroke::Dashed));
+        let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { ROOM.0 } else { 0.0 }, ROOM.1) };
+        let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
+        let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
         let window =
             if self.logarithmic { [x0.floor(), x1.ceil(), y0.floor(), y1.ceil()] } else { [x0, x1, y0, y1] };
         if !((x1 - x0).is_finite() && (y1 - y0).is_finite()) {
@@ -141,6 +162,9 @@ impl Chart {
         for (x, _) in &mut chart.marks {
             *x = x.log10();
         }
+        for ((x, y), _) in &mut chart.labels {
+            (*x, *y) = (x.log10(), y.log10());
+        }
         if let Some((from, _)) = &mut chart.shaded {
             *from = from.log10();
         }
@@ -149,129 +173,80 @@ impl Chart {
 
     fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
+        // Smaller where it would not fit.
+        let room = f64::from(SIZE.0 * FINE) / self.title.chars().count() as f64;
+        let title = (FONT, f64::from(TITLE).min(room / LETTER))
+            .into_font()
+            .color(&BLACK)
+            .pos(Pos::new(HPos::Center, VPos::Center));
+        let (wide, _) = root.dim_in_pixel();
+        root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
         let mut chart = ChartBuilder::on(root)
-            .caption(&self.title, (FONT, 20))
-            .margin(14)
-            .x_label_area_size(46)
-            .y_label_area_size(76)
-            .build_cartesian_2d(x0..x1, y0..y1)?;
+            .margin(14 * FINE)
+            // The title.
+            .margin_top(46 * FINE)
+            // Half of the last number at the axis.
+            .margin_right(30 * FINE)
+            .x_label_area_size(50 * FINE)
+            .y_label_area_size(82 * FINE)
+            .build_cartesian_2d(Axis::new(x0..x1, self.logarithmic), Axis::new(y0..y1, self.logarithmic))?;
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
             chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;
-            let at = (from + 0.02 * (x1 - x0), y0 + 0.05 * (y1 - y0));
-            chart.draw_series([Text::new(label.clone(), at, (FONT, 14).into_font().color(&GREY))])?;
+            // To the left of the right edge where there is little room.
+            let little = *from > x0 + 0.75 * (x1 - x0);
+            let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
+            let shift = 0.015 * (x1 - x0) * if little { -1.0 } else { 1.0 };
+            let style = (FONT, LETTERS).into_font().color(&GREY).pos(Pos::new(side, VPos::Center));
+            let at = (x + shift, y0 + 0.04 * (y1 - y0));
+            chart.draw_series([Text::new(label.clone(), at, style)])?;
         }
-        self.draw_axes(&mut chart, window)?;
+        self.draw_axes(&mut chart)?;
         for (series, color) in self.series.iter().zip(PALETTE.iter().cycle()) {
             draw_series(&mut chart, series, *color)?;
         }
         for (x, label) in &self.marks {
             draw_mark(&mut chart, window, *x, label)?;
         }
+        for (point, label) in &self.labels {
+            draw_label(&mut chart, *point, label)?;
+        }
         chart
             .configure_series_labels()
             .position(emptiest_corner(window, &self.series, !self.marks.is_empty(), self.shaded.is_some()))
             .background_style(WHITE.mix(0.85))
-            .border_style(GREY.mix(0.4))
-            .label_font((FONT, 14))
+            .border_style(GREY.mix(0.4).stroke_width(FINE))
+            .label_font((FONT, LETTERS))
+            .legend_area_size(30 * FINE)
+            .margin(10 * FINE)
             .draw()?;
         Ok(())
     }
 
-    fn draw_axes(&self, chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4]) -> Plotted {
-        let mut mesh = chart.configure_mesh();
-        mesh.light_line_style(TRANSPARENT)
-            .bold_line_style(GREY.mix(0.2))
+    fn draw_axes(&self, chart: &mut Canvas) -> Plotted {
+        chart
+            .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(GREY.mix(0.2).stroke_width(FINE))
+            .axis_style(BLACK.stroke_width(FINE))
+            .set_all_tick_mark_size(5 * FINE)
             .x_desc(&self.x_label)
             .y_desc(&self.y_label)
-            .label_style((FONT, 14))
-            .axis_desc_style((FONT, 15));
-        // Lines at whole decades only.
-        let decades =
-            |from: f64, to: f64| (0..=MOST_DECADES).take_while(|&k| from + f64::from(k) <= to).count();
-        if self.logarithmic {
-            mesh.x_labels(decades(x0, x1)).y_labels(decades(y0, y1).min(10));
-            mesh.x_label_formatter(&|x| power_of_ten(*x)).y_label_formatter(&|y| power_of_ten(*y));
-        }
-        mesh.draw()?;
+            .label_style((FONT, LETTERS))
+            .axis_desc_style((FONT, LETTERS))
+            .draw()?;
         Ok(())
     }
 }
 
-fn draw_series<'a, 'b: 'a>(chart: &mut Canvas<'a, 'b>, series: &Series, color: RGBColor) -> Plotted {
-    let style = color.stroke_width(2);
-    let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
-    // All pieces of a line but the last, which has the entry of the legend.
-    let pieces = series.points.split(|point| !is_finite(point));
-    let mut pieces: Vec<_> = pieces.filter(|piece| !piece.is_empty()).collect();
-    let last = pieces.pop().unwrap_or_default().iter().copied();
-    for piece in pieces {
-        let piece = piece.iter().copied();
-        match series.stroke {
-            Stroke::Line => chart.draw_series(LineSeries::new(piece, style))?,
-            Stroke::Marked => chart.draw_series(LineSeries::new(piece, style.filled()).point_size(3))?,
-            Stroke::Dashed => chart.draw_series(DashedLineSeries::new(piece, 7, 5, style))?,
-            Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
-        };
-    }
-    let points = series.points.iter().copied().filter(is_finite);
-    let drawn = match series.stroke {
-        Stroke::Line => chart.draw_series(LineSeries::new(last, style))?,
-        Stroke::Marked => chart.draw_series(LineSeries::new(last, style.filled()).point_size(3))?,
-        Stroke::Dashed => chart.draw_series(DashedLineSeries::new(last, 7, 5, style))?,
-        Stroke::Circles => chart.draw_series(points.map(|p| Circle::new(p, 4, style)))?,
-        Stroke::Dots => chart.draw_series(points.map(|p| Circle::new(p, 2, color.mix(0.6).filled())))?,
-        Stroke::Bars => {
-            let wide = series.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
-            let bar = |(x, y): (f64, f64)| {
-                let corners = [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, y)];
-                Rectangle::new(corners, color.mix(0.7).filled())
-            };
-            chart.draw_series(points.map(bar))?
-        }
-    };
-    let stroke = series.stroke;
-    drawn.label(&series.name).legend(move |(x, y)| {
-        let line = [(x, y), (x + 20, y)];
-        match stroke {
-            Stroke::Circles | Stroke::Dots => Circle::new((x + 10, y), 4, style).into_dyn(),
-            Stroke::Dashed => DashedPathElement::new(line, 5, 3, style).into_dyn(),
-            Stroke::Line | Stroke::Marked | Stroke::Bars => PathElement::new(line, style).into_dyn(),
-        }
-    });
-    Ok(())
+/// So many charts of so many pixels beside each other, in fine pixels.
+fn fine_pixels(count: usize, each: u32) -> Result<u32, PictureError> {
+    let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
+    all.ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
 }
-
-fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Plotted {
-    chart.draw_series(DashedLineSeries::new([(x, y0), (x, y1)], 4, 4, BLACK.stroke_width(1)))?;
-    // To the side on which there is room.
-    let left = (x - x0) > 0.6 * (x1 - x0);
-    let text = (FONT, 14).into_font().color(&BLACK);
-    let anchor = if left { text_style::HPos::Right } else { text_style::HPos::Left };
-    let shift = 0.008 * (x1 - x0) * if left { -1.0 } else { 1.0 };
-    let style = text.pos(text_style::Pos::new(anchor, text_style::VPos::Top));
-    chart.draw_series([Text::new(label.to_owned(), (x + shift, y1 - 0.02 * (y1 - y0)), style)])?;
-    Ok(())
-}
-
-/// Between the least and the largest number.
-const MOST_DECADES: u32 = 700;
 
 /// Where one chart is drawn.
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// The label of a decade.
-fn power_of_ten(exponent: f64) -> String {
-    let raised = |c| match c {
-        '-' => '⁻',
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-    };
-    format!("10{}", format!("{exponent:.0}").chars().map(raised).collect::<String>())
-}
 
 /// Smallest and largest value, with some room; a range of zero width gets one.
 fn range(values: impl Iterator<Item = f64>, room: f64) -> (f64, f64) {

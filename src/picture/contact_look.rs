@@ -24,9 +24,9 @@ pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST)
 }
 
-/// The colour of what a contact does.
-pub(super) fn ink<const C: usize>(answer: &ContactAnswer<C>) -> RGBColor {
-    match word(answer) {
+/// The colour of what a contact does, which a [`word`] says.
+pub(super) fn ink(word: &str) -> RGBColor {
+    match word {
         "separated" => GREY,
         "sliding" => VERMILION,
         "frictionless" => GREEN,

@@ -10,6 +10,3 @@ impl PictureError {
         Self(error.to_string())
     }
 }
-
-/// What a stroke comes to.
-pub(super) type Drawn = Result<(), PictureError>;

@@ -1,27 +1,48 @@
 //! A planar grasp: object, fingers, friction cones, contact forces, load.
 
-use nalgebra::Vector2;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use nalgebra::{Matrix2, Vector2};
+use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::actuators::Actuators;
-use super::canvas::{Canvas, Plotted};
-use super::contact_look::{slope, word};
+use super::axes::{Axes, bounds};
+use super::contact_look::{ink, slope, word};
 use super::error::PictureError;
-use super::palette::{BLUE, FONT, GREEN, GREY, VERMILION};
+use super::fingertip::{Fingertip, Resultant, fingertips};
+use super::force_scale::metres_per_newton;
+use super::labels::Labels;
+use super::painting::{Painting, flat};
+use super::palette::{GREY, VERMILION};
+use super::planar_load::PlanarLoad;
+use super::sheet::{Place, Sheet, sheet};
+use super::window::Window;
+use super::words::short;
 use crate::planar::{Equilibrium, Grasp};
 
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is
 /// only drawn.
 pub type Outline<'a> = &'a [[f64; 2]];
 
-const WIDTH: u32 = 860;
-const HEIGHT: u32 = 560;
+const SIZE: Place = (860.0, 560.0);
+const WINDOW: Window = Window { left: 70.0, top: 46.0, wide: 776.0, high: 462.0 };
+/// Room for names beside the grasp, pixels to either side, and above and below.
+const BORDER: (f64, f64) = (130.0, 62.0);
+/// Height of letters, and radius of the arc of a moment.
+const LETTERS: f64 = 15.0;
+const ARC: f64 = 30.0;
+/// A finger behind its contact, and where its name goes, in parts of the span.
+const FINGER: f64 = 0.08;
+/// The finger.
+const PALE: RGBColor = RGBColor(176, 176, 176);
+/// How much longer a cone is than the arrow of the normal force in it.
+const CONE: f64 = 1.15;
 
 /// Draws a grasp with its contact forces inside their friction cones. Arrows are forces on the
-/// object, the largest of them or of the load a third as long as contacts and outline extend; cones
-/// are a little longer than the normal forces in them. The load's force is drawn at the origin, its
-/// moment is not drawn. Links of a [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at
+/// object, at one scale, so short that they do not go through it; cones are a little longer than
+/// the normal forces in them. The load is drawn on its line of action, which is dashed. Where that
+/// line passes the grasp by, or the load is a moment alone, its force is drawn in the middle of the
+/// grasp and its moment about that point as an arc. All points of a
+/// [soft fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of
+/// pressure; dots are the points, in the colours of what they do. Links of a [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at
 /// their limit are marked.
 ///
 /// ```
@@ -42,7 +63,7 @@ const HEIGHT: u32 = 560;
 ///
 /// # Errors
 /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
-/// outline is not finite, or if the back end fails.
+/// outline is not finite, or if a length or force is too large or too small to be drawn.
 pub fn draw_grasp<const D: usize>(
     grasp: &crate::grasp::Grasp<D, 2>,
     state: &crate::equilibrium::Equilibrium<D, 2>,
@@ -56,12 +77,9 @@ pub fn draw_grasp<const D: usize>(
     if !outline.unwrap_or_default().iter().flatten().all(|x| x.is_finite()) {
         return Err(PictureError("a corner of the outline is not finite".into()));
     }
-    let mut svg = String::new();
     let bones = grasp.links().copied().collect();
     Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones, Actuators::of(grasp))
-        .draw(&mut svg, title)
-        .map_err(PictureError::from_backend)?;
-    Ok(svg)
+        .draw(title)
 }
 
 struct Picture<'a> {
@@ -71,10 +89,21 @@ struct Picture<'a> {
     /// Links of a hand, from joint to joint.
     bones: Vec<[Vector2<f64>; 2]>,
     actuators: Actuators<2>,
+    tips: Vec<Tip>,
+    load: PlanarLoad,
     /// Size of the scene, m.
     span: f64,
     /// m per N.
     scale: f64,
+}
+
+/// A fingertip, its contact frame, and what it does.
+struct Tip {
+    of: Fingertip,
+    middle: Vector2<f64>,
+    frame: Matrix2<f64>,
+    slope: f64,
+    does: Resultant<2>,
 }
 
 impl<'a> Picture<'a> {
@@ -86,169 +115,157 @@ impl<'a> Picture<'a> {
         actuators: Actuators<2>,
     ) -> Self {
         let outline: Vec<_> = outline.unwrap_or_default().iter().map(|p| Vector2::from(*p)).collect();
-        let (low, high) =
-            bounds(points(grasp).chain(outline.iter().copied()).chain(bones.iter().flatten().copied()));
-        let span = (high - low).amax().max(f64::MIN_POSITIVE);
-        let load = force_of_load(state).norm();
-        let most = state.contacts.iter().map(|c| c.force.norm()).fold(load, f64::max);
-        let scale = if most > 0.0 { span / 3.0 / most } else { 0.0 };
-        Self { grasp, state, outline, bones, actuators, span, scale }
+        let contacts = grasp.contacts();
+        let held = || contacts.iter().map(|contact| contact.point).chain(outline.iter().copied());
+        let (low, high) = bounds(held());
+        // A single contact has no size of its own.
+        let size =
+            |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
+        let load = PlanarLoad::new(&state.load, low / 2.0 + high / 2.0, size((low, high)));
+        let span = size(bounds(held().chain(bones.iter().flatten().copied())));
+        let frames: Vec<_> = grasp.frames().copied().collect();
+        let tip = |of: Fingertip| Tip {
+            middle: of.middle(contacts),
+            frame: frames[of.contacts.start],
+            slope: slope(&contacts[of.contacts.start]),
+            does: of.resultant(contacts, &state.contacts),
+            of,
+        };
+        let tips: Vec<_> = fingertips(contacts).into_iter().map(tip).collect();
+        let most = tips.iter().map(|tip| tip.does.force.norm()).fold(load.force.norm(), f64::max);
+        let push = |tip: &Tip| (tip.middle, tip.frame.column(0).into_owned(), tip.does.normal_force);
+        let pushes: Vec<_> = tips.iter().map(push).collect();
+        let scale = metres_per_newton(&pushes, size((low, high)), most);
+        Self { grasp, state, outline, bones, actuators, tips, load, span, scale }
     }
 
-    fn draw(&self, svg: &mut String, title: &str) -> Plotted {
-        let root = SVGBackend::with_string(svg, (WIDTH, HEIGHT)).into_drawing_area();
-        root.fill(&WHITE)?;
-        let load_tip = force_of_load(self.state) * self.scale;
+    fn draw(&self, title: &str) -> Result<String, PictureError> {
+        let of_tips = self.tips.iter().flat_map(|tip| {
+            let force = [tip.does.at, tip.does.at + tip.does.force * self.scale];
+            force.into_iter().chain(self.finger(tip)).chain(self.cone(tip).into_iter().flatten())
+        });
+        let of_load = [self.load.at, self.load.at + self.load.force * self.scale];
         let drawn = self.outline.iter().chain(self.bones.iter().flatten()).copied();
-        let everything = points(self.grasp).chain(drawn).chain([load_tip, Vector2::zeros()]);
-        let (low, high) = bounds(everything);
-        let margin = Vector2::new(0.35, 0.25) * self.span;
-        let (low, high) = equal_aspect(low - margin, high + margin);
-        let mut chart = ChartBuilder::on(&root)
-            .caption(title, (FONT, 20))
-            .margin(12)
-            .x_label_area_size(40)
-            .y_label_area_size(56)
-            .build_cartesian_2d(low.x..high.x, low.y..high.y)?;
-        chart
-            .configure_mesh()
-            .disable_mesh()
-            .x_desc("x (m)")
-            .y_desc("y (m)")
-            .label_style((FONT, 13))
-            .draw()?;
+        let axes = Axes::new(WINDOW, BORDER, drawn.chain(of_tips).chain(of_load));
+        if !axes.are_finite() {
+            return Err(PictureError("a length or force is too large or too small to be drawn".into()));
+        }
+        let mut painting = Painting::default();
+        self.paint_object(&axes, &mut painting);
+        for tip in &self.tips {
+            self.paint_tip(&axes, &mut painting, tip);
+        }
+        self.paint_load(&axes, &mut painting);
+        Ok(sheet(SIZE, |paper| {
+            paper.title(title);
+            axes.draw(paper);
+            painting.draw(paper);
+            let mut labels = Labels::new(WINDOW.within(4.0), painting.ink());
+            for tip in &self.tips {
+                // Behind the finger, away from the object.
+                let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
+                let force = format!("|F| = {} N", short(tip.does.force.norm()));
+                labels.write(paper, at, &[&tip.of.name, tip.does.word, &force], LETTERS);
+            }
+            self.write_load(&axes, paper, &mut labels);
+            let mut elsewhere = Vec::new();
+            for (name, at) in self.actuators.that_yield(self.state) {
+                match at {
+                    Some(at) => labels.write(paper, axes.place(at), &[&format!("{name} yields")], LETTERS),
+                    None => elsewhere.push(name),
+                }
+            }
+            if !elsewhere.is_empty() {
+                let words = format!("At their limit: {}", elsewhere.join(", "));
+                paper.plaque((WINDOW.left + 8.0, WINDOW.top + 14.0), &words, LETTERS, 0.0);
+            }
+        }))
+    }
+
+    fn paint_object(&self, axes: &Axes, painting: &mut Painting) {
+        let place = |point: &Vector2<f64>| axes.place(*point);
         for bone in &self.bones {
-            chart.draw_series([PathElement::new(bone.map(|p| (p.x, p.y)).to_vec(), GREY.stroke_width(3))])?;
+            painting.line(bone.map(|end| flat(axes.place(end))), GREY, 3.0);
         }
-        for at in self.actuators.joints.iter().filter_map(|(_, at)| *at) {
-            chart.draw_series([Circle::new((at.x, at.y), 5, GREY.filled())])?;
-        }
-        if self.outline.len() > 2 {
-            let corners: Vec<_> = self.outline.iter().map(|p| (p.x, p.y)).collect();
-            chart.draw_series([Polygon::new(corners.clone(), GREY.mix(0.12))])?;
-            let closed = corners.iter().copied().chain(corners.first().copied());
-            chart.draw_series([PathElement::new(closed.collect::<Vec<_>>(), GREY.stroke_width(1))])?;
-        }
-        for contact in 0..self.grasp.len() {
-            self.draw_contact(&mut chart, contact)?;
-        }
-        if load_tip.norm() > 0.0 {
-            self.arrow(&mut chart, Vector2::zeros(), load_tip, VERMILION)?;
-            let size = force_of_load(self.state).norm();
-            self.label(
-                &mut chart,
-                load_tip + Vector2::new(0.02, 0.0) * self.span,
-                HPos::Left,
-                &format!("load {size:.4} N"),
-            )?;
-        }
-        let corner = low + Vector2::new(0.02, 0.03) * self.span;
-        self.mark_what_yields(&mut chart, corner)?;
-        root.present()?;
-        Ok(())
-    }
-
-    /// Joints at their limit where they are; what has no place is listed in a corner.
-    fn mark_what_yields(&self, chart: &mut Canvas, corner: Vector2<f64>) -> Plotted {
-        let mut elsewhere = Vec::new();
-        for (name, at) in self.actuators.that_yield(self.state) {
-            let Some(at) = at else {
-                elsewhere.push(name);
-                continue;
-            };
-            chart.draw_series([Circle::new((at.x, at.y), 8, VERMILION.filled())])?;
-            let beside = at + Vector2::new(0.03, 0.0) * self.span;
-            self.label(chart, beside, HPos::Left, &format!("{name} yields"))?;
-        }
-        if !elsewhere.is_empty() {
-            self.label(chart, corner, HPos::Left, &format!("At their limit: {}", elsewhere.join(", ")))?;
-        }
-        Ok(())
-    }
-
-    fn draw_contact(&self, chart: &mut Canvas, index: usize) -> Plotted {
-        let (contact, answer) = (&self.grasp.contacts()[index], &self.state.contacts[index]);
-        let Some(frame) = self.grasp.frames().nth(index) else { return Ok(()) };
-        let (p, n, t) = (contact.point, frame.column(0).into_owned(), frame.column(1).into_owned());
-        // The finger: a wedge behind the contact.
-        let finger = [p, p + (t * 0.35 - n) * (0.09 * self.span), p - (t * 0.35 + n) * (0.09 * self.span)];
-        chart.draw_series([Polygon::new(finger.map(|v| (v.x, v.y)).to_vec(), GREY.mix(0.55))])?;
-        let length = 1.15 * answer.normal_force() * self.scale;
-        let mu = slope(contact);
-        if mu > 0.0 && length > 0.0 {
-            let cone = [p, p + (n + t * mu) * length, p + (n - t * mu) * length];
-            chart.draw_series([Polygon::new(cone.map(|v| (v.x, v.y)).to_vec(), GREEN.mix(0.2))])?;
-            for edge in [cone[1], cone[2]] {
-                let line = [(p.x, p.y), (edge.x, edge.y)];
-                chart.draw_series([PathElement::new(line, GREEN.mix(0.8).stroke_width(1))])?;
+        for (_, at) in &self.actuators.joints {
+            if let Some(at) = at {
+                painting.dot(flat(place(at)), 5.0, GREY, false);
             }
         }
-        self.arrow(chart, p, p + answer.force_world * self.scale, BLUE)?;
-        let name = contact.label_text(index);
-        // Behind the finger, away from the object.
-        let at = p - n * (0.12 * self.span);
-        let side = if n.x > 0.3 {
-            HPos::Right
-        } else if n.x < -0.3 {
-            HPos::Left
-        } else {
-            HPos::Center
-        };
-        let force = format!("|F| = {:.4} N", answer.force.norm());
-        for (line, text) in [name.as_str(), word(answer), &force].into_iter().enumerate() {
-            // Lines run downwards; a finger from above has them above itself.
-            let up = 0.05 * self.span * (1.0 - line as f64 - n.y);
-            self.label(chart, at + Vector2::new(0.0, up), side, text)?;
+        for at in self.actuators.that_yield(self.state).filter_map(|(_, at)| at) {
+            painting.dot(flat(place(&at)), 8.0, VERMILION, false);
         }
-        Ok(())
-    }
-
-    fn arrow(&self, chart: &mut Canvas, from: Vector2<f64>, to: Vector2<f64>, color: RGBColor) -> Plotted {
-        let along = to - from;
-        if along.norm() == 0.0 {
-            return Ok(());
+        if self.outline.len() > 2 {
+            painting.area(self.outline.iter().map(place), GREY.mix(0.12), -3.0);
+            for (k, corner) in self.outline.iter().enumerate() {
+                let next = &self.outline[(k + 1) % self.outline.len()];
+                painting.line([corner, next].map(|end| flat(place(end))), GREY, 1.0);
+            }
         }
-        let head = along.normalize() * (0.03 * self.span).min(along.norm());
-        let across = Vector2::new(-head.y, head.x) * 0.4;
-        let neck = to - head;
-        chart.draw_series([PathElement::new([(from.x, from.y), (neck.x, neck.y)], color.stroke_width(3))])?;
-        let tip = [to, neck + across, neck - across].map(|v| (v.x, v.y)).to_vec();
-        chart.draw_series([Polygon::new(tip, color)])?;
-        Ok(())
     }
 
-    #[expect(clippy::unused_self, reason = "reads like the other strokes")]
-    fn label(&self, chart: &mut Canvas, at: Vector2<f64>, side: HPos, text: &str) -> Plotted {
-        let style = (FONT, 15).into_font().color(&BLACK).pos(Pos::new(side, VPos::Center));
-        chart.draw_series([Text::new(text.to_owned(), (at.x, at.y), style)])?;
-        Ok(())
+    fn paint_tip(&self, axes: &Axes, painting: &mut Painting, tip: &Tip) {
+        let Resultant { at, force, word: does, .. } = tip.does;
+        let place = |point| axes.place(point);
+        painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
+        if let Some(cone) = self.cone(tip) {
+            painting.area(cone.map(place), ink(does).mix(0.16), -1.0);
+            for edge in [cone[1], cone[2]] {
+                painting.line([cone[0], edge].map(|end| flat(place(end))), ink(does), 1.0);
+            }
+        }
+        painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(does), 3.0, 1);
+        for i in tip.of.contacts.clone().filter(|_| tip.of.is_soft()) {
+            let (point, answer) = (self.grasp.contacts()[i].point, &self.state.contacts[i]);
+            painting.dot(flat(place(point)), 2.5, ink(word(answer)), false);
+        }
     }
-}
 
-fn points(grasp: &Grasp) -> impl Iterator<Item = Vector2<f64>> + '_ {
-    grasp.contacts().iter().map(|contact| contact.point)
-}
+    fn paint_load(&self, axes: &Axes, painting: &mut Painting) {
+        let PlanarLoad { at, force, moment } = self.load;
+        let tip = at + force * self.scale;
+        let (from, to) = (axes.place(at), axes.place(tip));
+        if force != Vector2::zeros() {
+            painting.arrow([from, to].map(flat), BLACK, 3.0, 1);
+        }
+        if moment == 0.0 && force != Vector2::zeros() {
+            painting.dashes(axes.across(at, force.normalize()), GREY, 1.0);
+        }
+        if moment != 0.0 {
+            // Open where the force leaves.
+            painting.arc(from, ARC, self.load.angle(), moment < 0.0, BLACK, 2.0);
+            painting.dot(flat(from), 3.0, BLACK, false);
+        }
+    }
 
-fn force_of_load(state: &Equilibrium) -> Vector2<f64> {
-    let w = state.load.as_vector();
-    Vector2::new(w[0], w[1])
-}
+    fn write_load(&self, axes: &Axes, paper: &mut Sheet, labels: &mut Labels) {
+        let PlanarLoad { at, force, moment } = self.load;
+        if force != Vector2::zeros() {
+            let tip = axes.place(at + force * self.scale);
+            labels.write(paper, tip, &[&format!("load {} N", short(force.norm()))], LETTERS);
+        }
+        if moment != 0.0 {
+            // Beside the arc, where it is closed.
+            let ((x, y), (sin, cos)) = (axes.place(at), self.load.angle().sin_cos());
+            let words = format!("moment {} N m", short(moment));
+            labels.write(paper, (x - ARC * cos, y + ARC * sin), &[&words], LETTERS);
+        }
+    }
 
-fn bounds(points: impl Iterator<Item = Vector2<f64>>) -> (Vector2<f64>, Vector2<f64>) {
-    points.fold((Vector2::repeat(f64::INFINITY), Vector2::repeat(f64::NEG_INFINITY)), |(low, high), p| {
-        (low.inf(&p), high.sup(&p))
-    })
-}
+    /// The finger: a wedge behind the contact.
+    fn finger(&self, tip: &Tip) -> [Vector2<f64>; 3] {
+        let (n, t) = (tip.frame.column(0), tip.frame.column(1));
+        let corner = |side: f64| tip.middle + (t * (0.35 * side) - n) * (FINGER * self.span);
+        [tip.middle, corner(1.0), corner(-1.0)]
+    }
 
-/// Widens one of the ranges so that a metre is as long upwards as sideways.
-fn equal_aspect(low: Vector2<f64>, high: Vector2<f64>) -> (Vector2<f64>, Vector2<f64>) {
-    let wanted = f64::from(WIDTH - 80) / f64::from(HEIGHT - 94);
-    let size = high - low;
-    let grown = if size.x > wanted * size.y {
-        Vector2::new(size.x, size.x / wanted)
-    } else {
-        Vector2::new(size.y * wanted, size.y)
-    };
-    let middle = (low + high) / 2.0;
-    (middle - grown / 2.0, middle + grown / 2.0)
+    /// Corners of the friction cone, if there is one.
+    fn cone(&self, tip: &Tip) -> Option<[Vector2<f64>; 3]> {
+        let (n, t) = (tip.frame.column(0), tip.frame.column(1));
+        let long = CONE * tip.does.normal_force * self.scale;
+        // A cone that would fill the picture is drawn shorter.
+        let wide = (tip.slope * long).min(self.span / 2.0);
+        let corner = |side: f64| tip.does.at + n * (wide / tip.slope) + t * (side * wide);
+        (tip.slope > 0.0 && long > 0.0).then(|| [tip.does.at, corner(1.0), corner(-1.0)])
+    }
 }

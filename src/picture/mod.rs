@@ -5,15 +5,22 @@
 //! business.
 
 mod actuators;
+mod axes;
 mod bands;
 mod canvas;
 mod chart;
+mod chart_strokes;
 mod contact_look;
 mod error;
+mod fingertip;
+mod force_scale;
 mod grasp_picture;
+mod labels;
 mod legend_corner;
 mod page;
+mod painting;
 mod palette;
+mod planar_load;
 mod polar;
 mod polar_curve;
 mod polar_plane;
@@ -24,6 +31,8 @@ mod sheet;
 mod sphere;
 mod sphere_grid;
 mod turn_chart;
+mod window;
+mod words;
 
 pub use chart::Chart;
 pub use error::PictureError;

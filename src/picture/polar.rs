@@ -4,13 +4,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use plotters::style::{Color, colors::BLACK};
 
-use super::error::{Drawn, PictureError};
+use super::error::PictureError;
 use super::palette::{GREY, PALETTE};
 use super::polar_curve::draw_curve;
 use super::polar_plane::{MIDDLE, RADIUS, at, turn, width_of};
 use super::round_numbers::{in_steps, round_up, whole_above};
 use super::series::{Series, Stroke};
 use super::sheet::{Sheet, sheet};
+use super::words::lines;
 
 /// A polar chart: radius over direction, angles from x towards y; build it up, then
 /// [`Polar::to_svg`].
@@ -37,10 +38,13 @@ pub struct Polar {
     rim: Option<f64>,
 }
 
-const SIZE: (u32, u32) = (860, 640);
+const SIZE: (f64, f64) = (860.0, 640.0);
 /// Left edge of the legend, and the length of its lines.
 const LEGEND: f64 = 630.0;
 const SAMPLE: f64 = 22.0;
+/// Letters of a line beside a sample, and of a note.
+const LETTERS: usize = 24;
+const NOTE_LETTERS: usize = 30;
 /// Directions closer than this, rad, have no room for two texts: beside each other, or outside the
 /// rim.
 const BESIDE: f64 = 0.12;
@@ -111,34 +115,34 @@ impl Polar {
         }
         let step = round_up(wanted / 5.0);
         let rim = step * whole_above(wanted / step);
-        sheet(SIZE, |paper| {
-            paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
-            self.draw_grid(paper, rim, step)?;
+        Ok(sheet(SIZE, |paper| {
+            paper.title(&self.title);
+            self.draw_grid(paper, rim, step);
             // The first curve lies on top.
             for (k, curve) in self.curves.iter().enumerate().rev() {
-                draw_curve(paper, rim, k, curve)?;
+                draw_curve(paper, rim, k, curve);
             }
             for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
                 let end = at(*angle, RADIUS * (radius / rim).min(1.0));
-                paper.line([MIDDLE, end], BLACK, 1.0)?;
-                paper.circle(end, 4.5, BLACK, None)?;
+                paper.line([MIDDLE, end], BLACK, 1.0);
+                paper.circle(end, 4.5, BLACK, None);
             }
-            self.draw_rays(paper)?;
-            self.draw_numbers(paper, rim, step)?;
-            self.draw_legend(paper)
-        })
+            self.draw_rays(paper);
+            self.draw_numbers(paper, rim, step);
+            self.draw_legend(paper);
+        }))
     }
 
-    fn draw_grid(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
+    fn draw_grid(&self, paper: &mut Sheet, rim: f64, step: f64) {
         for radius in rings(rim, step) {
-            paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7))?;
+            paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7));
         }
-        paper.circle(MIDDLE, RADIUS, GREY, Some(1.2))?;
+        paper.circle(MIDDLE, RADIUS, GREY, Some(1.2));
         for k in 0..12 {
             let angle = f64::from(k) * PI / 6.0;
             let strong = k % 3 == 0;
             let ink = GREY.mix(if strong { 0.6 } else { 0.3 });
-            paper.line([MIDDLE, at(angle, RADIUS)], ink, 0.7)?;
+            paper.line([MIDDLE, at(angle, RADIUS)], ink, 0.7);
             let axis = match k {
                 0 => "0°, +x",
                 3 => "90°, +y",
@@ -149,26 +153,24 @@ impl Polar {
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
             // A little aside of a named direction.
             let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < BESIDE;
-            let aside = if self.rays.iter().any(named) { 0.13 } else { 0.0 };
-            outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0)?;
+            let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
+            outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0);
         }
-        Ok(())
     }
 
     /// Small arrows outside the arcs, with their names, or with letters for the legend where names
     /// are long or meet.
-    fn draw_rays(&self, paper: &Sheet) -> Drawn {
+    fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
             let tail = [at(angle - side, RADIUS + 13.0), at(angle + side, RADIUS + 13.0)];
-            paper.area([tip, tail[0], tail[1]], BLACK)?;
+            paper.area([tip, tail[0], tail[1]], BLACK);
             // Letters of rays that meet stand one after the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
-            outside(paper, *angle, RADIUS + 36.0 + 16.0 * before as f64, &words, 14.0)?;
+            outside(paper, *angle, RADIUS + 36.0 + 16.0 * before as f64, &words, 14.0);
         }
-        Ok(())
     }
 
     fn rays_have_letters(&self) -> bool {
@@ -178,7 +180,7 @@ impl Polar {
     }
 
     /// Along the spoke on which the curves leave most room.
-    fn draw_numbers(&self, paper: &Sheet, rim: f64, step: f64) -> Drawn {
+    fn draw_numbers(&self, paper: &mut Sheet, rim: f64, step: f64) {
         let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
         let crowd = |angle: f64| {
             let close = |a: f64, r: f64| {
@@ -194,41 +196,39 @@ impl Polar {
         for (k, radius) in numbered.iter().enumerate() {
             let unit = if k + 1 == numbered.len() { format!(" {}", self.unit) } else { String::new() };
             let words = format!("{}{unit}", in_steps(*radius, step));
-            paper.plaque(at(spoke, RADIUS * radius / rim), &words, 12.0, 0.5)?;
+            paper.plaque(at(spoke, RADIUS * radius / rim), &words, 12.0, 0.5);
         }
-        Ok(())
     }
 
-    fn draw_legend(&self, paper: &Sheet) -> Drawn {
+    fn draw_legend(&self, paper: &mut Sheet) {
         let mut y = 80.0;
         for (k, Series { name, stroke, .. }) in self.curves.iter().enumerate() {
             let ink = PALETTE[k % PALETTE.len()];
             let ends = [(LEGEND, y), (LEGEND + SAMPLE, y)];
             match stroke {
-                Stroke::Circles => paper.circle((LEGEND + SAMPLE / 2.0, y), 4.0, ink, Some(1.5))?,
-                Stroke::Dots => paper.circle((LEGEND + SAMPLE / 2.0, y), 2.0, ink, None)?,
-                Stroke::Dashed => paper.dashes(&ends, ink, 2.0)?,
-                _ => paper.line(ends, ink, width_of(k))?,
+                Stroke::Circles => paper.circle((LEGEND + SAMPLE / 2.0, y), 4.0, ink, Some(1.5)),
+                Stroke::Dots => paper.circle((LEGEND + SAMPLE / 2.0, y), 2.0, ink, None),
+                Stroke::Dashed => paper.dashes(&ends, ink, 2.0),
+                _ => paper.line(ends, ink, width_of(k)),
             }
-            y = legend_text(paper, y, name)?;
+            y = legend_text(paper, y, name);
         }
         for (_, label) in &self.marks {
-            paper.line([(LEGEND, y), (LEGEND + SAMPLE / 2.0, y)], BLACK, 1.0)?;
-            paper.circle((LEGEND + SAMPLE / 2.0, y), 4.5, BLACK, None)?;
-            y = legend_text(paper, y, label)?;
+            paper.line([(LEGEND, y), (LEGEND + SAMPLE / 2.0, y)], BLACK, 1.0);
+            paper.circle((LEGEND + SAMPLE / 2.0, y), 4.5, BLACK, None);
+            y = legend_text(paper, y, label);
         }
         if self.rays_have_letters() {
             for (k, (_, label)) in self.rays.iter().enumerate() {
-                paper.text((LEGEND + SAMPLE / 2.0, y), &letter(k), 14.0, 0.5, BLACK)?;
-                y = legend_text(paper, y, label)?;
+                paper.text((LEGEND + SAMPLE / 2.0, y), &letter(k), 14.0, 0.5, BLACK);
+                y = legend_text(paper, y, label);
             }
         }
         y += 8.0;
-        for note in &self.notes {
-            paper.text((LEGEND, y), note, 13.0, 0.0, GREY)?;
+        for note in self.notes.iter().flat_map(|note| lines(note, NOTE_LETTERS)) {
+            paper.text((LEGEND, y), &note, 13.0, 0.0, GREY);
             y += 18.0;
         }
-        Ok(())
     }
 }
 
@@ -245,13 +245,13 @@ fn letter(k: usize) -> String {
 }
 
 /// Line by line; returns where the next entry goes.
-fn legend_text(paper: &Sheet, y: f64, words: &str) -> Result<f64, PictureError> {
+fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
-    for line in words.lines() {
-        paper.text((LEGEND + SAMPLE + 8.0, at), line, 14.0, 0.0, BLACK)?;
+    for line in words.lines().flat_map(|line| lines(line, LETTERS)) {
+        paper.text((LEGEND + SAMPLE + 8.0, at), &line, 14.0, 0.0, BLACK);
         at += 18.0;
     }
-    Ok(at + 6.0)
+    at + 6.0
 }
 
 fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
@@ -259,11 +259,11 @@ fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A text that grows away from the middle.
-fn outside(paper: &Sheet, angle: f64, radius: f64, words: &str, size: f64) -> Drawn {
+fn outside(paper: &mut Sheet, angle: f64, radius: f64, words: &str, size: f64) {
     let left = match angle.cos() {
         c if c > 0.2 => 0.0,
         c if c < -0.2 => 1.0,
         _ => 0.5,
     };
-    paper.text(at(angle, radius), words, size, left, BLACK)
+    paper.text(at(angle, radius), words, size, left, BLACK);
 }

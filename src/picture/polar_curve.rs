@@ -2,31 +2,27 @@
 
 use std::f64::consts::TAU;
 
-use super::error::Drawn;
 use super::palette::PALETTE;
 use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
 use super::series::{Series, Stroke};
 use super::sheet::{Place, Sheet};
 
 /// Draws the curve with this index, which says its colour.
-pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) -> Drawn {
+pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Series) {
     let Series { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
     let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);
     let inside = points.iter().copied().filter(|(_, radius)| *radius <= rim);
     match stroke {
-        Stroke::Circles => {
-            return inside.map(place).try_for_each(|p| paper.circle(p, 4.0, ink, Some(1.5)));
-        }
-        Stroke::Dots => return inside.map(place).try_for_each(|p| paper.circle(p, 2.0, ink, None)),
-        Stroke::Bars => return inside.map(place).try_for_each(|p| paper.line([MIDDLE, p], ink, 1.5)),
-        Stroke::Marked => inside.map(place).try_for_each(|p| paper.circle(p, 3.0, ink, None))?,
-        Stroke::Line | Stroke::Dashed => {}
+        Stroke::Circles => return inside.for_each(|p| paper.circle(place(p), 4.0, ink, Some(1.5))),
+        Stroke::Dots => return inside.for_each(|p| paper.circle(place(p), 2.0, ink, None)),
+        Stroke::Bars => return inside.for_each(|p| paper.line([MIDDLE, place(p)], ink, 1.5)),
+        Stroke::Marked => inside.for_each(|p| paper.circle(place(p), 3.0, ink, None)),
+        Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
-    let draw = |line: &[Place]| match stroke {
-        _ if line.len() < 2 => Ok(()),
-        Stroke::Dashed => paper.dashes(line, ink, 2.0),
-        _ => paper.line(line.iter().copied(), ink, width_of(index)),
+    let draw = |paper: &mut Sheet, line: Vec<Place>| match stroke {
+        Stroke::Dashed => paper.dashes(&line, ink, 2.0),
+        _ => paper.line(line, ink, width_of(index)),
     };
     // Arcs of several curves lie side by side.
     let arc_radius = RADIUS + 3.0 + 4.0 * index as f64;
@@ -40,15 +36,15 @@ pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) 
             arc.push(at(angle, arc_radius));
         }
         if radius.is_nan() || next.is_nan() {
-            draw(&std::mem::take(&mut line))?;
-            paper.line(std::mem::take(&mut arc), ink, 4.0)?;
+            draw(paper, std::mem::take(&mut line));
+            paper.line(std::mem::take(&mut arc), ink, 4.0);
         } else if radius <= rim && next > rim {
             line.push(at(at_crossing, RADIUS));
-            draw(&std::mem::take(&mut line))?;
+            draw(paper, std::mem::take(&mut line));
             arc.push(at(at_crossing, arc_radius));
         } else if radius > rim && next <= rim {
             arc.push(at(at_crossing, arc_radius));
-            paper.line(std::mem::take(&mut arc), ink, 4.0)?;
+            paper.line(std::mem::take(&mut arc), ink, 4.0);
             line.push(at(at_crossing, RADIUS));
         }
     }
@@ -59,8 +55,8 @@ pub(super) fn draw_curve(paper: &Sheet, rim: f64, index: usize, curve: &Series) 
             arc.push(at(angle, arc_radius));
         }
     }
-    paper.line(arc, ink, 4.0)?;
-    draw(&line)
+    paper.line(arc, ink, 4.0);
+    draw(paper, line);
 }
 
 /// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite

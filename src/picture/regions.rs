@@ -1,17 +1,14 @@
 //! Where a function on a net of triangles is at least some level, as one area.
 //!
 //! Linear on each triangle, the function cuts a piece off each. Edges that two pieces share cancel,
-//! so that what is left runs around the whole region and no renderer shows seams; lines to and from
-//! the first corner, which enclose nothing, join its parts.
+//! so that what is left runs around the whole region and no renderer shows seams.
 
 use std::collections::BTreeMap;
 
-use super::sheet::{Place, pixel};
+use super::sheet::{Pixel, Place, pixel};
 
 /// A corner of a triangle: where it is, and the function there.
 pub(super) type Corner = (Place, f64);
-/// A place rounded to pixels: shared corners are the same bits.
-type Pixel = (i32, i32);
 
 /// The closed lines around `{f >= level}`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
@@ -55,18 +52,6 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         loops.push(line);
     }
     loops
-}
-
-/// One polygon of all the loops.
-pub(super) fn joined(loops: &[Vec<Pixel>]) -> Vec<Pixel> {
-    let Some(&hub) = loops.first().and_then(|line| line.first()) else { return Vec::new() };
-    let mut polygon = Vec::new();
-    for line in loops {
-        polygon.push(hub);
-        polygon.extend(line);
-    }
-    polygon.push(hub);
-    polygon
 }
 
 /// The part of a triangle in which the function is at least `level`, its corners in their order.

@@ -12,6 +12,19 @@ pub struct Series {
     pub stroke: Stroke,
 }
 
+impl Series {
+    /// Two corners of each bar.
+    pub(super) fn bars(&self) -> impl Iterator<Item = [(f64, f64); 2]> {
+        let wide = self.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
+        self.points.iter().map(move |(x, y)| [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, *y)])
+    }
+
+    /// What has to be inside of a chart.
+    pub(super) fn corners(&self) -> Vec<(f64, f64)> {
+        if self.stroke == Stroke::Bars { self.bars().flatten().collect() } else { self.points.clone() }
+    }
+}
+
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -21,6 +34,8 @@ pub enum Stroke {
     Line,
     /// A line with a dot at each point.
     Marked,
+    /// A line with an arrow in the middle of each piece, in the order of the points.
+    Directed,
     /// A dashed line.
     Dashed,
     /// Circles.

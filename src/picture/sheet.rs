@@ -1,21 +1,23 @@
-//! Paper to draw on in pixels: lines, areas and texts of plotters without axes.
+//! Paper to draw on in pixels: lines, areas, circles and texts, written as SVG where they are.
 
-use plotters::coord::Shift;
-use plotters::element::DashedPathElement;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::fmt::{self, Display, Formatter, Write};
 
-use super::error::{Drawn, PictureError};
+use plotters::style::{BLACK, Color, RGBAColor, RGBColor, WHITE};
+
 use super::palette::FONT;
+use super::words::escaped;
 
-/// The back end rounds to whole pixels; drawn this many times as large and shown at its size, a
-/// picture has smooth curves.
-const FINE: u32 = 4;
-
-/// Fine pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred
-/// times the paper, and differences of squares of it stay far below the largest integer, which
-/// plotters would run over.
-const FARTHEST: f64 = 1e6;
+/// Parts of a pixel in which places are written: finer than any screen shows.
+const FINE: f64 = 100.0;
+/// Pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred times
+/// the paper, and far below the largest integer.
+const FARTHEST: f64 = 1e5;
+/// Widths of letters of a sans serif face, in parts of their height; few are wider.
+const LETTER: f64 = 0.57;
+const WIDE_LETTER: f64 = 0.6;
+/// Height of a title, and its distance from the edges.
+const TITLE: f64 = 20.0;
+const ASIDE: f64 = 18.0;
 
 /// A colour, with or without its opacity.
 pub(super) trait Ink: Into<RGBAColor> {}
@@ -25,120 +27,167 @@ impl<T: Into<RGBAColor>> Ink for T {}
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
 
-pub(super) struct Sheet<'a> {
-    root: DrawingArea<SVGBackend<'a>, Shift>,
+/// A length in hundredths of a pixel: rounded, there is no −0, and shared places are the same bits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Fine(i32);
+
+/// A place rounded to hundredths of a pixel.
+pub(super) type Pixel = (Fine, Fine);
+
+/// The nearest place that can be written; far outside it is kept away from the limits of integers.
+pub(super) fn pixel((x, y): Place) -> Pixel {
+    (fine(x), fine(y))
+}
+
+fn fine(length: f64) -> Fine {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped")]
+    let whole = (length.clamp(-FARTHEST, FARTHEST) * FINE).round() as i32;
+    Fine(whole)
+}
+
+impl Display for Fine {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "{}", f64::from(self.0) / FINE)
+    }
+}
+
+pub(super) struct Sheet {
+    svg: String,
+    wide: f64,
 }
 
 /// Draws on a white sheet of so many pixels.
-pub(super) fn sheet(
-    (wide, high): (u32, u32),
-    draw: impl FnOnce(&Sheet) -> Drawn,
-) -> Result<String, PictureError> {
-    let mut svg = String::new();
-    {
-        let size = (wide * FINE, high * FINE);
-        let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        root.fill(&WHITE).map_err(PictureError::from_backend)?;
-        let sheet = Sheet { root };
-        draw(&sheet)?;
-        sheet.root.present().map_err(PictureError::from_backend)?;
+pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> String {
+    let size = pixel((wide, high));
+    let mut paper = Sheet { svg: String::new(), wide };
+    let (w, h) = size;
+    paper.put(format_args!(
+        "<svg width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" xmlns=\"http://www.w3.org/2000/svg\" \
+         font-family=\"{FONT}\" stroke-linejoin=\"round\">"
+    ));
+    paper.area([(0.0, 0.0), (wide, 0.0), (wide, high), (0.0, high)], WHITE);
+    draw(&mut paper);
+    paper.put(format_args!("</svg>"));
+    paper.svg
+}
+
+impl Sheet {
+    /// Strings take whatever is written into them.
+    fn put(&mut self, element: fmt::Arguments) {
+        let _ = writeln!(self.svg, "{element}");
     }
-    let drawn = format!("width=\"{}\" height=\"{}\"", wide * FINE, high * FINE);
-    Ok(svg.replacen(&drawn, &format!("width=\"{wide}\" height=\"{high}\""), 1))
-}
 
-/// So many pixels for each of so many things.
-pub(super) fn pixels(count: usize, each: u32) -> Result<u32, PictureError> {
-    let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
-    all.map(|all| all / FINE).ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
-}
-
-/// The nearest pixel of the fine grid; far outside it is kept away from the limits of integers.
-pub(super) fn pixel((x, y): Place) -> (i32, i32) {
-    #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    let whole = |v: f64| (v * f64::from(FINE)).round().clamp(-FARTHEST, FARTHEST) as i32;
-    (whole(x), whole(y))
-}
-
-impl Sheet<'_> {
     /// A line through places.
-    pub(super) fn line(&self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64) -> Drawn {
-        self.pixels(places.into_iter().map(pixel).collect(), ink, width)
-    }
-
-    /// A line through places that have been rounded to pixels.
-    pub(super) fn pixels(&self, places: Vec<(i32, i32)>, ink: impl Ink, width: f64) -> Drawn {
-        if places.len() < 2 {
-            return Ok(());
-        }
-        self.root
-            .draw(&PathElement::new(places, ink.into().stroke_width(fine(width))))
-            .map_err(PictureError::from_backend)
+    pub(super) fn line(&mut self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64) {
+        self.stroke(places, ink, width, "");
     }
 
     /// A dashed line.
-    pub(super) fn dashes(&self, places: &[Place], ink: impl Ink, width: f64) -> Drawn {
-        let pixels: Vec<_> = places.iter().map(|place| pixel(*place)).collect();
-        let style = ink.into().stroke_width(fine(width));
-        let line = DashedPathElement::new(pixels, fine(7.0), fine(5.0), style);
-        self.root.draw(&line).map_err(PictureError::from_backend)
+    pub(super) fn dashes(&mut self, places: &[Place], ink: impl Ink, width: f64) {
+        self.stroke(places.iter().copied(), ink, width, " stroke-dasharray=\"7,5\"");
+    }
+
+    fn stroke(&mut self, places: impl IntoIterator<Item = Place>, ink: impl Ink, width: f64, dashes: &str) {
+        let points = points(places);
+        // A single place is no line.
+        if points.contains(' ') {
+            let (ink, width) = (paint("stroke", ink), fine(width));
+            self.put(format_args!(
+                "<polyline fill=\"none\"{ink} stroke-width=\"{width}\"{dashes} points=\"{points}\"/>"
+            ));
+        }
     }
 
     /// A filled area.
-    pub(super) fn area(&self, corners: impl IntoIterator<Item = Place>, ink: impl Ink) -> Drawn {
-        self.fill(corners.into_iter().map(pixel).collect(), ink)
+    pub(super) fn area(&mut self, corners: impl IntoIterator<Item = Place>, ink: impl Ink) {
+        let (ink, points) = (paint("fill", ink), points(corners));
+        self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));
     }
 
-    /// A filled area whose corners have been rounded to pixels.
-    pub(super) fn fill(&self, corners: Vec<(i32, i32)>, ink: impl Ink) -> Drawn {
-        self.root.draw(&Polygon::new(corners, ink.into())).map_err(PictureError::from_backend)
+    /// An area inside closed lines that leave it on one side, with a line of some ink around it.
+    pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Ink, around: Option<(RGBAColor, f64)>) {
+        let closed = |line: &Vec<Pixel>| {
+            format!("M{}Z", line.iter().copied().map(written).collect::<Vec<_>>().join(" "))
+        };
+        let (ink, way) = (paint("fill", ink), loops.iter().map(closed).collect::<String>());
+        let around = around
+            .map(|(ink, width)| format!("{} stroke-width=\"{}\"", paint("stroke", ink), fine(width)))
+            .unwrap_or_default();
+        self.put(format_args!("<path{ink}{around} d=\"{way}\"/>"));
     }
 
     /// A circle, filled or drawn with a line of some width.
-    pub(super) fn circle(&self, middle: Place, radius: f64, ink: impl Ink, line: Option<f64>) -> Drawn {
-        let color = ink.into();
-        let style = line.map_or(color.filled(), |width| ShapeStyle {
-            color,
-            filled: false,
-            stroke_width: fine(width),
-        });
-        self.root.draw(&Circle::new(pixel(middle), fine(radius), style)).map_err(PictureError::from_backend)
+    pub(super) fn circle(&mut self, middle: Place, radius: f64, ink: impl Ink, line: Option<f64>) {
+        let style = match line {
+            Some(width) => {
+                format!(" fill=\"none\"{} stroke-width=\"{}\"", paint("stroke", ink), fine(width))
+            }
+            None => paint("fill", ink),
+        };
+        let ((x, y), r) = (pixel(middle), fine(radius));
+        self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{style}/>"));
     }
 
     /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of
     /// its height above.
-    pub(super) fn text(&self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) -> Drawn {
-        let side = match left {
-            l if l < 0.25 => HPos::Left,
-            l if l > 0.75 => HPos::Right,
-            _ => HPos::Center,
+    pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) {
+        self.letters(place, words, size, left, color, "");
+    }
+
+    /// A line of text that is read upwards, its middle at the place.
+    pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: RGBColor) {
+        let (x, y) = pixel(place);
+        self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
+    }
+
+    fn letters(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor, turn: &str) {
+        let anchor = match left {
+            l if l < 0.25 => "start",
+            l if l > 0.75 => "end",
+            _ => "middle",
         };
-        let style = (FONT, fine(size)).into_font().color(&color).pos(Pos::new(side, VPos::Center));
-        // XML has no place for these.
-        let forbidden = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
-        let words: String = words.chars().map(|c| if forbidden(c) { '\u{fffd}' } else { c }).collect();
-        self.root.draw(&Text::new(words, pixel(place), style)).map_err(PictureError::from_backend)
+        // Letters without tails have their middle there.
+        let (x, y) = pixel((place.0, place.1 + 0.36 * size));
+        let (ink, size, words) = (paint("fill", color), fine(size), escaped(words));
+        self.put(format_args!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{ink}{turn}>{words}</text>"
+        ));
+    }
+
+    /// The title of the picture in its upper left corner, smaller where it would not fit.
+    pub(super) fn title(&mut self, words: &str) {
+        let room = (self.wide - 2.0 * ASIDE) / (WIDE_LETTER * words.chars().count() as f64);
+        self.text((ASIDE, 26.0), words, TITLE.min(room), 0.0, BLACK);
     }
 
     /// A line of text on a light ground, so that it can be read on anything.
-    pub(super) fn plaque(&self, place: Place, words: &str, size: f64, left: f64) -> Drawn {
+    pub(super) fn plaque(&mut self, place: Place, words: &str, size: f64, left: f64) {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
         let half = high / 2.0;
         let corners = [(x, y - half), (x + wide, y - half), (x + wide, y + half), (x, y + half)];
-        self.area(corners, WHITE.mix(0.75))?;
-        self.text(place, words, size, left, BLACK)
+        self.area(corners, WHITE.mix(0.75));
+        self.text(place, words, size, left, BLACK);
     }
 }
 
 /// Width and height of a text with the ground it stands on.
 pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
-    // Letters of a sans serif face are a little more than half as wide as high.
-    (0.54 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
+    (LETTER * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 
-fn fine(length: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths of a few pixels")]
-    let whole = (length * f64::from(FINE)).round() as u32;
-    whole.max(1)
+fn points(places: impl IntoIterator<Item = Place>) -> String {
+    places.into_iter().map(|place| written(pixel(place))).collect::<Vec<_>>().join(" ")
+}
+
+fn written((x, y): Pixel) -> String {
+    format!("{x},{y}")
+}
+
+/// What an element is filled or drawn with.
+fn paint(what: &str, ink: impl Ink) -> String {
+    let ink: RGBAColor = ink.into();
+    let ((r, g, b), opacity) = (ink.rgb(), ink.alpha());
+    let opaque = format!(" {what}=\"#{r:02X}{g:02X}{b:02X}\"");
+    if opacity == 1.0 { opaque } else { format!("{opaque} {what}-opacity=\"{opacity}\"") }
 }

@@ -5,11 +5,12 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 use plotters::style::{Color, RGBColor, colors::BLACK, colors::WHITE};
 
 use super::bands::Bands;
-use super::error::{Drawn, PictureError};
+use super::error::PictureError;
 use super::palette::{GREY, VERMILION};
-use super::regions::{Corner, joined, outlines};
-use super::sheet::{Place, Sheet, pixels, sheet};
+use super::regions::{Corner, outlines};
+use super::sheet::{Place, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
+use super::words::lines;
 
 /// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that
 /// point upwards (z > 0) on the left and downwards on the right, both seen from above, x to the
@@ -37,11 +38,13 @@ pub struct SphereMap {
     missing: String,
 }
 
-const WIDE: u32 = 860;
-const HIGH: u32 = 530;
+const WIDE: f64 = 860.0;
+const HIGH: f64 = 530.0;
 const RADIUS: f64 = 165.0;
 /// Middles of the discs.
 const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
+/// Letters of a line of a note.
+const LETTERS: usize = 114;
 /// Where the notes begin.
 const FOOT: f64 = 510.0;
 /// Right edge of the colour scale, and its height.
@@ -121,33 +124,33 @@ impl SphereMap {
     /// Draws it.
     ///
     /// # Errors
-    /// [`PictureError`] if a direction that is marked has no length or is not finite, or the back
-    /// end fails.
+    /// [`PictureError`] if a direction that is marked has no length or is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
         let (low, high) =
             (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let bands = Bands::new(low, high);
-        let size = (WIDE, HIGH + pixels(self.notes.len(), 18)?);
-        sheet(size, |paper| {
-            paper.text((18.0, 26.0), &self.title, 20.0, 0.0, BLACK)?;
+        let both = self.rays.iter().map(|ray| (ray, false)).chain(self.marks.iter().map(|mark| (mark, true)));
+        let marked: Vec<_> = both
+            .map(|((direction, label), dot)| Ok((way(*direction, label)?, label, dot)))
+            .collect::<Result<_, PictureError>>()?;
+        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, LETTERS)).collect();
+        Ok(sheet((WIDE, HIGH + 18.0 * notes.len() as f64), |paper| {
+            paper.title(&self.title);
             for (side, middle) in DISCS.into_iter().enumerate() {
-                self.draw_disc(paper, side, middle, &bands)?;
+                self.draw_disc(paper, side, middle, &bands);
             }
-            for (marks, dot) in [(&self.rays, false), (&self.marks, true)] {
-                for (direction, label) in marks {
-                    draw_mark(paper, *direction, label, dot)?;
-                }
+            for (direction, label, dot) in marked {
+                draw_mark(paper, direction, label, dot);
             }
-            self.draw_scale(paper, &bands)?;
-            for (k, note) in self.notes.iter().enumerate() {
-                paper.text((18.0, FOOT + 18.0 * k as f64), note, 13.0, 0.0, GREY)?;
+            self.draw_scale(paper, &bands);
+            for (k, note) in notes.iter().enumerate() {
+                paper.text((18.0, FOOT + 18.0 * k as f64), note, 13.0, 0.0, GREY);
             }
-            Ok(())
-        })
+        }))
     }
 
-    fn draw_disc(&self, paper: &Sheet, side: usize, middle: Place, bands: &Bands) -> Drawn {
+    fn draw_disc(&self, paper: &mut Sheet, side: usize, middle: Place, bands: &Bands) {
         // What has no finite value is painted over afterwards.
         let filled = self.filled();
         let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
@@ -157,10 +160,8 @@ impl SphereMap {
             if loops.is_empty() {
                 continue;
             }
-            paper.fill(joined(&loops), bands.color(band))?;
-            for line in loops.iter().filter(|_| band > 0) {
-                paper.pixels(line.clone(), WHITE.mix(0.55), 0.6)?;
-            }
+            let contour = (band > 0).then(|| (WHITE.mix(0.55), 0.6));
+            paper.region(&loops, bands.color(band), contour);
         }
         for (color, is) in
             [(UNBOUNDED, f64::is_infinite as fn(f64) -> bool), (MISSING, f64::is_nan as fn(f64) -> bool)]
@@ -168,28 +169,28 @@ impl SphereMap {
             let triangles = self.triangles(side, middle, |k| f64::from(u8::from(is(self.values[k]))));
             let loops = outlines(&triangles, 0.5);
             if !loops.is_empty() {
-                paper.fill(joined(&loops), color)?;
+                paper.region(&loops, color, None);
             }
         }
         for degrees in [30.0_f64, 60.0] {
             let radius = RADIUS * SQRT_2 * (degrees.to_radians() / 2.0).sin();
-            paper.circle(middle, radius, BLACK.mix(0.35), Some(0.6))?;
+            paper.circle(middle, radius, BLACK.mix(0.35), Some(0.6));
             let place = (middle.0 + radius * 0.5_f64.sqrt(), middle.1 + radius * 0.5_f64.sqrt());
-            paper.plaque(place, &format!("{degrees:.0}°"), 10.0, 0.5)?;
+            paper.plaque(place, &format!("{degrees:.0}°"), 10.0, 0.5);
         }
         for k in 0..12 {
             let (sin, cos) = (f64::from(k) * TAU / 12.0).sin_cos();
             let end = |part: f64| (middle.0 + part * RADIUS * cos, middle.1 - part * RADIUS * sin);
-            paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6)?;
+            paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
         }
-        paper.circle(middle, RADIUS, BLACK, Some(1.2))?;
+        paper.circle(middle, RADIUS, BLACK, Some(1.2));
         for (k, name) in ["+x", "+y", "−x", "−y"].into_iter().enumerate() {
             let (sin, cos) = (k as f64 * FRAC_PI_2).sin_cos();
             let place = (middle.0 + (RADIUS + 15.0) * cos, middle.1 - (RADIUS + 13.0) * sin);
-            paper.text(place, name, 14.0, 0.5, BLACK)?;
+            paper.text(place, name, 14.0, 0.5, BLACK);
         }
         let words = if side == 0 { "upwards: +z in the middle" } else { "downwards: −z in the middle" };
-        paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK)
+        paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK);
     }
 
     /// The values, with the mean of their neighbours for those that are not finite: what is painted
@@ -247,18 +248,18 @@ impl SphereMap {
         triangles
     }
 
-    fn draw_scale(&self, paper: &Sheet, bands: &Bands) -> Drawn {
+    fn draw_scale(&self, paper: &mut Sheet, bands: &Bands) {
         let (right, high) = BAR;
         let (left, bottom) = (right - 16.0, DISCS[1].1 + high / 2.0);
         let each = high / bands.count() as f64;
         for (k, level) in bands.levels.iter().enumerate() {
             let (low, top) = (bottom - each * k as f64, bottom - each * (k + 1) as f64);
             if k < bands.count() {
-                paper.area([(left, low), (right, low), (right, top), (left, top)], bands.color(k))?;
+                paper.area([(left, low), (right, low), (right, top), (left, top)], bands.color(k));
             }
-            paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK)?;
+            paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK);
         }
-        paper.text((f64::from(WIDE) - 8.0, bottom - high - 20.0), &self.quantity, 13.0, 1.0, BLACK)?;
+        paper.text((WIDE - 8.0, bottom - high - 20.0), &self.quantity, 13.0, 1.0, BLACK);
         let mut x = 18.0;
         let present = [
             (UNBOUNDED, &self.unbounded, self.values.iter().any(|value| value.is_infinite())),
@@ -267,23 +268,27 @@ impl SphereMap {
         for (color, words, _) in present.into_iter().filter(|(_, _, there)| *there) {
             let y = FOOT - 24.0;
             let corners = [(x, y - 6.0), (x + 16.0, y - 6.0), (x + 16.0, y + 6.0), (x, y + 6.0)];
-            paper.area(corners, color)?;
-            paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7)?;
-            paper.text((x + 22.0, y), words, 13.0, 0.0, BLACK)?;
+            paper.area(corners, color);
+            paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7);
+            paper.text((x + 22.0, y), words, 13.0, 0.0, BLACK);
             x += 60.0 + 7.0 * words.chars().count() as f64;
         }
-        Ok(())
     }
 }
 
-/// On the disc to which it points; across z on both.
-fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Drawn {
+/// A direction that is marked, with length one.
+fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     let [x, y, z] = direction;
     let size = x.hypot(y).hypot(z);
     if !(size > 0.0 && size.is_finite()) {
         return Err(PictureError(format!("the direction of \"{label}\" has no length")));
     }
-    let level = z.abs() <= LEVEL * size;
+    Ok(direction.map(|part| part / size))
+}
+
+/// On the disc to which it points; across z on both.
+fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
+    let level = z.abs() <= LEVEL;
     for (side, middle) in DISCS.into_iter().enumerate() {
         if !level && (z > 0.0) != (side == 0) {
             continue;
@@ -293,20 +298,19 @@ fn draw_mark(paper: &Sheet, direction: [f64; 3], label: &str, dot: bool) -> Draw
         let flat = x.hypot(y).max(f64::MIN_POSITIVE);
         let place = (middle.0 + radius * x / flat, middle.1 - radius * y / flat);
         if dot {
-            paper.circle(place, 6.0, WHITE, None)?;
-            paper.circle(place, 4.5, VERMILION, None)?;
+            paper.circle(place, 6.0, WHITE, None);
+            paper.circle(place, 4.5, VERMILION, None);
         } else {
             for (ink, width) in [(WHITE, 4.0), (BLACK, 1.8)] {
                 for slope in [1.0, -1.0] {
                     let ends = [-5.0, 5.0].map(|d| (place.0 + d, place.1 + slope * d));
-                    paper.line(ends, ink, width)?;
+                    paper.line(ends, ink, width);
                 }
             }
         }
         // Towards the middle, where there is room.
         let left = if place.0 > middle.0 { 1.0 } else { 0.0 };
         let aside = if left > 0.0 { -10.0 } else { 10.0 };
-        paper.plaque((place.0 + aside, place.1), label, 12.0, left)?;
+        paper.plaque((place.0 + aside, place.1), label, 12.0, left);
     }
-    Ok(())
 }

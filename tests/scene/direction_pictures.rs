@@ -2,28 +2,18 @@
 
 use grasp_lcp::picture::{Polar, SphereGrid, SphereMap, Stroke};
 
-type Failure = Box<dyn std::error::Error>;
+use crate::svg::{Failure, paths};
 
-/// Areas of all polygons of an SVG in square pixels.
+/// Areas of all regions of an SVG in square pixels.
 fn areas(svg: &str) -> Result<Vec<f64>, Failure> {
-    let polygons = svg.split("<polygon").skip(1);
-    let points = polygons.filter_map(|text| text.split("points=\"").nth(1)?.split('"').next());
-    points
-        .map(|points| {
-            let corners: Vec<(f64, f64)> = points
-                .split_whitespace()
-                .map(|pair| {
-                    let (x, y) = pair.split_once(',').ok_or("a pair")?;
-                    Ok((x.parse()?, y.parse()?))
-                })
-                .collect::<Result<_, Failure>>()?;
-            let twice = |k: usize| {
-                let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
-                a.0 * b.1 - a.1 * b.0
-            };
-            Ok(0.5 * (0..corners.len()).map(twice).sum::<f64>().abs())
-        })
-        .collect()
+    let twice = |corners: &Vec<[f64; 2]>| -> f64 {
+        let cross = |k: usize| {
+            let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
+            a[0] * b[1] - a[1] * b[0]
+        };
+        (0..corners.len()).map(cross).sum()
+    };
+    Ok(paths(svg)?.iter().map(|loops| 0.5 * loops.iter().map(twice).sum::<f64>().abs()).collect())
 }
 
 #[test]

@@ -5,57 +5,23 @@ use std::f64::consts::FRAC_PI_2;
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Outcome, Wrench};
 
-type Failure = Box<dyn std::error::Error>;
+use crate::svg::{Failure, circles, shapes, view_box};
 
-/// Pixels of the file for one of the paper, and the room that points have on paper, with its middle.
-const FINE: f64 = 4.0;
+/// Room that points have on paper, with its middle, pixels.
 const ROOM: (f64, f64) = (564.0, 484.0);
 const MIDDLE: (f64, f64) = (312.0, 304.0);
 /// With a line of text below the title.
 const LABEL: f64 = 20.0;
+/// Where the legend begins.
+const LEGEND: f64 = 624.0;
 /// A finger behind its contact, in parts of the largest extent.
 const FINGER: f64 = 0.12;
+/// Places are written in hundredths of a pixel.
+const NEAR: f64 = 0.0051;
 
 const SLIDING: &str = "#D55E00";
 const ROLLING: &str = "#0072B2";
 const GREY: &str = "#6E6E6E";
-
-/// What is drawn: its tag, its colour, its corners or its middle.
-#[derive(Debug)]
-struct Shape {
-    tag: String,
-    ink: String,
-    points: Vec<[f64; 2]>,
-}
-
-fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
-    let mut shapes = Vec::new();
-    for text in svg.split('<').skip(1) {
-        let value =
-            |key: &str| text.split(&format!(" {key}=\"")).nth(1).and_then(|rest| rest.split('"').next());
-        let points = if let Some(points) = value("points") {
-            let pair = |pair: &str| -> Result<[f64; 2], Failure> {
-                let (x, y) = pair.split_once(',').ok_or("a pair")?;
-                Ok([x.parse()?, y.parse()?])
-            };
-            points.split_whitespace().map(pair).collect::<Result<_, _>>()?
-        } else if let (Some(x), Some(y)) = (value("cx").or(value("x")), value("cy").or(value("y"))) {
-            vec![[x.parse()?, y.parse()?]]
-        } else {
-            continue;
-        };
-        let tag = text.split_whitespace().next().unwrap_or_default().to_owned();
-        let ink = [value("fill"), value("stroke")].into_iter().flatten().find(|ink| *ink != "none");
-        shapes.push(Shape { tag, ink: ink.unwrap_or_default().to_owned(), points });
-    }
-    Ok(shapes)
-}
-
-/// Middles of circles of a colour, in the order in which they are painted.
-fn circles(svg: &str, ink: &str) -> Result<Vec<[f64; 2]>, Failure> {
-    let circles = shapes(svg)?.into_iter().filter(|shape| shape.tag == "circle" && shape.ink == ink);
-    Ok(circles.map(|circle| circle.points[0]).collect())
-}
 
 fn finger(point: [f64; 3], towards: [f64; 3]) -> Contact {
     let normal = [0, 1, 2].map(|k| towards[k] - point[k]);
@@ -103,10 +69,11 @@ fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
     let page = SpatialPage::new(&grasp, "A pinch");
     // Contacts with the fingers behind them fill the room.
     let scale = ROOM.0 / (0.06 * (1.0 + 2.0 * FINGER));
-    let places = [-0.03, 0.03].map(|x| [FINE * (MIDDLE.0 + scale * x), FINE * MIDDLE.1].map(f64::round));
+    let hundredths = |x: f64| (100.0 * x).round() / 100.0;
+    let places = [-0.03, 0.03].map(|x| [MIDDLE.0 + scale * x, MIDDLE.1].map(hundredths));
     assert_eq!(circles(&page.to_svg(None, View::FRONT)?, GREY)?, places);
     // From the side they are one behind the other.
-    let middle = [FINE * MIDDLE.0, FINE * MIDDLE.1];
+    let middle = [MIDDLE.0, MIDDLE.1];
     assert_eq!(circles(&page.to_svg(None, View::RIGHT)?, GREY)?, [middle, middle]);
     Ok(())
 }
@@ -118,14 +85,14 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let svg = page.to_svg(Some(0), View::FRONT)?;
     // The axis of its free turn, one and a half times as long as the grasp is wide, fills the room.
     assert!(svg.contains("turns freely"));
-    let scale = FINE * ROOM.0 / (1.5 * 0.06);
-    let (x, y) = (FINE * MIDDLE.0, FINE * (MIDDLE.1 + LABEL));
+    let scale = ROOM.0 / (1.5 * 0.06);
+    let (x, y) = (MIDDLE.0, (MIDDLE.1 + LABEL));
     // Both forces are the largest, 4 N, and point along the normals; cones are 1.15 times as long.
     let long = 0.4 * 0.06;
     let (end, wide) = (0.03 - 1.15 * long, 0.5 * 1.15 * long);
     let shapes = shapes(&svg)?;
     let is_there = |place: [f64; 2]| {
-        let near = |point: &[f64; 2]| [0, 1].iter().all(|k| (point[*k] - place[*k]).abs() <= 0.51);
+        let near = |point: &[f64; 2]| [0, 1].iter().all(|k| (point[*k] - place[*k]).abs() <= NEAR);
         let mut blue = shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == ROLLING);
         blue.any(|shape| shape.points.iter().any(near))
     };
@@ -135,7 +102,11 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
             assert!(is_there([x + side * scale * end, y + up * scale * wide]), "rim of a cone");
         }
     }
-    assert!(svg.contains("The longest arrow of a force is") && svg.contains("4 N."));
+    // 2 N in the legend are half as long.
+    let half = [LEGEND + scale * long / 2.0, 0.0];
+    let mut grey = shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == GREY);
+    assert!(grey.any(|arrow| (arrow.points[0][0] - half[0]).abs() <= NEAR), "the scale");
+    assert!(shapes.iter().any(|shape| shape.words == "2 N"));
     Ok(())
 }
 
@@ -157,14 +128,14 @@ fn points_lie_where_the_projection_says() -> Result<(), Failure> {
         }
         let [low, high] = [f64::min as fn(f64, f64) -> f64, f64::max]
             .map(|pick| [0, 1].map(|k| places.iter().map(|p| p[k]).reduce(pick).unwrap_or(f64::NAN)));
-        let scale = FINE * (ROOM.0 / (high[0] - low[0])).min(ROOM.1 / (high[1] - low[1]));
+        let scale = (ROOM.0 / (high[0] - low[0])).min(ROOM.1 / (high[1] - low[1]));
         let view = View::default().with_yaw(yaw).with_pitch(pitch);
         let drawn = circles(&SpatialPage::new(&grasp, "A jar").to_svg(None, view)?, GREY)?;
         assert_eq!(drawn.len(), 3);
         for contact in places.chunks(2) {
-            let x = FINE * MIDDLE.0 + scale * (contact[0][0] - f64::midpoint(low[0], high[0]));
-            let y = FINE * MIDDLE.1 + scale * (contact[0][1] - f64::midpoint(low[1], high[1]));
-            let near = |at: &[f64; 2]| (at[0] - x).abs() <= 0.51 && (at[1] - y).abs() <= 0.51;
+            let x = MIDDLE.0 + scale * (contact[0][0] - f64::midpoint(low[0], high[0]));
+            let y = MIDDLE.1 + scale * (contact[0][1] - f64::midpoint(low[1], high[1]));
+            let near = |at: &[f64; 2]| (at[0] - x).abs() <= NEAR && (at[1] - y).abs() <= NEAR;
             assert!(drawn.iter().any(near), "({x}, {y}) is not among {drawn:?}");
         }
     }
@@ -195,11 +166,9 @@ fn everything_is_inside_from_every_side() -> Result<(), Failure> {
                 let svg = page.to_svg(answer, view)?;
                 assert!(!svg.contains("NaN") && !svg.contains("inf"));
                 assert_eq!(svg, page.to_svg(answer, view)?);
-                let high = if answer.is_some() { 596.0 } else { 576.0 };
-                assert!(svg.contains(&format!("width=\"860\" height=\"{high}\"")));
+                let [wide, high] = view_box(&svg)?;
                 for [x, y] in shapes(&svg)?.iter().flat_map(|shape| &shape.points) {
-                    let (x, y) = (x / FINE, y / FINE);
-                    assert!((0.0..=860.0).contains(&x) && (0.0..=high).contains(&y), "({x}, {y})");
+                    assert!((0.0..=wide).contains(x) && (0.0..=high).contains(y), "({x}, {y})");
                 }
             }
         }
@@ -227,7 +196,10 @@ fn a_grasp_and_an_eye_that_turn_together_see_the_same() -> Result<(), Failure> {
         for (a, b) in turned.iter().zip(&straight) {
             assert_eq!((&a.tag, &a.ink, a.points.len()), (&b.tag, &b.ink, b.points.len()));
             for (p, q) in a.points.iter().zip(&b.points) {
-                assert!((p[0] - q[0]).abs() <= 1.0 && (p[1] - q[1]).abs() <= 1.0, "{a:?} {b:?}");
+                assert!(
+                    (p[0] - q[0]).abs() <= 2.0 * NEAR && (p[1] - q[1]).abs() <= 2.0 * NEAR,
+                    "{a:?} {b:?}"
+                );
             }
         }
     }

@@ -76,41 +76,45 @@ struct Still<'a> {
 impl WithGrasp<2> for Still<'_> {
     type Output = Result<String, Failure>;
     fn with<const W: usize>(self, grasp: &Grasp<W, 2>) -> Self::Output {
-        let Some(state) = first_equilibrium(self.setup, grasp)? else {
+        let Some((what, state)) = first_equilibrium(self.setup, grasp)? else {
             let why = "nothing to draw: no question of the scene has an equilibrium or an onset to show";
             return Err(Failure::Usage(why.to_owned()));
         };
         let outline: Vec<[f64; 2]> = self.setup.outline.iter().map(|corner| (*corner).into()).collect();
-        Ok(draw_grasp(grasp, &state, Some(&outline), self.title)?)
+        Ok(draw_grasp(grasp, &state, Some(&outline), &format!("{}, {what}", self.title))?)
     }
 }
 
-/// That of the first question that has one, for the picture.
+/// That of the first question that has one, for the picture, and which it is.
 fn first_equilibrium<const W: usize>(
     setup: &Setup<3, 2>,
     grasp: &Grasp<W, 2>,
-) -> Result<Option<Equilibrium<W, 2>>, grasp_lcp::Error> {
-    for question in &setup.questions {
-        let state = match question {
+) -> Result<Option<(String, Equilibrium<W, 2>)>, grasp_lcp::Error> {
+    for (index, question) in setup.questions.iter().enumerate() {
+        let onset = |onset: Onset<W, 2>, at: &dyn Fn(f64) -> String| match onset {
+            Onset::At(event) => Some((at(event.factor), grasp.state_at_onset(&event)?)),
+            Onset::AlreadySliding(state) => Some(("it slides from the start on".to_owned(), *state)),
+            _ => None,
+        };
+        let found = match question {
             Question::Solve { load } => {
-                grasp.solve_with(&setup.load(load), &setup.settings)?.equilibrium().cloned()
+                let outcome = grasp.solve_with(&setup.load(load), &setup.settings)?;
+                outcome.equilibrium().cloned().map(|state| ("under the load".to_owned(), state))
             }
-            Question::Onset(ramp) => match grasp.onset_with(&setup.ramp(ramp)?, &setup.settings)? {
-                Onset::At(event) => grasp.state_at_onset(&event),
-                Onset::AlreadySliding(state) => Some(*state),
-                _ => None,
-            },
+            Question::Onset(ramp) => {
+                onset(grasp.onset_with(&setup.ramp(ramp)?, &setup.settings)?, &|factor| {
+                    format!("onset of sliding, factor {factor:.6}")
+                })
+            }
             Question::OnsetOfTurn(turn) => {
-                match grasp.onset_of_turn_with(&setup.turn(turn), &setup.settings)?.onset {
-                    Onset::At(event) => grasp.state_at_onset(&event),
-                    Onset::AlreadySliding(state) => Some(*state),
-                    _ => None,
-                }
+                onset(grasp.onset_of_turn_with(&setup.turn(turn), &setup.settings)?.onset, &|angle| {
+                    format!("onset of sliding, turned by {:.4} degrees", angle.to_degrees())
+                })
             }
             _ => None,
         };
-        if state.is_some() {
-            return Ok(state);
+        if let Some((what, state)) = found {
+            return Ok(Some((format!("question {}: {what}", index + 1), state)));
         }
     }
     Ok(None)

@@ -6,25 +6,27 @@ use super::frame::Frame;
 use super::text::{json_number, json_row, json_string};
 use crate::picture::contact_look::{slope, word};
 use crate::picture::error::PictureError;
-use crate::spatial::ContactState;
 
 impl Drawing<'_> {
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let page = self.page;
         let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
-        let (outlines, fixtures) = (lines(&page.outlines)?, lines(&page.fixtures)?);
-        let contacts = list(page.grasp.contacts().iter().zip(page.grasp.frames()).enumerate(), {
-            |(i, (contact, frame))| {
-                Ok(format!(
-                    "{{\"name\":{},\"point\":{},\"normal\":{},\"tangents\":[{},{}],\"mu\":{}}}",
-                    json_string(&contact.label_text(i)),
-                    json_row(contact.point().as_slice())?,
-                    json_row(frame.column(0).as_slice())?,
-                    json_row(frame.column(1).as_slice())?,
-                    json_row(frame.column(2).as_slice())?,
-                    json_number(slope(contact))?
-                ))
-            }
+        let (outlines, fixtures, bodies) =
+            (lines(&page.outlines)?, lines(&page.fixtures)?, lines(&self.bodies)?);
+        let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+        let tips = list(&self.tips, |tip| {
+            let frame = frames[tip.contacts.start];
+            let points =
+                list(&contacts[tip.contacts.clone()], |contact| json_row(contact.point().as_slice()))?;
+            Ok(format!(
+                "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}],\"mu\":{}}}",
+                json_string(&tip.name),
+                json_row(tip.middle(contacts).as_slice())?,
+                json_row(frame.column(0).as_slice())?,
+                json_row(frame.column(1).as_slice())?,
+                json_row(frame.column(2).as_slice())?,
+                json_number(slope(&contacts[tip.contacts.start]))?
+            ))
         })?;
         let frames = list(&page.frames, |frame| self.frame(frame))?;
         let lengths: Vec<_> = [
@@ -42,7 +44,7 @@ impl Drawing<'_> {
         .collect::<Result<_, PictureError>>()?;
         let View { yaw, pitch } = View::default();
         Ok(format!(
-            "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{MANY},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"contacts\":{contacts},\n\"frames\":{frames}}}",
+            "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{MANY},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"bodies\":{bodies},\n\"contacts\":{tips},\n\"frames\":{frames}}}",
             json_number(yaw)?,
             json_number(pitch)?,
             json_row(self.centre.as_slice())?,
@@ -52,17 +54,19 @@ impl Drawing<'_> {
 
     fn frame(&self, frame: &Frame) -> Result<String, PictureError> {
         let Some(state) = frame.state() else { return Ok("null".to_owned()) };
-        let contacts = list(&state.contacts, |answer| {
-            let slides = match answer.state {
-                ContactState::Sliding { direction } => json_row(direction.as_slice())?,
-                _ => "null".to_owned(),
-            };
+        let contacts = list(&self.tips, |tip| {
+            let resultant = tip.resultant(self.page.grasp.contacts(), &state.contacts);
+            let slides = resultant.slides.map(|way| json_row(way.as_slice())).transpose()?;
+            let state_of = |word: &str| json_string(&word.replace(' ', "-"));
+            let states = list(&state.contacts[tip.contacts.clone()], |answer| Ok(state_of(word(answer))))?;
             Ok(format!(
-                "{{\"state\":\"{}\",\"force\":{},\"normal_force\":{},\"displacement\":{},\"slides\":{slides}}}",
-                word(answer).replace(' ', "-"),
-                json_row(answer.force_world.as_slice())?,
-                json_number(answer.normal_force())?,
-                json_row(answer.body_core.as_slice())?,
+                "{{\"state\":{},\"states\":{states},\"at\":{},\"force\":{},\"normal_force\":{},\"displacement\":{},\"slides\":{}}}",
+                state_of(resultant.word),
+                json_row(resultant.at.as_slice())?,
+                json_row(resultant.force.as_slice())?,
+                json_number(resultant.normal_force)?,
+                json_row(resultant.displacement.as_slice())?,
+                slides.unwrap_or_else(|| "null".to_owned()),
             ))
         })?;
         let free = list(&state.free_motions, |motion| {

@@ -4,16 +4,18 @@
 use nalgebra::{Vector3, Vector6};
 
 use super::frame::Frame;
+use super::solid::bodies;
 use super::spatial_page::SpatialPage;
-use super::text::short;
-use crate::picture::error::{Drawn, PictureError};
+use crate::picture::error::PictureError;
+use crate::picture::fingertip::{Fingertip, fingertips};
+use crate::picture::force_scale::metres_per_newton;
+use crate::picture::round_numbers::round_down;
+use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
 
-/// Parts of the size of the picture that the largest force, moment and displacement take in the
-/// picture.
-const LARGEST_FORCE: f64 = 0.4;
+/// Parts of the size of the picture that the largest moment and displacement take in it at most.
 const LARGEST_MOMENT: f64 = 0.3;
-const LARGEST_DISPLACEMENT: f64 = 0.15;
+const LARGEST_DISPLACEMENT: f64 = 0.2;
 /// What is left of the moment of a load about its line of action is rounding up to this part of the
 /// moments that cancel in it. Without it every load would be drawn with an arrow of a moment, in
 /// whichever direction rounding points.
@@ -33,6 +35,9 @@ pub(super) const MANY: usize = 12;
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
+    pub(super) tips: Vec<Fingertip>,
+    /// Convex parts of the object.
+    pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
     /// Largest extent of the contacts and the outline along an axis, m.
     pub(super) span: f64,
@@ -87,6 +92,8 @@ impl<'p> Drawing<'p> {
         let span = if high == low { 1.0 } else { (high - low).amax() };
         let mut drawing = Self {
             page,
+            tips: fingertips(page.grasp.contacts()),
+            bodies: bodies(&page.outlines),
             centre: (low + high) / 2.0,
             span,
             size: span,
@@ -101,9 +108,12 @@ impl<'p> Drawing<'p> {
         let largest = drawing.largest(states());
         let part = |of: f64, largest: f64| if largest > 0.0 { of * size / largest } else { 0.0 };
         drawing.size = size;
-        drawing.force = part(LARGEST_FORCE, largest.force);
+        drawing.force = drawing.force_scale(states(), largest.force);
         drawing.moment = part(LARGEST_MOMENT, largest.moment);
         drawing.displacement = part(LARGEST_DISPLACEMENT, largest.displacement);
+        if drawing.displacement > 0.0 && drawing.displacement.is_finite() {
+            drawing.displacement = round_down(drawing.displacement);
+        }
         let Largest { force, moment, displacement } = largest;
         let scales = [drawing.force, drawing.moment, drawing.displacement, size, force, moment, displacement];
         if !scales.iter().chain(drawing.centre.iter()).all(|x| x.is_finite()) {
@@ -120,26 +130,44 @@ impl<'p> Drawing<'p> {
             let load = self.load(state);
             most.force = most.force.max(load.force.norm());
             most.moment = most.moment.max(load.moment.norm());
-            for contact in &state.contacts {
-                most.force = most.force.max(contact.force_world.norm());
-                most.displacement = most.displacement.max(contact.body_core.norm());
+            for tip in &self.tips {
+                let resultant = tip.resultant(self.page.grasp.contacts(), &state.contacts);
+                most.force = most.force.max(resultant.force.norm());
+                most.displacement = most.displacement.max(resultant.displacement.norm());
             }
+            let corners = self.page.outlines.iter().flatten();
+            let away = corners.map(|corner| goes(state, &Vector3::from(*corner)).norm());
+            most.displacement = away.fold(most.displacement, f64::max);
         }
         most
     }
 
-    /// The scales in words, for a picture of these answers.
-    pub(super) fn scales<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Vec<String> {
-        let largest = self.largest(states);
+    /// Metres for a newton that suit every one of these answers.
+    fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
+        let grasp = &self.page.grasp;
+        let frames: Vec<_> = grasp.frames().collect();
+        let scale = |state: &Equilibrium| {
+            let push = |tip: &Fingertip| {
+                let pushed = tip.resultant(grasp.contacts(), &state.contacts).normal_force;
+                (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
+            };
+            let pushes: Vec<_> = self.tips.iter().map(push).collect();
+            metres_per_newton(&pushes, self.size, largest)
+        };
+        states.map(scale).reduce(f64::min).unwrap_or(0.0)
+    }
+
+    /// What is to be known of the scales, in words.
+    pub(super) fn scales(&self) -> Vec<String> {
         let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
-        for (what, largest, unit) in [("force", largest.force, "N"), ("moment", largest.moment, "N m")] {
-            if largest > 0.0 {
-                sentences.push(format!("The longest arrow of a {what} is {} {unit}.", short(largest)));
-            }
-        }
-        if largest.displacement > 0.0 {
+        if self.displacement > 0.0 {
             let factor = short(self.displacement);
-            sentences.push(format!("Displacements are drawn {factor} times as large."));
+            let size = if factor == "1" {
+                "as large as they are".into()
+            } else {
+                format!("{factor} times as large")
+            };
+            sentences.push(format!("Displacements are drawn {size}."));
         }
         sentences
     }
@@ -170,8 +198,14 @@ impl<'p> Drawing<'p> {
     }
 }
 
+/// Where a point of the object goes in an answer, to first order.
+pub(super) fn goes(state: &Equilibrium, point: &Vector3<f64>) -> Vector3<f64> {
+    let (moves, turns) = halves(state.twist.as_vector());
+    moves + turns.cross(point)
+}
+
 /// Whether an answer is one of this grasp, and its numbers are such as can be drawn.
-fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Drawn {
+fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
     let (given, expected) = (state.contacts.len(), page.grasp.len());
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::{Vector2, Vector3};
 
 use crate::picture::error::PictureError;
+use crate::picture::window::Window;
 
 /// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and
 /// looks at the middle of the grasp; z points upwards on paper unless it points to the eye.
@@ -65,27 +66,6 @@ impl Default for View {
     }
 }
 
-/// Part of the paper, pixels from its upper left corner.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Window {
-    pub(super) left: f64,
-    pub(super) top: f64,
-    pub(super) wide: f64,
-    pub(super) high: f64,
-}
-
-impl Window {
-    /// Without a border.
-    pub(super) fn within(&self, border: f64) -> Self {
-        let Self { left, top, wide, high } = *self;
-        Self { left: left + border, top: top + border, wide: wide - 2.0 * border, high: high - 2.0 * border }
-    }
-
-    pub(super) fn middle(&self) -> (f64, f64) {
-        (self.left + self.wide / 2.0, self.top + self.high / 2.0)
-    }
-}
-
 /// Projects along parallel lines.
 pub(super) struct Eye {
     /// Unit vectors to the right and up on paper, and towards the eye.
@@ -96,7 +76,7 @@ pub(super) struct Eye {
     target: Vector3<f64>,
     window: Window,
     /// Pixels per metre.
-    scale: f64,
+    pub(super) scale: f64,
 }
 
 impl Eye {

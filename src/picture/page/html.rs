@@ -6,8 +6,8 @@ use super::drawing::Drawing;
 use super::frame::Frame;
 use super::spatial_page::SpatialPage;
 use super::table;
-use super::text::html;
 use crate::picture::error::PictureError;
+use crate::picture::words::escaped;
 
 const STYLE: &str = include_str!("style.css");
 const VIEW: &str = include_str!("view.js");
@@ -21,8 +21,8 @@ impl SpatialPage {
     /// answer has not as many contacts as the grasp.
     pub fn to_html(&self) -> Result<String, PictureError> {
         let drawing = Drawing::new(self)?;
-        let title = html(&self.title);
-        let scales = drawing.scales(self.frames.iter().filter_map(Frame::state)).join(" ");
+        let title = escaped(&self.title);
+        let scales = drawing.scales().join(" ");
         let mut page = String::new();
         page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
         page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
@@ -37,8 +37,8 @@ impl SpatialPage {
             "<p class=\"hint\">Drag to turn, wheel to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         write_buttons(&mut page, &self.frames);
         page += LEGEND;
-        let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", html(&scales));
-        table::write(&mut page, &self.grasp, &self.actuators, &self.frames)?;
+        let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
+        table::write(&mut page, &self.grasp, &drawing.tips, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
         let _ = write!(page, "<script>\n{VIEW}</script>\n</body>\n</html>\n");
         Ok(page)
@@ -52,7 +52,7 @@ fn write_buttons(page: &mut String, frames: &[Frame]) {
     page.push_str("<div id=\"frames\">");
     for (k, frame) in frames.iter().enumerate() {
         let pressed = k == 0;
-        let label = html(&frame.label);
+        let label = escaped(&frame.label);
         let _ = write!(
             page,
             "<button type=\"button\" data-frame=\"{k}\" aria-pressed=\"{pressed}\">{label}</button>"

@@ -4,25 +4,29 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::Drawing;
 use super::frame::Frame;
-use super::marks::{BROWN, PINK, SKY};
-use super::paint::{Painting, dot};
-use super::text::lines;
+use super::marks::{BROWN, CONTACT, PINK, POINT, SKY};
 use crate::picture::contact_look::{ink, word};
-use crate::picture::error::Drawn;
+use crate::picture::fingertip::{Fingertip, Resultant};
+use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{GREY, VERMILION};
+use crate::picture::round_numbers::round_down;
 use crate::picture::sheet::{Place, Sheet};
-use crate::spatial::{ContactAnswer, ContactState, Equilibrium};
+use crate::picture::words::{lines, short};
+use crate::spatial::Equilibrium;
 
 /// Left edge, length of the samples, letters of a line of 14 and of 13 pixels.
 pub(super) const LEFT: f64 = 624.0;
 const SAMPLE: f64 = 40.0;
 const LETTERS: usize = 24;
 const SMALL: usize = 32;
+/// The longest arrow of a scale.
+const LONGEST: f64 = 100.0;
 
 enum Sample {
     None,
     Contact { ink: RGBColor, open: bool, cone: bool },
-    Arrow { ink: RGBColor, width: f64, heads: usize },
+    Point { ink: RGBColor, open: bool },
+    Arrow { ink: RGBColor, width: f64, heads: usize, long: f64 },
     Dashes { ink: RGBColor },
 }
 
@@ -36,7 +40,8 @@ struct Entry {
 pub(super) struct Legend(Vec<Entry>);
 
 impl Legend {
-    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame>) -> Self {
+    /// For a picture with so many pixels to a metre.
+    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame>, pixels: f64) -> Self {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
         if let Some(Frame { shown: Err(why), .. }) = frame {
@@ -44,27 +49,29 @@ impl Legend {
         }
         if let Some(state) = state {
             entries.push(entry(Sample::None, "Contact, force on the object, friction cone:"));
-            entries.extend(of_contacts(state));
+            entries.extend(of_contacts(drawing, state));
             entries.extend(of_object(drawing, state));
+            entries.extend(scale(drawing.force * pixels, 3.0, 1, "N"));
+            let moment = drawing.load(state).moment.norm() > 0.0;
+            entries.extend(scale(drawing.moment * pixels, 2.0, 2, "N m").filter(|_| moment));
         }
-        for words in drawing.scales(state) {
+        for words in drawing.scales() {
             entries.push(Entry { sample: Sample::None, words, size: 13.0, ink: GREY });
         }
         Self(entries)
     }
 
     /// Draws it from a height downwards.
-    pub(super) fn draw(&self, paper: &Sheet, top: f64) -> Drawn {
+    pub(super) fn draw(&self, paper: &mut Sheet, top: f64) {
         let mut y = top;
         for entry in &self.0 {
-            draw_sample(paper, &entry.sample, y)?;
+            draw_sample(paper, &entry.sample, y);
             for line in entry.lines() {
-                paper.text((entry.left(), y), &line, entry.size, 0.0, entry.ink)?;
+                paper.text((entry.left(), y), &line, entry.size, 0.0, entry.ink);
                 y += LINE;
             }
             y += BETWEEN;
         }
-        Ok(())
     }
 
     /// How much room it takes.
@@ -78,7 +85,11 @@ const BETWEEN: f64 = 7.0;
 
 impl Entry {
     fn left(&self) -> f64 {
-        if matches!(self.sample, Sample::None) { LEFT } else { LEFT + SAMPLE + 10.0 }
+        match self.sample {
+            Sample::None => LEFT,
+            Sample::Arrow { long, .. } => LEFT + long + 10.0,
+            _ => LEFT + SAMPLE + 10.0,
+        }
     }
 
     fn lines(&self) -> Vec<String> {
@@ -91,18 +102,39 @@ fn entry(sample: Sample, words: &str) -> Entry {
     Entry { sample, words: words.into(), size: 14.0, ink: BLACK }
 }
 
-/// What contacts do, each thing once.
-fn of_contacts(state: &Equilibrium) -> impl Iterator<Item = Entry> {
-    let all = ["rolling", "about to slide", "sliding", "separated", "frictionless"];
-    all.into_iter().filter_map(|what| {
-        let mut answers = state.contacts.iter().filter(|answer| word(answer) == what);
-        let answer: &ContactAnswer = answers.next()?;
-        let open = answer.state == ContactState::Separated;
-        let pushes = answer.normal_force() > 0.0 || answers.any(|answer| answer.normal_force() > 0.0);
-        let cone = pushes && what != "frictionless";
-        let words = if what == "rolling" { "rolling (sticks)" } else { what };
-        Some(entry(Sample::Contact { ink: ink(answer), open, cone }, words))
+/// A round force or moment and the arrow that stands for it, at so many pixels for one.
+fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
+    let shown = LONGEST / pixels;
+    (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
+        let round = round_down(shown);
+        let sample = Sample::Arrow { ink: GREY, width, heads, long: round * pixels };
+        entry(sample, &format!("{} {unit}", short(round)))
     })
+}
+
+/// What fingertips and their points do, each thing once.
+fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
+    let contacts = drawing.page.grasp.contacts();
+    let resultant = |tip: &Fingertip| tip.resultant(contacts, &state.contacts);
+    let tips: Vec<Resultant<3>> = drawing.tips.iter().map(resultant).collect();
+    let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
+    let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
+    let mut entries = Vec::new();
+    for what in ["rolling", "about to slide", "sliding", "separated", "frictionless"] {
+        let open = what == "separated";
+        let ink = ink(what);
+        if let Some(pushes) =
+            tips.iter().filter(|tip| tip.word == what).map(|tip| tip.normal_force > 0.0).max()
+        {
+            let cone = pushes && what != "frictionless";
+            let words = if what == "rolling" { "rolling (sticks)" } else { what };
+            entries.push(entry(Sample::Contact { ink, open, cone }, words));
+        }
+        if points.contains(&what) {
+            entries.push(entry(Sample::Point { ink, open }, &format!("point of a fingertip, {what}")));
+        }
+    }
+    entries
 }
 
 /// What belongs to the object, as far as there is any of it.
@@ -110,12 +142,13 @@ fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let load = drawing.load(state);
     let moment =
         if load.force.norm() > 0.0 { "moment of the load about that line" } else { "moment of the load" };
-    let slides = |answer: &ContactAnswer| matches!(answer.state, ContactState::Sliding { .. });
-    let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads };
+    let contacts = drawing.page.grasp.contacts();
+    let slides = |tip: &Fingertip| tip.resultant(contacts, &state.contacts).slides.is_some();
+    let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
     let displaced = state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
     let moves = state.twist.as_vector().norm() > 0.0 && drawing.displacement > 0.0;
     let all = [
-        (state.contacts.iter().any(slides), arrow(BROWN, 2.0, 1), "slip of the finger over the object"),
+        (drawing.tips.iter().any(slides), arrow(BROWN, 2.0, 1), "slip of the finger over the object"),
         (load.force.norm() > 0.0, arrow(BLACK, 3.0, 1), "load, on its line of action"),
         (load.moment.norm() > 0.0, arrow(BLACK, 2.0, 2), moment),
         (displaced, arrow(PINK, 2.0, 1), "displacement of the object at a contact"),
@@ -126,27 +159,27 @@ fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     there.map(|(_, sample, words)| entry(sample, words)).collect()
 }
 
-fn draw_sample(paper: &Sheet, sample: &Sample, y: f64) -> Drawn {
+fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
     let ends: [Place; 2] = [(LEFT, y), (LEFT + SAMPLE, y)];
     let from = (LEFT + 6.0, y);
     let mut drawn = Painting::default();
     match *sample {
-        Sample::None => Ok(()),
+        Sample::None => {}
         Sample::Contact { ink, open, cone } => {
             if cone {
                 let rim = [(ends[1].0, y - 9.0), (ends[1].0, y + 9.0)];
-                paper.area([from, rim[0], rim[1]], ink.mix(0.24))?;
+                drawn.area([from, rim[0], rim[1]], ink.mix(0.24), -1.0);
             }
             if !open {
-                drawn.flat_arrow([from, ends[1]], ink, 3.0, 1);
-                drawn.draw(paper)?;
+                drawn.arrow([from, ends[1]].map(flat), ink, 3.0, 1);
             }
-            dot(paper, from, ink, open)
+            drawn.dot(flat(from), CONTACT, ink, open);
         }
-        Sample::Arrow { ink, width, heads } => {
-            drawn.flat_arrow(ends, ink, width, heads);
-            drawn.draw(paper)
+        Sample::Point { ink, open } => drawn.dot(flat((LEFT + SAMPLE / 2.0, y)), POINT, ink, open),
+        Sample::Arrow { ink, width, heads, long } => {
+            drawn.arrow([(LEFT, y), (LEFT + long, y)].map(flat), ink, width, heads);
         }
         Sample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
     }
+    drawn.draw(paper);
 }

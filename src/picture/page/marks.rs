@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use plotters::style::{RGBColor, colors::BLACK};
 
-use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
-use crate::picture::contact_look::{ink, slope};
+use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
+use crate::picture::contact_look::{ink, slope, word};
+use crate::picture::fingertip::{Fingertip, Resultant};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
-use crate::spatial::{Contact, ContactAnswer, ContactState, Equilibrium};
+use crate::spatial::{Contact, ContactState, Equilibrium};
 
 /// Displacements.
 pub(super) const PINK: RGBColor = PALETTE[3];
@@ -16,8 +17,12 @@ pub(super) const PINK: RGBColor = PALETTE[3];
 pub(super) const SKY: RGBColor = RGBColor(58, 143, 200);
 /// Slips.
 pub(super) const BROWN: RGBColor = RGBColor(122, 54, 0);
-const OUTLINE: RGBColor = RGBColor(153, 153, 153);
 const FIXTURE: RGBColor = RGBColor(204, 204, 204);
+/// The ground on which the edges of the object lie.
+const BODY: RGBColor = RGBColor(238, 239, 241);
+/// Radii of a contact and of a point of a soft fingertip, pixels.
+pub(super) const CONTACT: f64 = 5.5;
+pub(super) const POINT: f64 = 2.5;
 /// Pixels drawn and left out of a line of what has moved, and of the axis of a free motion.
 const MOVED: (f64, f64) = (5.0, 4.0);
 const FREE: (f64, f64) = (9.0, 6.0);
@@ -31,17 +36,51 @@ type Point = Vector3<f64>;
 
 /// Widths and dashes are in pixels.
 pub(super) enum Mark {
-    Line { corners: Vec<Point>, ink: RGBColor, width: f64, dashes: Option<(f64, f64)> },
-    Arrow { from: Point, along: Point, ink: RGBColor, width: f64, heads: usize },
-    Cone { apex: Point, rim: Vec<Point>, ink: RGBColor },
-    Dot { at: Point, ink: RGBColor, open: bool },
-    Name { at: Point, words: String },
+    Line {
+        corners: Vec<Point>,
+        ink: RGBColor,
+        width: f64,
+        dashes: Option<(f64, f64)>,
+    },
+    Arrow {
+        from: Point,
+        along: Point,
+        ink: RGBColor,
+        width: f64,
+        heads: usize,
+    },
+    Cone {
+        apex: Point,
+        rim: Vec<Point>,
+        ink: RGBColor,
+    },
+    /// An edge of the object, darker where it is nearer.
+    Edge {
+        corners: Vec<Point>,
+    },
+    /// A convex part of the object, behind everything.
+    Body {
+        corners: Vec<Point>,
+        ink: RGBColor,
+    },
+    Dot {
+        at: Point,
+        radius: f64,
+        ink: RGBColor,
+        open: bool,
+    },
+    Name {
+        at: Point,
+        words: String,
+    },
 }
 
 impl Mark {
     pub(super) fn points(&self) -> Vec<Point> {
         match self {
-            Self::Line { corners, .. } => corners.clone(),
+            Self::Line { corners, .. } | Self::Edge { corners } | Self::Body { corners, .. } => {
+                corners.clone()
+            }
             Self::Arrow { from, along, .. } => vec![*from, from + along],
             Self::Cone { apex, rim, .. } => rim.iter().copied().chain([*apex]).collect(),
             Self::Dot { at, .. } | Self::Name { at, .. } => vec![*at],
@@ -53,32 +92,41 @@ impl Mark {
 pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark> {
     let page = drawing.page;
     let mut marks = Vec::new();
-    marks.extend(page.fixtures.iter().filter_map(|corners| closed(points(corners), FIXTURE, None)));
+    marks.extend(drawing.bodies.iter().map(|corners| Mark::Body { corners: points(corners), ink: BODY }));
+    marks.extend(
+        page.fixtures.iter().filter_map(|corners| Some(line(closed(points(corners))?, FIXTURE, None))),
+    );
     for outline in &page.outlines {
-        marks.extend(closed(points(outline), OUTLINE, None));
+        marks.extend(closed(points(outline)).map(|corners| Mark::Edge { corners }));
         if let Some(state) = state {
             let corners = points(outline).into_iter().map(|corner| moved(drawing, state, &corner));
-            marks.extend(closed(corners.collect(), PINK, Some(MOVED)));
+            marks.extend(closed(corners.collect()).map(|corners| line(corners, PINK, Some(MOVED))));
         }
     }
-    for (i, (contact, frame)) in page.grasp.contacts().iter().zip(page.grasp.frames()).enumerate() {
+    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+    for tip in &drawing.tips {
+        let frame = frames[tip.contacts.start];
         let [n, t, b] = [0, 1, 2].map(|k| Point::new(frame[(0, k)], frame[(1, k)], frame[(2, k)]));
-        let at = contact.point();
         // The finger, behind the contact.
+        let at = tip.middle(contacts);
         let tail = at - n * (FINGER * drawing.span);
         marks.push(Mark::Line { corners: vec![tail, at], ink: GREY, width: 5.0, dashes: None });
-        match state.map(|state| &state.contacts[i]) {
-            Some(answer) => draw_answer(&mut marks, drawing, contact, [n, t, b], answer),
-            None => marks.push(Mark::Dot { at, ink: GREY, open: true }),
+        match state {
+            Some(state) => {
+                let resultant = tip.resultant(contacts, &state.contacts);
+                draw_answer(&mut marks, drawing, &contacts[tip.contacts.start], [n, t, b], &resultant);
+                draw_points(&mut marks, contacts, state, tip);
+            }
+            None => marks.push(Mark::Dot { at, radius: CONTACT, ink: GREY, open: true }),
         }
-        if page.grasp.len() <= MANY {
-            marks.push(Mark::Name { at, words: contact.label_text(i) });
+        if drawing.tips.len() <= MANY {
+            marks.push(Mark::Name { at: tail, words: tip.name.clone() });
         }
     }
     if let Some(state) = state {
         draw_load(&mut marks, drawing, state);
         for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
-            marks.push(Mark::Dot { at, ink: VERMILION, open: false });
+            marks.push(Mark::Dot { at, radius: CONTACT, ink: VERMILION, open: false });
             marks.push(Mark::Name { at, words: format!("{name} yields") });
         }
         for motion in &state.free_motions {
@@ -98,10 +146,10 @@ fn draw_answer(
     drawing: &Drawing,
     contact: &Contact,
     [n, t, b]: [Point; 3],
-    answer: &ContactAnswer,
+    resultant: &Resultant<3>,
 ) {
-    let (from, ink) = (contact.point(), ink(answer));
-    let (high, slope) = (CONE * answer.normal_force() * drawing.force, slope(contact));
+    let (from, ink) = (resultant.at, ink(resultant.word));
+    let (high, slope) = (CONE * resultant.normal_force * drawing.force, slope(contact));
     if high > 0.0 && slope > 0.0 {
         let wide = (slope * high).min(WIDEST * drawing.size);
         let middle = from + n * (wide / slope);
@@ -110,17 +158,25 @@ fn draw_answer(
             middle + (t * cos + b * sin) * wide
         });
         let rim: Vec<_> = rim.collect();
-        marks.extend(closed(rim.clone(), ink, None));
+        marks.extend(closed(rim.clone()).map(|corners| line(corners, ink, None)));
         marks.push(Mark::Cone { apex: from, rim, ink });
     }
     let mut arrow = |along: Point, ink, width| marks.push(Mark::Arrow { from, along, ink, width, heads: 1 });
-    arrow(answer.force_world * drawing.force, ink, 3.0);
-    arrow(answer.body_core * drawing.displacement, PINK, 2.0);
-    if let ContactState::Sliding { direction } = answer.state {
+    arrow(resultant.force * drawing.force, ink, 3.0);
+    arrow(resultant.displacement * drawing.displacement, PINK, 2.0);
+    if let Some(direction) = resultant.slides {
         arrow(direction * (SLIP * drawing.span), BROWN, 2.0);
     }
-    let open = answer.state == ContactState::Separated;
-    marks.push(Mark::Dot { at: from, ink, open });
+}
+
+/// The points of a fingertip, each in the colour of what it does.
+fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium, tip: &Fingertip) {
+    let radius = if tip.is_soft() { POINT } else { CONTACT };
+    for i in tip.contacts.clone() {
+        let answer = &state.contacts[i];
+        let open = answer.state == ContactState::Separated;
+        marks.push(Mark::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open });
+    }
 }
 
 fn draw_load(marks: &mut Vec<Mark>, drawing: &Drawing, state: &Equilibrium) {
@@ -137,21 +193,24 @@ fn draw_load(marks: &mut Vec<Mark>, drawing: &Drawing, state: &Equilibrium) {
 
 /// Where a point of the object goes, to first order, magnified.
 fn moved(drawing: &Drawing, state: &Equilibrium, point: &Point) -> Point {
-    let twist = state.twist.as_vector();
-    let (moves, turns) = (Point::new(twist[0], twist[1], twist[2]), Point::new(twist[3], twist[4], twist[5]));
-    point + (moves + turns.cross(point)) * drawing.displacement
+    point + goes(state, point) * drawing.displacement
 }
 
 fn points(corners: &[[f64; 3]]) -> Vec<Point> {
     corners.iter().map(|corner| Point::from(*corner)).collect()
 }
 
-/// A closed line, of two corners the line between them; of fewer there is none.
-fn closed(mut corners: Vec<Point>, ink: RGBColor, dashes: Option<(f64, f64)>) -> Option<Mark> {
+/// A line that comes back to its first corner, of two corners the line between them; of fewer there
+/// is none.
+fn closed(mut corners: Vec<Point>) -> Option<Vec<Point>> {
     match corners.len() {
         0 | 1 => return None,
         2 => {}
         _ => corners.push(corners[0]),
     }
-    Some(Mark::Line { corners, ink, width: 1.0, dashes })
+    Some(corners)
+}
+
+fn line(corners: Vec<Point>, ink: RGBColor, dashes: Option<(f64, f64)>) -> Mark {
+    Mark::Line { corners, ink, width: 1.0, dashes }
 }

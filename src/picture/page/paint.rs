@@ -1,186 +1,128 @@
-//! Paints marks from back to front.
+//! Marks as the eye sees them.
 
 use nalgebra::Vector3;
-use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
+use plotters::style::{Color, RGBColor};
 
 use super::eye::Eye;
 use super::marks::Mark;
-use crate::picture::error::Drawn;
-use crate::picture::sheet::{Place, Sheet};
+use crate::picture::painting::{Painting, Seen};
 
-/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an
-/// arrow before its line: less than anything is seen by, and far more than rounding of places on
-/// paper.
-const IN_FRONT: f64 = 1e-2;
-/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be
-/// rounding.
-const SHORTEST: f64 = 1e-6;
+/// Greys of the edges of the object that are nearest to the eye and farthest from it.
+const NEAR: f64 = 90.0;
+const FAR: f64 = 200.0;
+/// The contour of the object.
+const CONTOUR: RGBColor = RGBColor(150, 150, 150);
 
-/// Pixels to the right and downwards, and towards the eye.
-type Seen = Vector3<f64>;
-
-/// One stroke of the brush.
-enum Shape {
-    Line { ends: [Place; 2], ink: RGBColor, width: f64 },
-    Area { corners: Vec<Place>, ink: RGBAColor },
-    Dot { at: Place, ink: RGBColor, open: bool },
+/// What is painted of these marks; names are not.
+pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
+    let mut painting = Painting::default();
+    let shade = shades(eye, marks);
+    for mark in marks {
+        match mark {
+            Mark::Line { corners, ink, width, dashes } => {
+                let corners: Vec<_> = corners.iter().map(|corner| eye.see(corner)).collect();
+                let pieces = dashes.map_or_else(|| pairs(&corners), |(on, off)| dashed(&corners, on, off));
+                for ends in pieces {
+                    painting.line(ends, *ink, *width);
+                }
+            }
+            Mark::Edge { corners } => {
+                let corners: Vec<_> = corners.iter().map(|corner| eye.see(corner)).collect();
+                for ends in pairs(&corners) {
+                    painting.line(ends, shade(f64::midpoint(ends[0].z, ends[1].z)), 1.2);
+                }
+            }
+            Mark::Arrow { from, along, ink, width, heads } => {
+                painting.arrow([eye.see(from), eye.see(&(from + along))], *ink, *width, *heads);
+            }
+            Mark::Cone { apex, rim, ink } => {
+                let rim: Vec<_> = rim.iter().map(|point| eye.see(point)).collect();
+                cone(&mut painting, &eye.see(apex), &rim, *ink);
+            }
+            Mark::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
+            Mark::Body { corners, ink } => {
+                let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
+                let corners = hull(corners.collect());
+                // Behind everything. Of the contour that half is left which is beside all bodies.
+                painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
+                painting.area(corners, ink.to_rgba(), f64::MIN);
+            }
+            Mark::Name { .. } => {}
+        }
+    }
+    painting
 }
 
-/// Strokes with how far they are towards the eye.
-#[derive(Default)]
-pub(super) struct Painting {
-    strokes: Vec<(f64, Shape)>,
-}
-
-impl Painting {
-    pub(super) fn new(eye: &Eye, marks: &[Mark]) -> Self {
-        let mut painting = Self::default();
-        for mark in marks {
-            match mark {
-                Mark::Line { corners, ink, width, dashes } => {
-                    let corners: Vec<_> = corners.iter().map(|corner| eye.see(corner)).collect();
-                    let pieces = dashes.map_or_else(
-                        || corners.windows(2).map(|ends| [ends[0], ends[1]]).collect(),
-                        |(on, off)| dashed(&corners, on, off),
-                    );
-                    for ends in pieces {
-                        painting.line(ends, *ink, *width);
-                    }
-                }
-                Mark::Arrow { from, along, ink, width, heads } => {
-                    painting.arrow([eye.see(from), eye.see(&(from + along))], *ink, *width, *heads);
-                }
-                Mark::Cone { apex, rim, ink } => {
-                    let rim: Vec<_> = rim.iter().map(|point| eye.see(point)).collect();
-                    painting.cone(&eye.see(apex), &rim, *ink);
-                }
-                Mark::Dot { at, ink, open } => {
-                    let seen = eye.see(at);
-                    let shape = Shape::Dot { at: (seen.x, seen.y), ink: *ink, open: *open };
-                    // In front of the lines that end there.
-                    painting.strokes.push((seen.z + IN_FRONT, shape));
-                }
-                Mark::Name { .. } => {}
-            }
-        }
-        painting.strokes.sort_by(|a, b| a.0.total_cmp(&b.0));
-        painting
-    }
-
-    /// An arrow that lies on the paper.
-    pub(super) fn flat_arrow(&mut self, ends: [Place; 2], ink: RGBColor, width: f64, heads: usize) {
-        self.arrow(ends.map(|(x, y)| Seen::new(x, y, 0.0)), ink, width, heads);
-    }
-
-    fn line(&mut self, ends: [Seen; 2], ink: RGBColor, width: f64) {
-        let depth = f64::midpoint(ends[0].z, ends[1].z);
-        self.strokes.push((depth, Shape::Line { ends: ends.map(|end| (end.x, end.y)), ink, width }));
-    }
-
-    fn arrow(&mut self, [from, tip]: [Seen; 2], ink: RGBColor, width: f64, heads: usize) {
-        let along = (tip - from).xy();
-        let size = along.norm();
-        if size < SHORTEST {
-            // Towards the eye, or of no length.
-            return;
-        }
-        let long = (4.5 * width).min(size);
-        // The line ends inside the last head.
-        let neck = (1.0 - 3.0 * width * heads as f64 / size).max(0.0);
-        self.line([from, from.lerp(&tip, neck)], ink, width);
-        let (along, across) = (along / size, 1.6 * width);
-        for k in 0..heads {
-            let back = (long * k as f64).min(size - long);
-            let end = tip.xy() - along * back;
-            let base = end - along * long;
-            let (x, y) = (across * along.y, across * along.x);
-            let corners = vec![(end.x, end.y), (base.x - x, base.y + y), (base.x + x, base.y - y)];
-            self.strokes.push((tip.z + 0.1 * IN_FRONT, Shape::Area { corners, ink: ink.to_rgba() }));
-        }
-    }
-
-    /// The side of the cone that faces the eye and the side that looks away, between which there is
-    /// room for the force. Seams between smaller faces would show.
-    fn cone(&mut self, apex: &Seen, rim: &[Seen], ink: RGBColor) {
-        let sides = rim.len();
-        let next = |k: usize| (k + 1) % sides;
-        let clockwise = |k: usize| {
-            let (a, b) = (rim[k] - apex, rim[next(k)] - apex);
-            a.x * b.y - a.y * b.x > 0.0
-        };
-        let ends: Vec<usize> =
-            (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
-        let mut face = |corners: Vec<Seen>, depth: f64| {
-            let corners = corners.iter().map(|corner| (corner.x, corner.y)).collect();
-            self.strokes.push((depth, Shape::Area { corners, ink: ink.mix(0.12) }));
-        };
-        let depth = |part: &[Seen]| {
-            let mean = part.iter().map(|corner| corner.z).sum::<f64>() / part.len() as f64;
-            (apex.z + 2.0 * mean) / 3.0
-        };
-        if ends.is_empty() {
-            face(rim.to_vec(), depth(rim));
-        }
-        for (k, first) in ends.iter().enumerate() {
-            let last = ends[(k + 1) % ends.len()];
-            let count = (last + sides - first) % sides;
-            let part: Vec<Seen> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
-            let depth = depth(&part);
-            face(part.into_iter().chain([*apex]).collect(), depth);
-        }
-    }
-
-    pub(super) fn draw(&self, paper: &Sheet) -> Drawn {
-        for (_, shape) in &self.strokes {
-            match shape {
-                Shape::Line { ends, ink, width } => paper.line(*ends, *ink, *width)?,
-                Shape::Area { corners, ink } => paper.area(corners.iter().copied(), *ink)?,
-                Shape::Dot { at, ink, open } => dot(paper, *at, *ink, *open)?,
-            }
-        }
-        Ok(())
-    }
-
-    /// Places that a name had better not cover, and how much each matters.
-    pub(super) fn ink(&self) -> Vec<(Place, f64)> {
-        let mut places = Vec::new();
-        for (_, shape) in &self.strokes {
-            match shape {
-                Shape::Line { ends: [a, b], width, .. } => {
-                    let size = (b.0 - a.0).hypot(b.1 - a.1);
-                    let steps = (size / 3.0).ceil().max(1.0);
-                    let mut k = 0.5;
-                    while k < steps {
-                        let part = k / steps;
-                        places.push((
-                            (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1)),
-                            width * size / steps,
-                        ));
-                        k += 1.0;
-                    }
-                }
-                Shape::Area { corners, ink } if ink.alpha() == 1.0 => {
-                    places.extend(corners.iter().map(|corner| (*corner, 20.0)));
-                }
-                Shape::Area { .. } => {}
-                Shape::Dot { at, .. } => {
-                    let around = [(0.0, 0.0), (5.0, 0.0), (-5.0, 0.0), (0.0, 5.0), (0.0, -5.0)];
-                    places.extend(around.map(|(x, y)| ((at.0 + x, at.1 + y), 40.0)));
-                }
-            }
-        }
-        places
+/// The grey of an edge of the object by its place towards the eye.
+fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
+    let edges = marks.iter().filter(|mark| matches!(mark, Mark::Edge { .. }));
+    let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
+    let (far, near) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+    move |depth| {
+        let part = if near > far { (depth - far) / (near - far) } else { 1.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a byte")]
+        let grey = (FAR + (NEAR - FAR) * part.clamp(0.0, 1.0)).round() as u8;
+        RGBColor(grey, grey, grey)
     }
 }
 
-/// A contact; an open circle carries nothing.
-pub(super) fn dot(paper: &Sheet, at: Place, ink: RGBColor, open: bool) -> Drawn {
-    paper.circle(at, 6.5, WHITE, None)?;
-    if open { paper.circle(at, 5.0, ink, Some(2.0)) } else { paper.circle(at, 5.5, ink, None) }
+/// The side of the cone that faces the eye and the side that looks away, between which there is
+/// room for the force. Seams between smaller faces would show.
+fn cone(painting: &mut Painting, apex: &Seen, rim: &[Seen], ink: RGBColor) {
+    let sides = rim.len();
+    let next = |k: usize| (k + 1) % sides;
+    let clockwise = |k: usize| {
+        let (a, b) = (rim[k] - apex, rim[next(k)] - apex);
+        a.x * b.y - a.y * b.x > 0.0
+    };
+    let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
+    let mut face = |corners: Vec<Seen>, depth: f64| {
+        painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
+    };
+    let depth = |part: &[Seen]| {
+        let mean = part.iter().map(|corner| corner.z).sum::<f64>() / part.len() as f64;
+        (apex.z + 2.0 * mean) / 3.0
+    };
+    if ends.is_empty() {
+        face(rim.to_vec(), depth(rim));
+    }
+    for (k, first) in ends.iter().enumerate() {
+        let last = ends[(k + 1) % ends.len()];
+        let count = (last + sides - first) % sides;
+        let part: Vec<Seen> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
+        let depth = depth(&part);
+        face(part.into_iter().chain([*apex]).collect(), depth);
+    }
+}
+
+/// Corners of the smallest convex area that holds these places (Andrew's monotone chain).
+fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut corners: Vec<(f64, f64)> = Vec::new();
+    let turns_back =
+        |[a, b]: [(f64, f64); 2], c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;
+    let (there, back) = (places.iter().copied(), places.iter().rev().skip(1).copied());
+    let mut first = 0;
+    for way in [there.collect::<Vec<_>>(), back.collect()] {
+        for place in way {
+            while corners.len() >= first + 2
+                && turns_back([corners[corners.len() - 2], corners[corners.len() - 1]], place)
+            {
+                corners.pop();
+            }
+            corners.push(place);
+        }
+        first = corners.len().saturating_sub(1);
+    }
+    corners
+}
+
+fn pairs(corners: &[Seen]) -> Vec<[Seen; 2]> {
+    corners.windows(2).map(|ends| [ends[0], ends[1]]).collect()
 }
 
 /// Cuts a line into dashes that go on round its corners.
-fn dashed(corners: &[Seen], on: f64, off: f64) -> Vec<[Seen; 2]> {
+fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[Seen; 2]> {
     let mut dashes = Vec::new();
     // Along the whole line, pixels.
     let mut start = 0.0;

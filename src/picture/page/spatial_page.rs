@@ -16,7 +16,9 @@ use crate::spatial::Grasp;
 ///
 /// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action, at
-///   one scale for all answers;
+///   one scale for all answers, so short that contact forces do not go through the object;
+/// * of all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at
+///   their centre of pressure, and dots in the colours of what the points do;
 /// * the moment of the load about that line (of a load without force: its whole moment), with two
 ///   heads;
 /// * displacements u_c of the object, magnified, the same for all answers; the factor is written
@@ -77,7 +79,7 @@ impl SpatialPage {
 
     /// A closed line on the object, corner by corner, m (of two corners: the line between them);
     /// call it for as many as it takes. They are only drawn, where the object was and where it
-    /// moves.
+    /// moves. Between two that follow each other, of eight corners or more, the object is shaded.
     #[must_use]
     pub fn outline(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.outlines.push(corners.into_iter().map(Into::into).collect());

@@ -4,19 +4,20 @@ use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
 
 use super::drawing::Drawing;
-use super::eye::{Eye, View, Window};
+use super::eye::{Eye, View};
 use super::frame::Frame;
-use super::labels::Labels;
 use super::legend::{self, Legend};
 use super::marks::{Mark, marks};
-use super::paint::Painting;
+use super::paint::painting;
 use super::spatial_page::SpatialPage;
-use super::text::lines;
-use crate::picture::error::{Drawn, PictureError};
+use crate::picture::error::PictureError;
+use crate::picture::labels::Labels;
 use crate::picture::palette::GREY;
 use crate::picture::sheet::{Place, Sheet, sheet};
+use crate::picture::window::Window;
+use crate::picture::words::lines;
 
-const WIDE: u32 = 860;
+const WIDE: f64 = 860.0;
 const MARGIN: f64 = 12.0;
 /// Room for the grasp; a border of it is for what has a size in pixels.
 const ROOM: (f64, f64) = (600.0, 520.0);
@@ -57,8 +58,8 @@ impl SpatialPage {
     /// ```
     ///
     /// # Errors
-    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, for the
-    /// reasons of [`Self::to_html`], or if the back end fails.
+    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, or for the
+    /// reasons of [`Self::to_html`].
     pub fn to_svg(&self, answer: Option<usize>, view: View) -> Result<String, PictureError> {
         let given = self.frames.len();
         let chosen = |k: usize| {
@@ -77,44 +78,37 @@ impl SpatialPage {
         let points = states.flat_map(|state| marks(&drawing, state)).flat_map(|mark| mark.points());
         let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
         let marks = marks(&drawing, frame.and_then(Frame::state));
-        let legend = Legend::new(&drawing, frame);
+        let legend = Legend::new(&drawing, frame, eye.scale);
         let foot = top + ROOM.1.max(legend.high() + AXES_ROOM);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds of pixels")]
-        let high = (foot + MARGIN) as u32;
-        sheet((WIDE, high), |paper| {
+        Ok(sheet((WIDE, foot + MARGIN), |paper| {
             for (k, line) in title.iter().enumerate() {
-                paper.text((18.0, 26.0 + 24.0 * k as f64), line, 20.0, 0.0, BLACK)?;
+                paper.text((18.0, 26.0 + 24.0 * k as f64), line, 20.0, 0.0, BLACK);
             }
             for (k, line) in label.iter().rev().enumerate() {
-                paper.text((18.0, top - 14.0 - 20.0 * k as f64), line, 15.0, 0.0, GREY)?;
+                paper.text((18.0, top - 14.0 - 20.0 * k as f64), line, 15.0, 0.0, GREY);
             }
-            let painting = Painting::new(&eye, &marks);
-            painting.draw(paper)?;
-            draw_names(paper, &eye, &marks, Labels::new(window, painting.ink()))?;
-            legend.draw(paper, top + 12.0)?;
-            draw_axes(paper, &eye, (legend::LEFT + AXES_ROOM / 2.0, foot - AXES_ROOM / 2.0))
-        })
+            let mut painting = painting(&eye, &marks);
+            painting.draw(paper);
+            let mut labels = Labels::new(window, painting.ink());
+            for mark in &marks {
+                if let Mark::Name { at, words } = mark {
+                    let seen = eye.see(at);
+                    labels.write(paper, (seen.x, seen.y), &[words], NAMES);
+                }
+            }
+            legend.draw(paper, top + 12.0);
+            draw_axes(paper, &eye, (legend::LEFT + AXES_ROOM / 2.0, foot - AXES_ROOM / 2.0));
+        }))
     }
-}
-
-fn draw_names(paper: &Sheet, eye: &Eye, marks: &[Mark], mut labels: Labels) -> Drawn {
-    for mark in marks {
-        if let Mark::Name { at, words } = mark {
-            let seen = eye.see(at);
-            let place = labels.place((seen.x, seen.y), words, NAMES);
-            paper.plaque(place, words, NAMES, 0.5)?;
-        }
-    }
-    Ok(())
 }
 
 /// The coordinate axes, in a corner where nothing else is drawn.
-fn draw_axes(paper: &Sheet, eye: &Eye, (x, y): Place) -> Drawn {
+fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
     let axes = [0, 1, 2].map(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
         let end = axis * AXES;
-        paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5)?;
+        paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5);
         // An axis towards the eye is a point: its name goes where the others are not.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
         let way = way.normalize() * LETTER;
@@ -123,7 +117,6 @@ fn draw_axes(paper: &Sheet, eye: &Eye, (x, y): Place) -> Drawn {
             place += way;
         }
         named.push(place);
-        paper.text((x + place.x, y + place.y), name, NAMES, 0.5, BLACK)?;
+        paper.text((x + place.x, y + place.y), name, NAMES, 0.5, BLACK);
     }
-    Ok(())
 }

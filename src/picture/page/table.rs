@@ -3,11 +3,13 @@
 use std::fmt::Write;
 
 use super::frame::Frame;
-use super::text::{html, short, vector};
+use super::text::vector;
 use crate::grasp::Hold;
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::{no_friction_left, word};
-use crate::picture::error::{Drawn, PictureError};
+use crate::picture::error::PictureError;
+use crate::picture::fingertip::Fingertip;
+use crate::picture::words::{escaped, short};
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
 /// Headings, and what they mean.
@@ -23,22 +25,34 @@ const COLUMNS: [(&str, &str); 9] = [
     ("|u_c| (m)", "displacement of the object at the contact"),
 ];
 
-pub(super) fn write(page: &mut String, grasp: &Grasp, actuators: &Actuators<3>, frames: &[Frame]) -> Drawn {
+pub(super) fn write(
+    page: &mut String,
+    grasp: &Grasp,
+    tips: &[Fingertip],
+    actuators: &Actuators<3>,
+    frames: &[Frame],
+) -> Result<(), PictureError> {
     for (k, Frame { label, shown }) in frames.iter().enumerate() {
         let hidden = if k == 0 { "" } else { " hidden" };
-        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", html(label));
+        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", escaped(label));
         match shown {
             Err(why) => {
-                let _ = writeln!(page, "<p class=\"none\">{}</p>", html(why));
+                let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(why));
             }
-            Ok(state) => write_state(page, grasp, actuators, state)?,
+            Ok(state) => write_state(page, grasp, tips, actuators, state)?,
         }
         page.push_str("</section>\n");
     }
     Ok(())
 }
 
-fn write_state(page: &mut String, grasp: &Grasp, actuators: &Actuators<3>, state: &Equilibrium) -> Drawn {
+fn write_state(
+    page: &mut String,
+    grasp: &Grasp,
+    tips: &[Fingertip],
+    actuators: &Actuators<3>,
+    state: &Equilibrium,
+) -> Result<(), PictureError> {
     let (load, twist) = (state.load.as_vector().as_slice(), state.twist.as_vector().as_slice());
     let _ = writeln!(
         page,
@@ -58,23 +72,30 @@ fn write_state(page: &mut String, grasp: &Grasp, actuators: &Actuators<3>, state
             vector(v)
         );
     }
-    let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| html(name)).collect();
+    let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| escaped(name)).collect();
     if !at_their_limit.is_empty() {
         let _ = writeln!(page, "<p>At their limit, and yielding: {}.</p>", at_their_limit.join(", "));
     }
     page.push_str("<table>\n<thead><tr>");
     for (heading, meaning) in COLUMNS {
-        let _ = write!(page, "<th title=\"{}\">{}</th>", html(meaning), html(heading));
+        let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");
     for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
-        write_row(page, i, contact, answer)?;
+        // The place among what is drawn.
+        let tip = tips.iter().position(|tip| tip.contacts.contains(&i)).unwrap_or(i);
+        write_row(page, (i, tip), contact, answer)?;
     }
     page.push_str("</tbody>\n</table>\n");
     Ok(())
 }
 
-fn write_row(page: &mut String, index: usize, contact: &Contact, answer: &ContactAnswer) -> Drawn {
+fn write_row(
+    page: &mut String,
+    (index, tip): (usize, usize),
+    contact: &Contact,
+    answer: &ContactAnswer,
+) -> Result<(), PictureError> {
     // What is left of a contact on the edge of its cone is rounding.
     let reserve = if no_friction_left(answer) { 0.0 } else { answer.margin };
     let moved = if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() };
@@ -99,8 +120,8 @@ fn write_row(page: &mut String, index: usize, contact: &Contact, answer: &Contac
     let state = word(answer);
     let _ = write!(
         page,
-        "<tr data-contact=\"{index}\"><th>{}</th><td class=\"{}\">{state}</td>",
-        html(&name),
+        "<tr data-contact=\"{tip}\"><th>{}</th><td class=\"{}\">{state}</td>",
+        escaped(&name),
         state.replace(' ', "-")
     );
     for words in words {

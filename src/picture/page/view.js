@@ -27,7 +27,7 @@
     for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -scene.finger));
     for (const frame of scene.frames.filter(Boolean)) {
       const { load } = frame;
-      frame.contacts.forEach(({ force }, i) => ends.push(add(scene.contacts[i].point, force, scene.force)));
+      frame.contacts.forEach(({ at, force }) => ends.push(add(at, force, scene.force)));
       ends.push(load.at, add(load.at, load.force, scene.force), add(load.at, load.moment, scene.moment));
       ends.push(...scene.outlines.flat().map((p) => moved(frame.twist, p)));
     }
@@ -65,8 +65,9 @@
   };
   const loop = (points, ink, width, dashes) =>
     points.forEach((p, k) => {
+      const next = points[(k + 1) % points.length];
       // Two corners are one line.
-      if (k + 1 < points.length || k > 1) line(p, points[(k + 1) % points.length], ink, width, dashes);
+      if (k + 1 < points.length || k > 1) line(p, next, typeof ink === "string" ? ink : ink(p, next), width, dashes);
     });
   const face = (points, ink, opacity) => {
     const corners = points.map(project);
@@ -76,6 +77,41 @@
       pen.fillStyle = ink;
       pen.fill();
       pen.globalAlpha = 1;
+    });
+  };
+  // A grey, darker where it is nearer.
+  const shades = () => {
+    const depths = scene.outlines.flat().map((p) => project(p)[2]);
+    const [far, near] = [Math.min(...depths), Math.max(...depths)];
+    return (a, b) => {
+      const part = near > far ? ((project(a)[2] + project(b)[2]) / 2 - far) / (near - far) : 1;
+      const grey = Math.round(200 - 110 * part);
+      return `rgb(${grey},${grey},${grey})`;
+    };
+  };
+  // A convex part of the object, behind everything.
+  const body = (points) => {
+    const places = points.map(project).sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+    const half = (places) => {
+      const line = [];
+      for (const c of places) {
+        const turnsBack = ([a, b]) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0;
+        while (line.length > 1 && turnsBack(line.slice(-2))) line.pop();
+        line.push(c);
+      }
+      return line.slice(0, -1);
+    };
+    const corners = [...half(places), ...half(places.reverse())];
+    // Of the contour that half is left which is beside all bodies.
+    paint(-Infinity, () => {
+      path(corners, true);
+      [pen.strokeStyle, pen.lineWidth] = ["#969696", 2.4];
+      pen.stroke();
+    });
+    paint(-Number.MAX_VALUE, () => {
+      path(corners, true);
+      pen.fillStyle = "#eeeff1";
+      pen.fill();
     });
   };
   const head = (tip, back, ink, width) => {
@@ -110,7 +146,7 @@
     });
   };
 
-  const drawCone = ({ point, normal, tangents, mu }, normalForce, ink) => {
+  const drawCone = ({ normal, tangents, mu }, point, normalForce, ink) => {
     const high = scene.cone * normalForce * scene.force, wide = mu * high;
     if (!(high > 0 && wide > 0)) return;
     const rim = Array.from({ length: SIDES }, (_, k) => {
@@ -121,27 +157,50 @@
     loop(rim, ink, 1);
   };
 
-  const drawContact = (contact, answer, i) => {
-    const { point, normal, name } = contact;
-    const ink = answer ? COLOURS[answer.state] : GREY;
-    // The finger, behind the contact.
-    line(add(point, normal, -scene.finger), point, GREY, 5);
-    if (answer) {
-      if (layers.cones) drawCone(contact, answer.normal_force, ink);
-      if (layers.forces) arrow(point, answer.force.map((f) => f * scene.force), ink, 3);
-      if (layers.displacements) arrow(point, answer.displacement.map((u) => u * scene.displacement), PINK, 2);
-      if (answer.slides) arrow(point, answer.slides.map((d) => scene.slip * d), "#7a3600", 2);
-    }
-    const [x, y, depth] = project(point);
+  const drawDot = (at, state, size) => {
+    const [x, y, depth] = project(at);
     paint(depth + 1e-2, () => {
       pen.beginPath();
-      pen.arc(x, y, i === lit ? 9 : 6, 0, 2 * Math.PI);
-      const open = !answer || answer.state === "separated";
+      pen.arc(x, y, size, 0, 2 * Math.PI);
+      const open = !state || state === "separated", ink = COLOURS[state] || GREY;
       [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = [open ? "#fff" : ink, open ? ink : "#fff", open ? 2 : 1];
       pen.fill();
       pen.stroke();
     });
-    if (i === lit || (layers.names && scene.contacts.length <= scene.many)) text(point, name, "#222", i === lit);
+  };
+  const drawContact = (contact, answer, i) => {
+    const { point, points, normal, name } = contact;
+    // The finger, behind the contact.
+    line(add(point, normal, -scene.finger), point, GREY, 5);
+    if (answer) {
+      const { at } = answer, ink = COLOURS[answer.state];
+      if (layers.cones) drawCone(contact, at, answer.normal_force, ink);
+      if (layers.forces) arrow(at, answer.force.map((f) => f * scene.force), ink, 3);
+      if (layers.displacements) arrow(at, answer.displacement.map((u) => u * scene.displacement), PINK, 2);
+      if (answer.slides) arrow(at, answer.slides.map((d) => scene.slip * d), "#7a3600", 2);
+      points.forEach((p, k) => drawDot(p, answer.states[k], (points.length > 1 ? 3 : 6) + (i === lit ? 3 : 0)));
+    } else {
+      drawDot(point, null, i === lit ? 9 : 6);
+    }
+    if (i === lit || (layers.names && scene.contacts.length <= scene.many)) text(add(point, normal, -scene.finger), name, "#222", i === lit);
+  };
+
+  // A round force, and the arrow that stands for it.
+  const drawScale = () => {
+    const pixels = length(add(project([scene.force, 0, 0]), project([0, 0, 0]), -1));
+    if (!(pixels > 0)) return;
+    const power = 10 ** Math.floor(Math.log10(100 / pixels));
+    const round = [5, 2, 1].map((k) => k * power).find((force) => force * pixels <= 100);
+    const [from, to] = [canvas.clientWidth - 20 - round * pixels, canvas.clientWidth - 20];
+    const y = canvas.clientHeight - 22;
+    paint(Infinity, () => {
+      path([[from, y], [to - 9, y]]);
+      [pen.strokeStyle, pen.fillStyle, pen.lineWidth, pen.font] = [GREY, GREY, 3, "13px sans-serif"];
+      pen.stroke();
+      path([[to, y], [to - 13, y - 5], [to - 13, y + 5]], true);
+      pen.fill();
+      pen.fillText(`${Number(round.toPrecision(1))} N`, from, y - 9);
+    });
   };
 
   const drawAxes = () => {
@@ -169,8 +228,10 @@
     strokes = [];
     const frame = scene.frames[shown];
     for (const fixture of scene.fixtures) loop(fixture, "#ccc", 1);
+    scene.bodies.forEach(body);
+    const shade = shades();
     for (const outline of scene.outlines) {
-      loop(outline, "#999", 1);
+      loop(outline, shade, 1.2);
       if (frame && layers.displacements) loop(outline.map((p) => moved(frame.twist, p)), PINK, 1, [5, 4]);
     }
     scene.contacts.forEach((contact, i) => drawContact(contact, frame && frame.contacts[i], i));
@@ -198,7 +259,8 @@
       }
     }
     drawAxes();
-    strokes.sort((a, b) => a.depth - b.depth).forEach(({ draw }) => draw());
+    if (frame && layers.forces) drawScale();
+    strokes.sort((a, b) => (a.depth < b.depth ? -1 : a.depth > b.depth ? 1 : 0)).forEach(({ draw }) => draw());
   };
 
   const show = (k) => {

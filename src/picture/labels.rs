@@ -1,7 +1,7 @@
 //! Places for names, beside their points, where they cover least.
 
-use super::eye::Window;
-use crate::picture::sheet::{Place, plaque_size};
+use super::sheet::{Place, Sheet, plaque_size};
+use super::window::Window;
 
 /// Ways from a point to its name, to the right and downwards, the best first.
 const SIDES: [(f64, f64); 8] =
@@ -29,10 +29,21 @@ impl Labels {
         Self { window, ink, taken: Vec::new() }
     }
 
-    /// The middle of a name that belongs to a point; no later name will stand there unless there is
-    /// no other place.
-    pub(super) fn place(&mut self, point: Place, words: &str, size: f64) -> Place {
-        let (wide, high) = plaque_size(words, size);
+    /// Writes lines that belong to a point beside it; no later ones will stand there unless there
+    /// is no other place.
+    pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
+        let sizes: Vec<_> = words.iter().map(|line| plaque_size(line, size)).collect();
+        let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
+        let high: f64 = sizes.iter().map(|line| line.1).sum();
+        let (x, y) = self.place(point, (wide, high));
+        let (mut below, line) = (y - high / 2.0, high / words.len() as f64);
+        for words in words {
+            paper.plaque((x, below + line / 2.0), words, size, 0.5);
+            below += line;
+        }
+    }
+
+    fn place(&mut self, point: Place, (wide, high): (f64, f64)) -> Place {
         let middles = AWAY.iter().flat_map(|away| {
             SIDES.map(|(x, y)| {
                 // At a corner the same distance is shared by both ways.

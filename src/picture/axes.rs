@@ -1,0 +1,96 @@
+//! Where metres of a plane lie on paper, and the axes beside them.
+
+use nalgebra::Vector2;
+use plotters::style::colors::BLACK;
+
+use super::palette::GREY;
+use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
+use super::sheet::{Place, Sheet};
+use super::window::Window;
+
+/// About how many numbers there are at an axis, and their height.
+const NUMBERS: f64 = 11.0;
+const SIZE: f64 = 14.0;
+
+/// A metre is as long upwards as sideways.
+pub(super) struct Axes {
+    window: Window,
+    /// What lies in the middle of the window, m.
+    middle: Vector2<f64>,
+    /// Pixels per metre.
+    scale: f64,
+}
+
+impl Axes {
+    /// Axes along a window, of which these points take as much as leaves a border (pixels to either
+    /// side, and above and below).
+    pub(super) fn new(
+        window: Window,
+        border: (f64, f64),
+        points: impl IntoIterator<Item = Vector2<f64>>,
+    ) -> Self {
+        let (low, high) = bounds(points);
+        let size = high - low;
+        let room = Vector2::new(window.wide - 2.0 * border.0, window.high - 2.0 * border.1);
+        let scale = (room.x / size.x).min(room.y / size.y);
+        Self { window, middle: low / 2.0 + high / 2.0, scale }
+    }
+
+    /// Whether everything has a place.
+    pub(super) fn are_finite(&self) -> bool {
+        self.scale > 0.0 && self.scale.is_finite() && self.middle.iter().all(|x| x.is_finite())
+    }
+
+    pub(super) fn place(&self, point: Vector2<f64>) -> Place {
+        let (x, y) = self.window.middle();
+        let away = (point - self.middle) * self.scale;
+        (x + away.x, y - away.y)
+    }
+
+    /// The part of a straight line through a point that is inside.
+    pub(super) fn across(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
+        let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
+        let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..2 {
+            let ends =
+                [-1.0, 1.0].map(|side| (self.middle[axis] + side * half[axis] - point[axis]) / along[axis]);
+            if along[axis] != 0.0 {
+                (from, to) = (from.max(ends[0].min(ends[1])), to.min(ends[0].max(ends[1])));
+            }
+        }
+        [from, to].map(|way| self.place(point + along * way))
+    }
+
+    pub(super) fn draw(&self, paper: &mut Sheet) {
+        let Window { left, top, wide, high } = self.window;
+        let (right, bottom) = (left + wide, top + high);
+        paper.line([(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
+        let step = round_up(wide / self.scale / NUMBERS);
+        for (axis, size) in [(0, wide), (1, high)] {
+            let [low, up] = [-0.5, 0.5].map(|side| (self.middle[axis] + side * size / self.scale) / step);
+            let first = whole_above(low);
+            // So many at most, whatever rounding makes of them.
+            let numbers = (0..20).map(|k| first + f64::from(k)).take_while(|k| *k <= whole_below(up));
+            for number in numbers.map(|k| k * step) {
+                let (x, y) = self
+                    .place(self.middle.map_with_location(|row, _, at| if row == axis { number } else { at }));
+                let words = in_steps(number, step);
+                if axis == 0 {
+                    paper.line([(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
+                    paper.text((x, bottom + 15.0), &words, SIZE, 0.5, BLACK);
+                } else {
+                    paper.line([(left, y), (left - 5.0, y)], BLACK, 1.0);
+                    paper.text((left - 9.0, y), &words, SIZE, 1.0, BLACK);
+                }
+            }
+        }
+        paper.text((left + wide / 2.0, bottom + 36.0), "x (m)", SIZE, 0.5, GREY);
+        paper.text_upwards((left - 50.0, top + high / 2.0), "y (m)", SIZE, GREY);
+    }
+}
+
+/// The smallest and the largest coordinates.
+pub(super) fn bounds(points: impl IntoIterator<Item = Vector2<f64>>) -> (Vector2<f64>, Vector2<f64>) {
+    let none = (Vector2::repeat(f64::INFINITY), Vector2::repeat(f64::NEG_INFINITY));
+    points.into_iter().fold(none, |(low, high), p| (low.inf(&p), high.sup(&p)))
+}

@@ -1,0 +1,133 @@
+//! The strokes of a chart: series, marks and labels.
+
+use plotters::element::{DashedPathElement, EmptyElement, IntoDynElement};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::canvas::{Canvas, FINE, Plotted};
+use super::palette::{FONT, GREY};
+use super::series::{Series, Stroke};
+use super::sheet::plaque_size;
+
+/// Length and half the width of an arrow on a line, pixels.
+const ARROW: (f64, f64) = (11.0, 4.5);
+/// A piece of a line that is shorter has no arrow, pixels.
+const SHORTEST: f64 = 14.0;
+/// Pixels drawn and left out of a dashed line.
+const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
+/// Height of letters, and of those on plaques.
+const LETTERS: u32 = 16 * FINE;
+const NUMBERS: u32 = 14 * FINE;
+
+/// Samples of the legend around which there is a line: one with a dot, and one with an arrow.
+const DOTTED: [(i32, i32); 10] =
+    [(0, -1), (7, -1), (10, -4), (13, -1), (20, -1), (20, 1), (13, 1), (10, 4), (7, 1), (0, 1)];
+const ARROWED: [(i32, i32); 10] =
+    [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
+
+/// Draws a series and its entry in the legend.
+pub(super) fn draw_series<'a, 'b: 'a>(
+    chart: &mut Canvas<'a, 'b>,
+    series: &Series,
+    color: RGBColor,
+) -> Plotted {
+    let (style, stroke) = (color.stroke_width(2 * FINE), series.stroke);
+    let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
+    for piece in series.points.split(|point| !is_finite(point)) {
+        let piece = piece.iter().copied();
+        match stroke {
+            Stroke::Line | Stroke::Marked => _ = chart.draw_series(LineSeries::new(piece, style))?,
+            Stroke::Directed => {
+                chart.draw_series(LineSeries::new(piece.clone(), style))?;
+                draw_arrows(chart, &piece.collect::<Vec<_>>(), color)?;
+            }
+            Stroke::Dashed => _ = chart.draw_series(DashedLineSeries::new(piece, DASH.0, DASH.1, style))?,
+            Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
+        }
+    }
+    let points = series.points.iter().copied().filter(is_finite);
+    match stroke {
+        Stroke::Marked => _ = chart.draw_series(points.map(|p| Circle::new(p, 3 * FINE, color.filled())))?,
+        Stroke::Circles => _ = chart.draw_series(points.map(|p| Circle::new(p, 4 * FINE, style)))?,
+        Stroke::Dots => _ = chart.draw_series(points.map(|p| Circle::new(p, 2 * FINE, faint(color))))?,
+        Stroke::Bars => {
+            let corners = series.bars().filter(|corners| corners.iter().all(is_finite));
+            chart.draw_series(corners.map(|corners| Rectangle::new(corners, faint(color))))?;
+        }
+        Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
+    }
+    let fine = FINE.cast_signed();
+    let entry = chart.draw_series(std::iter::empty::<Circle<(f64, f64), u32>>())?;
+    entry.label(&series.name).legend(move |(x, y)| {
+        let (line, middle) = ([(x, y), (x + 20 * fine, y)], (x + 10 * fine, y));
+        let around = |corners: &[(i32, i32)]| {
+            let corners = corners.iter().map(|(across, down)| (x + across * fine, y + down * fine));
+            Polygon::new(corners.collect::<Vec<_>>(), color.filled())
+        };
+        match stroke {
+            Stroke::Circles => Circle::new(middle, 4 * FINE, style).into_dyn(),
+            Stroke::Dots => Circle::new(middle, 2 * FINE, faint(color)).into_dyn(),
+            Stroke::Bars => {
+                let corners = [(x, y - 5 * fine), (x + 20 * fine, y + 5 * fine)];
+                Rectangle::new(corners, faint(color)).into_dyn()
+            }
+            Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
+            Stroke::Marked => around(&DOTTED).into_dyn(),
+            Stroke::Directed => around(&ARROWED).into_dyn(),
+            Stroke::Line => PathElement::new(line, style).into_dyn(),
+        }
+    });
+    Ok(())
+}
+
+/// What is drawn of a cloud of points and of bars, so that others can be seen through them.
+fn faint(color: RGBColor) -> ShapeStyle {
+    color.mix(0.65).filled()
+}
+
+/// An arrow in the middle of each piece of a line that is long enough.
+fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plotted {
+    for ends in line.windows(2) {
+        let [a, b] = [ends[0], ends[1]].map(|end| chart.plotting_area().map_coordinate(&end));
+        let (x, y) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
+        let size = x.hypot(y);
+        if size < SHORTEST * f64::from(FINE) {
+            continue;
+        }
+        let (long, wide) = (ARROW.0 * f64::from(FINE) / size, ARROW.1 * f64::from(FINE) / size);
+        #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
+        let corner = |along: f64, across: f64| {
+            ((x * along - y * across).round() as i32, (y * along + x * across).round() as i32)
+        };
+        let head = vec![corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)];
+        let middle = (f64::midpoint(ends[0].0, ends[1].0), f64::midpoint(ends[0].1, ends[1].1));
+        chart.draw_series([EmptyElement::at(middle) + Polygon::new(head, color.filled())])?;
+    }
+    Ok(())
+}
+
+/// A vertical line with a label.
+pub(super) fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Plotted {
+    let style = BLACK.stroke_width(FINE);
+    chart.draw_series(DashedLineSeries::new([(x, y0), (x, y1)], 4 * FINE, 4 * FINE, style))?;
+    // To the side on which there is room.
+    let left = (x - x0) > 0.6 * (x1 - x0);
+    let (anchor, side) = if left { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
+    let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
+    let at = (x + 0.008 * (x1 - x0) * side, y1 - 0.02 * (y1 - y0));
+    chart.draw_series([Text::new(label.to_owned(), at, style)])?;
+    Ok(())
+}
+
+/// A few letters on a plaque.
+pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
+    let (wide, high) = plaque_size(words, f64::from(NUMBERS));
+    #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
+    let (x, y) = ((0.45 * wide.max(0.8 * high)).round() as i32, (0.5 * high).round() as i32);
+    let style = (FONT, NUMBERS).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+    chart.draw_series([EmptyElement::at(point)
+        + Rectangle::new([(-x, -y), (x, y)], WHITE.mix(0.9).filled())
+        + Rectangle::new([(-x, -y), (x, y)], GREY.stroke_width(FINE))
+        + Text::new(words.to_owned(), (0, 0), style)])?;
+    Ok(())
+}

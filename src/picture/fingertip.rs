@@ -1,0 +1,95 @@
+//! Contacts that are drawn as one: a point contact, or all points of a soft fingertip.
+
+use std::ops::Range;
+
+use nalgebra::SVector;
+
+use super::contact_look::word;
+use crate::equilibrium::{ContactAnswer, ContactState};
+use crate::grasp::Contact;
+
+/// Consecutive contacts of a grasp.
+#[derive(Debug, Clone)]
+pub(super) struct Fingertip {
+    pub(super) name: String,
+    pub(super) contacts: Range<usize>,
+}
+
+/// What a fingertip does as a whole.
+pub(super) struct Resultant<const C: usize> {
+    /// Where the force acts: the centre of pressure; where nothing presses, the middle.
+    pub(super) at: SVector<f64, C>,
+    pub(super) force: SVector<f64, C>,
+    pub(super) normal_force: f64,
+    /// Displacement of the object there.
+    pub(super) displacement: SVector<f64, C>,
+    /// Where all of it slides, the direction of the finger over the object.
+    pub(super) slides: Option<SVector<f64, C>>,
+    /// It slides where nothing rolls, and is open where nothing touches.
+    pub(super) word: &'static str,
+}
+
+/// Points of a soft fingertip have the name of the fingertip with 0, 1, 2 … behind it, as
+/// [`SoftFingertip`](crate::grasp::SoftFingertip) names them, and a normal in common.
+pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Fingertip> {
+    let mut tips = Vec::new();
+    let mut first = 0;
+    while first < contacts.len() {
+        let stem = contacts[first].name.as_deref().and_then(|name| name.strip_suffix(" 0"));
+        let belongs = |stem: &str, i: usize| {
+            contacts[i].name.as_ref().is_some_and(|name| *name == format!("{stem} {}", i - first))
+                && contacts[i].normal == contacts[first].normal
+        };
+        let points = stem.map_or(1, |stem| (first..contacts.len()).take_while(|i| belongs(stem, *i)).count());
+        let name = stem.filter(|_| points > 1).map(str::to_owned);
+        let name = name.unwrap_or_else(|| contacts[first].label_text(first));
+        tips.push(Fingertip { name, contacts: first..first + points });
+        first += points;
+    }
+    tips
+}
+
+impl Fingertip {
+    /// Whether it is more than a point.
+    pub(super) fn is_soft(&self) -> bool {
+        self.contacts.len() > 1
+    }
+
+    /// The middle of its points.
+    pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
+        let points = contacts[self.contacts.clone()].iter().map(|contact| contact.point);
+        points.sum::<SVector<f64, C>>() / self.contacts.len() as f64
+    }
+
+    pub(super) fn resultant<const C: usize>(
+        &self,
+        contacts: &[Contact<C>],
+        answers: &[ContactAnswer<C>],
+    ) -> Resultant<C> {
+        let answers = &answers[self.contacts.clone()];
+        let pressed: f64 = answers.iter().map(|answer| answer.normal_force().max(0.0)).sum();
+        // A point of its own has no mean to be rounded.
+        let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
+            _ if answers.len() == 1 => 1.0,
+            true => answer.normal_force().max(0.0) / pressed,
+            false => 1.0 / answers.len() as f64,
+        };
+        let words = ["rolling", "about to slide", "sliding", "frictionless", "separated"];
+        let does = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
+        let word = words.into_iter().find(does).unwrap_or("separated");
+        let points = contacts[self.contacts.clone()].iter().zip(answers);
+        let along = answers.iter().filter_map(|answer| match answer.state {
+            ContactState::Sliding { direction } => Some(direction * share(answer)),
+            _ => None,
+        });
+        let along: SVector<f64, C> = along.sum();
+        Resultant {
+            at: points.map(|(contact, answer)| contact.point * share(answer)).sum(),
+            force: answers.iter().map(|answer| answer.force_world).sum(),
+            normal_force: answers.iter().map(ContactAnswer::normal_force).sum(),
+            displacement: answers.iter().map(|answer| answer.body_core * share(answer)).sum(),
+            slides: (word == "sliding").then(|| along.try_normalize(0.0)).flatten(),
+            word,
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Parts of the object between its outlines, so that it is seen as a body and not as wire alone.
+
+/// A ring of fewer corners is a face of an edged body, or the line of a handle: nothing is known to
+/// be between it and the next.
+const ROUND: usize = 8;
+
+/// Convex parts: every ring by itself, and what is between two round ones that follow each other.
+/// A ring is an outline, or a part of it that comes back to where it began.
+pub(super) fn bodies(outlines: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
+    let rings: Vec<_> = outlines.iter().flat_map(|outline| rings(outline)).collect();
+    let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
+    let between = between.map(<[Vec<_>]>::concat);
+    between.chain(rings.iter().cloned()).collect()
+}
+
+fn rings(outline: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
+    let (mut rings, mut line): (Vec<Vec<_>>, Vec<[f64; 3]>) = (Vec::new(), Vec::new());
+    for corner in outline {
+        if let Some(begin) = line.iter().position(|earlier| earlier == corner) {
+            rings.push(line.split_off(begin));
+            line.clear();
+        }
+        line.push(*corner);
+    }
+    if rings.is_empty() {
+        rings.push(line);
+    }
+    rings.retain(|ring| ring.len() > 2);
+    rings
+}

@@ -1,0 +1,175 @@
+//! Lines, arrows, areas and dots, painted from back to front.
+
+use std::f64::consts::{FRAC_PI_4, PI};
+
+use nalgebra::{Vector2, Vector3};
+use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
+
+use super::sheet::{Place, Sheet};
+
+/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an
+/// arrow before its line: less than anything is seen by, and far more than rounding of places on
+/// paper.
+const IN_FRONT: f64 = 1e-2;
+/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be
+/// rounding.
+const SHORTEST: f64 = 1e-6;
+/// Length and half the width of the head of an arrow, in widths of its line.
+const HEAD: (f64, f64) = (4.5, 1.6);
+/// Places at most on a line at which it may hide a name.
+const MOST: f64 = 1e4;
+/// Pieces of an arc.
+const PIECES: u32 = 48;
+
+/// Pixels to the right and downwards, and towards the eye.
+pub(super) type Seen = Vector3<f64>;
+
+/// One stroke of the brush.
+enum Shape {
+    Line { places: Vec<Place>, ink: RGBColor, width: f64 },
+    Dashes { ends: [Place; 2], ink: RGBColor, width: f64 },
+    Area { corners: Vec<Place>, ink: RGBAColor },
+    Dot { at: Place, radius: f64, ink: RGBColor, open: bool },
+}
+
+/// Strokes with how far they are towards the eye.
+#[derive(Default)]
+pub(super) struct Painting {
+    strokes: Vec<(f64, Shape)>,
+}
+
+/// A place that lies on the paper.
+pub(super) fn flat((x, y): Place) -> Seen {
+    Seen::new(x, y, 0.0)
+}
+
+impl Painting {
+    pub(super) fn line(&mut self, ends: [Seen; 2], ink: RGBColor, width: f64) {
+        let depth = f64::midpoint(ends[0].z, ends[1].z);
+        let places = ends.iter().map(place).collect();
+        self.strokes.push((depth, Shape::Line { places, ink, width }));
+    }
+
+    /// A closed line.
+    pub(super) fn contour(&mut self, mut places: Vec<Place>, ink: RGBColor, width: f64, depth: f64) {
+        places.extend(places.first().copied());
+        self.strokes.push((depth, Shape::Line { places, ink, width }));
+    }
+
+    /// A dashed line on the paper, behind what is painted there.
+    pub(super) fn dashes(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
+        self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
+    }
+
+    pub(super) fn area(&mut self, corners: impl IntoIterator<Item = Place>, ink: RGBAColor, depth: f64) {
+        self.strokes.push((depth, Shape::Area { corners: corners.into_iter().collect(), ink }));
+    }
+
+    /// A contact; an open circle carries nothing. It is in front of the lines that end there.
+    pub(super) fn dot(&mut self, at: Seen, radius: f64, ink: RGBColor, open: bool) {
+        self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
+    }
+
+    pub(super) fn arrow(&mut self, [from, tip]: [Seen; 2], ink: RGBColor, width: f64, heads: usize) {
+        let along = (tip - from).xy();
+        let size = along.norm();
+        if size < SHORTEST {
+            // Towards the eye, or of no length.
+            return;
+        }
+        let long = (HEAD.0 * width).min(size);
+        // The line ends inside the last head.
+        let neck = (1.0 - 3.0 * width * heads as f64 / size).max(0.0);
+        self.line([from, from.lerp(&tip, neck)], ink, width);
+        let along = along / size;
+        for k in 0..heads {
+            let back = (long * k as f64).min(size - long);
+            self.head(tip - (along * back).push(0.0), along * long, ink, width);
+        }
+    }
+
+    /// Three quarters of a circle with an arrow at its end, clockwise or against it, open towards
+    /// the direction `gap`, rad from the right upwards.
+    pub(super) fn arc(
+        &mut self,
+        middle: Place,
+        radius: f64,
+        gap: f64,
+        clockwise: bool,
+        ink: RGBColor,
+        width: f64,
+    ) {
+        let way = if clockwise { -1.0 } else { 1.0 };
+        let at = |turn: f64| {
+            let (sin, cos) = (gap + way * turn).sin_cos();
+            (middle.0 + radius * cos, middle.1 - radius * sin)
+        };
+        let last = 2.0 * PI - FRAC_PI_4;
+        let head = (HEAD.0 * width).min(radius);
+        let neck = last - 0.7 * head / radius;
+        let part = |k: u32| FRAC_PI_4 + (neck - FRAC_PI_4) * f64::from(k) / f64::from(PIECES);
+        let places = (0..=PIECES).map(|k| at(part(k))).collect();
+        self.strokes.push((0.0, Shape::Line { places, ink, width }));
+        let (tip, base) = (flat(at(last)), flat(at(last - head / radius)));
+        self.head(tip, (tip - base).xy(), ink, width);
+    }
+
+    /// The head of an arrow, as long as `along`.
+    fn head(&mut self, tip: Seen, along: Vector2<f64>, ink: RGBColor, width: f64) {
+        let base = tip.xy() - along;
+        let across = Vector2::new(-along.y, along.x).normalize() * (HEAD.1 * width);
+        let corners = [tip.xy(), base + across, base - across].map(|corner| (corner.x, corner.y));
+        self.area(corners, ink.to_rgba(), tip.z + 0.1 * IN_FRONT);
+    }
+
+    pub(super) fn draw(&mut self, paper: &mut Sheet) {
+        self.strokes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, shape) in &self.strokes {
+            match shape {
+                Shape::Line { places, ink, width } => paper.line(places.iter().copied(), *ink, *width),
+                Shape::Dashes { ends, ink, width } => paper.dashes(ends, *ink, *width),
+                Shape::Area { corners, ink } => paper.area(corners.iter().copied(), *ink),
+                Shape::Dot { at, radius, ink, open } => {
+                    paper.circle(*at, radius + 1.0, WHITE, None);
+                    let (radius, line) = if *open { (radius - 0.5, Some(2.0)) } else { (*radius, None) };
+                    paper.circle(*at, radius, *ink, line);
+                }
+            }
+        }
+    }
+
+    /// Places that a name had better not cover, and how much each matters.
+    pub(super) fn ink(&self) -> Vec<(Place, f64)> {
+        let mut inked = Vec::new();
+        for (_, shape) in &self.strokes {
+            match shape {
+                Shape::Line { places, width, .. } => {
+                    inked.extend(places.windows(2).flat_map(|ends| along(ends[0], ends[1], *width)));
+                }
+                Shape::Dashes { ends, width, .. } => inked.extend(along(ends[0], ends[1], *width)),
+                Shape::Area { corners, ink } if ink.alpha() == 1.0 => {
+                    inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
+                }
+                Shape::Area { .. } => {}
+                Shape::Dot { at, radius, .. } => {
+                    let around = [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
+                    inked.extend(around.map(|(x, y)| ((at.0 + radius * x, at.1 + radius * y), 40.0)));
+                }
+            }
+        }
+        inked
+    }
+}
+
+/// Places on a line, some pixels apart, and how much of its ink each has.
+fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
+    let (x, y) = (to.0 - from.0, to.1 - from.1);
+    let size = x.hypot(y);
+    let steps = (size / 3.0).ceil().clamp(1.0, MOST);
+    let parts = (0..).map(|k| f64::from(k) + 0.5).take_while(move |k| *k < steps).map(move |k| k / steps);
+    parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
+}
+
+fn place(seen: &Seen) -> Place {
+    (seen.x, seen.y)
+}

@@ -1,0 +1,24 @@
+//! A part of the paper.
+
+use super::sheet::Place;
+
+/// Pixels from the upper left corner of the paper, and its size.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Window {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) wide: f64,
+    pub(super) high: f64,
+}
+
+impl Window {
+    /// Without a border.
+    pub(super) fn within(&self, border: f64) -> Self {
+        let Self { left, top, wide, high } = *self;
+        Self { left: left + border, top: top + border, wide: wide - 2.0 * border, high: high - 2.0 * border }
+    }
+
+    pub(super) fn middle(&self) -> Place {
+        (self.left + self.wide / 2.0, self.top + self.high / 2.0)
+    }
+}
