@@ -196,8 +196,8 @@ impl Chart {
             // To the left of the right edge where there is little room.
             let little = *from > x0 + 0.75 * (x1 - x0);
             let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
-            let shift = 0.015 * (x1 - x0) * if little { -1.0 } else { 1.0 };
-            let style = (FONT, LETTERS).into_font().color(&GREY).pos(Pos::new(side, VPos::Center));
+            let shift = 0.01 * (x1 - x0) * if little { -1.0 } else { 1.0 };
+            let style = (FONT, 15 * FINE).into_font().color(&GREY).pos(Pos::new(side, VPos::Center));
             let at = (x + shift, y0 + 0.04 * (y1 - y0));
             chart.draw_series([Text::new(label.clone(), at, style)])?;
         }
