@@ -18,21 +18,37 @@
 //! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and
 //! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) on all cores.
 
+mod arccotangent;
 mod balance;
 mod batch;
 mod block;
+mod cone;
+mod enough;
 mod exit;
 mod finger;
 mod fingers;
+mod first;
+mod forces;
 mod lanes;
+mod load_cases;
 mod pair;
 mod pull;
+mod question;
 mod ready;
 mod rolling;
 mod screened;
+mod screened_squeeze;
+mod turning;
+mod turning_pull;
+mod verdict;
 
 pub use batch::Batch;
 pub(crate) use batch::Part;
 pub use fingers::Fingers;
+pub use first::Verdict;
+pub use load_cases::LoadCases;
 pub use pull::Pull;
-pub use screened::{Screened, Verdict};
+pub(crate) use question::Question;
+pub use screened::{Screened, ScreenedTurn};
+pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
+pub use turning_pull::TurningPull;

@@ -1,5 +1,11 @@
 //! The load on a grasp in screening.
 
+use super::block::{Block, Parted};
+use super::exit::judge;
+use super::first::First;
+use super::question::Question;
+use super::ready::Ready;
+use super::screened::Screened;
 use crate::error::Error;
 use crate::grasp::Wrench;
 
@@ -24,5 +30,26 @@ impl<const D: usize, const C: usize> Pull<D, C> {
         base.check("base load")?;
         direction.check("load direction")?;
         Ok(Self { base: *base, direction: *direction, loaded: *base != Wrench::ZERO })
+    }
+}
+
+impl<const D: usize, const C: usize> Question<D, C> for Pull<D, C> {
+    type Answer = Screened;
+    const UNKNOWN: Screened = Screened(First::UNKNOWN);
+
+    #[inline(always)]
+    fn ask<const N: usize, const L: usize>(
+        &self,
+        ready: &Ready<D, C, N, L>,
+        block: &Block<C, N, L>,
+        _: &Parted<N, L>,
+    ) -> [Screened; L] {
+        let rates = ready.under(&self.direction);
+        let first = if self.loaded {
+            judge(&block.friction, &ready.squeezed_under(&self.base), &rates)
+        } else {
+            judge(&block.friction, &ready.squeezed, &rates)
+        };
+        first.map(Screened)
     }
 }

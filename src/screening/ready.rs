@@ -1,13 +1,11 @@
 //! What is known of a scene before any load acts.
 
 use super::balance::Body;
-use super::block::Block;
-use super::exit::{Forces, ON_THE_EDGE, judge};
+use super::block::{Block, Parted};
+use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use super::pair::Pair;
-use super::pull::Pull;
 use super::rolling;
-use super::screened::Screened;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::grasp::Wrench;
 
@@ -15,7 +13,8 @@ use crate::grasp::Wrench;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ready<const D: usize, const C: usize, const N: usize, const L: usize> {
     answers: Answers<D, C, N, L>,
-    squeezed: Forces<C, N, L>,
+    /// Forces that the commands of the fingers alone bring about, clearances included.
+    pub(super) squeezed: Forces<C, N, L>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -36,11 +35,15 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
             return Self { squeezed: pair.squeeze(), answers: Answers::Pair(pair) };
         }
         let body = Body::new(block);
-        Self { squeezed: rolling::squeeze(&body, block), answers: Answers::Body(body) }
+        Self {
+            squeezed: rolling::squeeze(&body, &block.pressed, &block.sheared),
+            answers: Answers::Body(body),
+        }
     }
 
+    /// Forces that a load alone brings about, the fingers at rest.
     #[inline(always)]
-    fn under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
+    pub(super) fn under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
         let mut lanes = [Lanes::ZERO; D];
         for k in 0..D {
             lanes[k] = Lanes::all(load.as_vector()[k]);
@@ -51,24 +54,35 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         }
     }
 
-    /// The onsets of all scenes.
+    /// The forces of the commands and a load together.
     #[inline(always)]
-    pub(super) fn screen(&self, friction: &[Lanes<L>; N], pull: &Pull<D, C>) -> [Screened; L] {
-        let rates = self.under(&pull.direction);
-        if !pull.loaded {
-            return judge(friction, &self.squeezed, &rates);
-        }
-        let mut base = self.squeezed;
-        let more = self.under(&pull.base);
+    pub(super) fn squeezed_under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
+        self.squeezed.with(&self.under(load), ON_THE_EDGE / ROUNDING)
+    }
+
+    /// Forces that the commands alone bring about, and those of the clearances.
+    #[inline(always)]
+    pub(super) fn apart(&self, block: &Block<C, N, L>, parted: &Parted<N, L>) -> [Forces<C, N, L>; 2] {
+        let mut least = Lanes::ZERO;
+        let mut overlaps = [Lanes::ZERO; N];
         for i in 0..N {
-            base.normal[i] += more.normal[i];
-            base.rounding[i] += Lanes::all(ON_THE_EDGE / ROUNDING) * more.rounding[i];
-            for axis in 0..C {
-                base.tangential[axis][i] += more.tangential[axis][i];
-            }
+            least = least.max(parted.clearance[i].abs());
+            overlaps[i] = -parted.clearance[i];
         }
-        base.unbalanced += more.unbalanced;
-        base.free += more.free;
-        judge(friction, &base, &rates)
+        if least.0 == [0.0; L] {
+            // The same to the last bit.
+            return [self.squeezed, Forces::none()];
+        }
+        let at_rest = [[Lanes::ZERO; N]; C];
+        match &self.answers {
+            Answers::Pair(pair) => [
+                pair.squeeze_by(block, (&parted.commanded, &block.sheared[0])),
+                pair.squeeze_by(block, (&overlaps, &at_rest[0])),
+            ],
+            Answers::Body(body) => [
+                rolling::squeeze(body, &parted.commanded, &block.sheared),
+                rolling::squeeze(body, &overlaps, &at_rest),
+            ],
+        }
     }
 }
