@@ -4,7 +4,7 @@ use super::block::{Block, Parted};
 use super::fingers::Fingers;
 use super::load_cases::LoadCases;
 use super::pull::Pull;
-use super::question::Question;
+use super::question::{Question, Scenes};
 use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
@@ -184,11 +184,13 @@ impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for
     #[inline(always)]
     fn run(self) {
         let each = self.questions.len();
-        let scenes = self.blocks.iter().zip(self.parted);
-        for ((block, parted), answers) in scenes.zip(self.answers.chunks_mut(LANES * each)) {
+        let blocks = self.blocks.iter().zip(self.parted);
+        for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * each)) {
             let ready = Ready::new(block);
+            let squeezed = ready.squeezed(block);
+            let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
             for (k, question) in self.questions.iter().enumerate() {
-                let answered = question.ask(&ready, block, parted);
+                let answered = question.ask(scenes);
                 // A last block need not be full.
                 for (of_grasp, answer) in answers.chunks_mut(each).zip(answered) {
                     of_grasp[k] = answer;

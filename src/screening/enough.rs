@@ -8,13 +8,16 @@
 
 use super::cone::{Cone, Crossing, LEAST, MOST};
 use super::exit::SHARP;
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::lanes::{Lanes, dot};
 use super::verdict::balanced;
-use crate::contact::ZERO_SLACK as ROUNDING;
 
 /// A line must pass through the cone by so many times the rounding of its margin, or it may miss it.
 const DEPTH: f64 = 4.0;
+/// A margin without squeeze that falls short by its rounding, but for this factor, may be broken or
+/// not. Sums without structure stay below; with a larger one more grasps that need no squeeze would
+/// be unclear.
+const ABOUT: f64 = 4.0;
 
 /// Not a factor: no factor is enough.
 pub(super) const NO_FACTOR: f64 = -1.0;
@@ -160,18 +163,20 @@ impl<const L: usize> Enough<L> {
             let cone = Cone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
             let noise = weight * others.rounding[i];
-            let gain_noise = weight * Lanes::all(ROUNDING / ON_THE_EDGE) * commands.rounding[i];
+            let gain_noise = weight * commands.rounding[i];
             let (n, dn) = (cone.alpha * others.normal[i], cone.alpha * commands.normal[i]);
             let (t, dt) = (cone.friction(others, i), cone.friction(commands, i));
             let binding = Lanes::all((8 * load + i) as f64);
+            self.know([n.abs(), dn.abs()]);
             if C == 2 {
                 for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
-                    self.narrow(&Margin { value, gain, noise, gain_noise }.straight(), binding);
+                    let margin = Margin { value, gain, noise, gain_noise };
+                    self.narrow(&margin, &margin.straight(), binding);
                 }
             } else {
                 let line = Crossing::new((n, &t), (dn, &dt));
                 let margin = Margin { value: line.margin, gain: -line.closing, noise, gain_noise };
-                self.narrow(&margin.round(&line, [(n, &t), (dn, &dt)]), binding);
+                self.narrow(&margin, &margin.round(&line, [(n, &t), (dn, &dt)]), binding);
                 let (size, rate) = (n.abs() + line.friction, dn.abs() + line.friction_rate);
                 let product = size * rate;
                 let lost = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), one, zero), one);
@@ -182,9 +187,12 @@ impl<const L: usize> Enough<L> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Leaves of the factors so far those of an interval.
+    /// Leaves of the factors so far those with which a margin is not negative.
     #[inline(always)]
-    fn narrow(&mut self, interval: &Interval<L>, binding: Lanes<L>) {
+    fn narrow(&mut self, margin: &Margin<L>, interval: &Interval<L>, binding: Lanes<L>) {
+        let (short, about) = (-margin.value, Lanes::all(ABOUT));
+        let doubt = (about * margin.noise).above(short, Lanes::all(1.0), Lanes::ZERO);
+        self.doubt += (about * short).above(margin.noise, doubt, Lanes::ZERO);
         let Interval { first, first_off, last, last_off } = *interval;
         self.binding = first.above(self.first, binding, self.binding);
         self.first = self.first.max(first);
@@ -192,9 +200,14 @@ impl<const L: usize> Enough<L> {
         self.first_most = self.first_most.max(first + first_off);
         self.last_sure = self.last_sure.min(last - last_off);
         self.last_most = self.last_most.min(last + last_off);
-        // Comparisons pass over what is not a number.
-        for known in [first, first_off, last.abs(), last_off] {
-            self.doubt += known.above(Lanes::all(-f64::MIN_POSITIVE), Lanes::ZERO, Lanes::all(1.0));
+        self.know([first, first_off, last.abs(), last_off]);
+    }
+
+    /// Nothing is clear unless these are numbers, and not negative: comparisons pass over what is none.
+    #[inline(always)]
+    fn know<const K: usize>(&mut self, sizes: [Lanes<L>; K]) {
+        for size in sizes {
+            self.doubt += size.above(Lanes::all(-f64::MIN_POSITIVE), Lanes::ZERO, Lanes::all(1.0));
         }
     }
 

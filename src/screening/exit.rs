@@ -1,9 +1,10 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
 use super::cone::{Cone, Crossing, LEAST, MOST};
-use super::first::{First, UNCLEAR};
+use super::first::UNCLEAR;
 use super::forces::Forces;
 use super::lanes::Lanes;
+use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
 
 /// A margin that closes at less than so many times the rounding of its rate closes at a factor of
@@ -73,7 +74,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     friction: &[Lanes<L>; N],
     base: &Forces<C, N, L>,
     rates: &Forces<C, N, L>,
-) -> [First; L] {
+) -> [Screened; L] {
     let zero = Lanes::ZERO;
     let infinite = Lanes::all(f64::INFINITY);
     let mut factors = [zero; N];
@@ -92,5 +93,5 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     }
     let unbalanced = base.unbalanced + rates.unbalanced;
     let start = Start { margin, sure, free: base.free };
-    verdicts((first, leaving), &start, unbalanced, rates.free)
+    verdicts((first, leaving), &start, unbalanced, rates.free, Screened)
 }

@@ -2,10 +2,11 @@
 
 use super::block::{Block, Parted};
 use super::cone::{OPENS_ONLY, STAYS};
+use super::forces::Forces;
 use super::lanes::Lanes;
 use super::load_cases::LoadCases;
 use super::pull::Pull;
-use super::question::Question;
+use super::question::{Question, Scenes};
 use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
@@ -37,6 +38,7 @@ pub struct Fingers<const D: usize, const C: usize, const N: usize> {
     pub(super) block: Block<C, N, 1>,
     pub(super) parted: Parted<N, 1>,
     ready: Ready<D, C, N, 1>,
+    squeezed: Forces<C, N, 1>,
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
@@ -95,7 +97,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         if C == 2 && N == 2 {
             super::pair::to_compliances(&mut block, &mut parted);
         }
-        Ok(Self { ready: Ready::new(&block), block, parted })
+        let ready = Ready::new(&block);
+        Ok(Self { squeezed: ready.squeezed(&block), ready, block, parted })
     }
 
     /// When the first contact leaves rolling as the load grows, and which ones do; or why screening
@@ -156,7 +159,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
 
     #[inline(always)]
     fn ask<Q: Question<D, C>>(&self, question: &Q) -> Q::Answer {
-        let [answer] = question.ask(&self.ready, &self.block, &self.parted);
+        let Self { block, parted, ready, squeezed } = self;
+        let [answer] = question.ask(Scenes { block, parted, ready, squeezed });
         answer
     }
 }

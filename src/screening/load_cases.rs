@@ -1,9 +1,7 @@
 //! The loads that a grasp is to hold, one at a time.
 
-use super::block::{Block, Parted};
 use super::enough::Enough;
-use super::question::Question;
-use super::ready::Ready;
+use super::question::{Question, Scenes};
 use super::screened_squeeze::ScreenedSqueeze;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -35,17 +33,12 @@ impl<const D: usize, const C: usize> Question<D, C> for LoadCases<D, C> {
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(
-        &self,
-        ready: &Ready<D, C, N, L>,
-        block: &Block<C, N, L>,
-        parted: &Parted<N, L>,
-    ) -> [ScreenedSqueeze; L] {
-        let [commands, overlaps] = ready.apart(block, parted);
+    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedSqueeze; L] {
+        let [commands, overlaps] = scenes.apart();
         let mut enough = Enough::new();
         for (number, load) in self.loads.iter().enumerate() {
-            let others = overlaps.with(&ready.under(load), 1.0);
-            enough.under(number, &block.friction, [&commands, &others]);
+            let others = overlaps.with(&scenes.ready.under(load), 1.0);
+            enough.under(number, &scenes.block.friction, [&commands, &others]);
         }
         let (code, binding) = enough.least();
         let mut answers = [ScreenedSqueeze::UNKNOWN; L];

@@ -1,10 +1,8 @@
 //! The load on a grasp in screening.
 
-use super::block::{Block, Parted};
 use super::exit::judge;
 use super::first::First;
-use super::question::Question;
-use super::ready::Ready;
+use super::question::{Question, Scenes};
 use super::screened::Screened;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -38,18 +36,11 @@ impl<const D: usize, const C: usize> Question<D, C> for Pull<D, C> {
     const UNKNOWN: Screened = Screened(First::UNKNOWN);
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(
-        &self,
-        ready: &Ready<D, C, N, L>,
-        block: &Block<C, N, L>,
-        _: &Parted<N, L>,
-    ) -> [Screened; L] {
-        let rates = ready.under(&self.direction);
-        let first = if self.loaded {
-            judge(&block.friction, &ready.squeezed_under(&self.base), &rates)
-        } else {
-            judge(&block.friction, &ready.squeezed, &rates)
-        };
-        first.map(Screened)
+    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {
+        let rates = scenes.ready.under(&self.direction);
+        if !self.loaded {
+            return judge(&scenes.block.friction, scenes.squeezed, &rates);
+        }
+        judge(&scenes.block.friction, &scenes.squeezed_under(&self.base), &rates)
     }
 }

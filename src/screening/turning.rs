@@ -20,9 +20,10 @@ use nalgebra::SVector;
 use super::arccotangent::angle_of;
 use super::cone::{Cone, LEAST, MOST};
 use super::exit::SHARP;
-use super::first::{First, UNCLEAR};
+use super::first::UNCLEAR;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Lanes, dot};
+use super::screened::ScreenedTurn;
 use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::{Harmonic, Turning};
@@ -162,7 +163,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
         let mut found = Lanes::all(f64::NEG_INFINITY);
         for lane in 0..L {
             let cleared = least.0[lane] > self.noise.0[lane];
-            if rolling.0[lane] > 0.0 && cone.beta.0[lane] > 0.0 && !cleared {
+            if rolling.0[lane] >= 0.0 && cone.beta.0[lane] > 0.0 && !cleared {
                 found.0[lane] = self.root_of_square(lane, size.0[lane]);
             }
         }
@@ -230,7 +231,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     friction: &[Lanes<L>; N],
     forces: &Harmonic<Forces<C, N, L>>,
     most: f64,
-) -> [First; L] {
+) -> [ScreenedTurn; L] {
     let (zero, one, infinite) = (Lanes::ZERO, Lanes::all(1.0), Lanes::all(f64::INFINITY));
     let (mut margin, mut sure) = (infinite, infinite);
     for i in 0..N {
@@ -266,5 +267,5 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     let Harmonic { constant, cosine, sine } = forces;
     let start = Start { margin, sure, free: constant.free + cosine.free };
     let unbalanced = constant.unbalanced + cosine.unbalanced + sine.unbalanced;
-    verdicts((code, leaving), &start, unbalanced, sine.free)
+    verdicts((code, leaving), &start, unbalanced, sine.free, |first| ScreenedTurn { first, most })
 }

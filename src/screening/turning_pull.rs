@@ -2,10 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::block::{Block, Parted};
 use super::first::First;
-use super::question::Question;
-use super::ready::Ready;
+use super::question::{Question, Scenes};
 use super::screened::ScreenedTurn;
 use super::turning::judge;
 use crate::error::Error;
@@ -42,17 +40,12 @@ impl<const D: usize, const C: usize> Question<D, C> for TurningPull<D, C> {
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: First::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(
-        &self,
-        ready: &Ready<D, C, N, L>,
-        block: &Block<C, N, L>,
-        _: &Parted<N, L>,
-    ) -> [ScreenedTurn; L] {
+    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedTurn; L] {
         let forces = Harmonic {
-            constant: ready.squeezed_under(&self.load.constant),
-            cosine: ready.under(&self.load.cosine),
-            sine: ready.under(&self.load.sine),
+            constant: scenes.squeezed_under(&self.load.constant),
+            cosine: scenes.ready.under(&self.load.cosine),
+            sine: scenes.ready.under(&self.load.sine),
         };
-        judge(&block.friction, &forces, self.most).map(|first| ScreenedTurn { first, most: self.most })
+        judge(&scenes.block.friction, &forces, self.most)
     }
 }

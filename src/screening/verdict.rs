@@ -22,12 +22,13 @@ pub(super) struct Start<const L: usize> {
 /// The verdicts: the factor or angle at which contacts leave first, infinite or a code, holds if all
 /// of them roll at the beginning and forces balance.
 #[inline(always)]
-pub(super) fn verdicts<const L: usize>(
+pub(super) fn verdicts<A: Copy, const L: usize>(
     (first, leaving): (Lanes<L>, Lanes<L>),
     &Start { margin, sure, free }: &Start<L>,
     unbalanced: Lanes<L>,
     freed: Lanes<L>,
-) -> [First; L] {
+    answer: impl Fn(First) -> A,
+) -> [A; L] {
     let zero = Lanes::ZERO;
     // Where there are no forces this is not a number; what never leaves has a margin of zero, as
     // exactly as it should.
@@ -38,9 +39,9 @@ pub(super) fn verdicts<const L: usize>(
     // What the smaller may be off is at most their difference.
     let code = (sure - margin).above(margin, Lanes::all(NOT_ROLLING), code);
     let code = free.above(zero, Lanes::all(GIVES_WAY), code);
-    let mut verdicts = [First::UNKNOWN; L];
+    let mut verdicts = [answer(First::UNKNOWN); L];
     for lane in 0..L {
-        verdicts[lane] = First { code: code.0[lane], leaving: leaving.0[lane] };
+        verdicts[lane] = answer(First { code: code.0[lane], leaving: leaving.0[lane] });
     }
     verdicts
 }

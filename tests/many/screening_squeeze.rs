@@ -15,26 +15,53 @@ use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{Spread, datum, for_all};
 
-use crate::screened_scenes::{Tally, contacts, count, of};
+use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken};
 
-/// What screening says, checked against the search; factors to this part.
+/// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
 fn check<const D: usize, const C: usize, const N: usize>(
-    contacts: &[Contact<C>; N],
+    contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<D, C>],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    let screened = Fingers::<D, C, N>::new(contacts).unwrap().least_squeeze(&LoadCases::new(loads).unwrap());
-    let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
-    let whole = grasp.least_squeeze(&Loads::Each(loads.to_vec())).unwrap();
+    let cases = LoadCases::new(loads).unwrap();
+    let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().least_squeeze(&cases);
+    let needed = |part: f64, loads: &[Wrench<D, C>]| {
+        Grasp::new(contacts(part)).unwrap().least_squeeze(&Loads::Each(loads.to_vec())).unwrap()
+    };
+    let factor_of = |answer: LeastSqueeze<D, C>| match answer {
+        LeastSqueeze::Factor { factor, .. } => factor,
+        _ => f64::INFINITY,
+    };
+    let shaken = |part: f64| factor_of(needed(part, loads));
+    let whole = needed(0.0, loads);
     count(tally, &format!("{:?}", screened.verdict()));
     match (screened.verdict(), &whole) {
+        // Clearances that the object gets out of the way of leave no forces: the search takes what rounding leaves of them for forces.
+        (
+            SqueezeVerdict::Suffices,
+            LeastSqueeze::NoFactor { load, factor, .. }
+            | LeastSqueeze::Factor { factor, binding: Some((_, load)), .. },
+        ) if *factor < 1e-12 && screened.factor() == Some(0.0) => {
+            let idle = contacts(0.0).map(|contact| contact.command([0.0; C]));
+            let rest = Grasp::new(idle).unwrap().solve(load).unwrap();
+            let forces: Vec<_> =
+                rest.equilibrium().unwrap().contacts.iter().map(|contact| contact.force).collect();
+            prop_assert!(forces.into_iter().all(|force| force.norm() < 1e-9), "{screened:?} {whole:?}");
+            count(tally, "nothing but rounding");
+        }
         (SqueezeVerdict::Suffices, LeastSqueeze::Factor { factor, binding, .. }) => {
             let found = screened.factor().unwrap();
-            prop_assert!((found - factor).abs() <= close * factor, "{found} {factor} {:e}", found - factor);
+            prop_assert!(agrees([found, *factor], close, shaken, tally), "{found} {factor}");
             match (screened.binding(), binding) {
                 (Some((contact, load)), Some((other, wrench))) => {
-                    prop_assert!(contact == *other && loads[load] == *wrench, "{screened:?} {whole:?}");
+                    // Where several need as much, as both contacts of a pair do, either is right.
+                    count(
+                        tally,
+                        if contact == *other && loads[load] == *wrench { "binding" } else { "tied" },
+                    );
+                    let alone = factor_of(needed(0.0, &loads[load..=load]));
+                    prop_assert!((found - alone).abs() <= 1e-8 * factor, "{screened:?} {alone}");
                 }
                 (None, None) => count(tally, "none needed"),
                 _ => prop_assert!(false, "{screened:?} {whole:?}"),
@@ -61,7 +88,8 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
     let close = if spread == Spread::Narrow { 1e-12 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, loads, size)| {
         let loads: Vec<_> = loads.iter().map(|load| Wrench::from_vector(load * size)).collect();
-        check::<D, C, N>(&contacts(&data, &holds), &loads, close, tally)
+        let data = firmer(data);
+        check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &loads, close, tally)
     });
 }
 
@@ -75,7 +103,9 @@ fn agrees_in_the_plane() {
     println!("{:?}", tally.borrow());
     let factors = of(&tally, "Suffices") - of(&tally, "none needed");
     assert!(factors > 800 && of(&tally, "NoFactor") > 1000, "{tally:?}");
-    assert!(1000 * of(&tally, "Unclear") <= of(&tally, "Suffices"), "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
+    assert!(of(&tally, "tied") < of(&tally, "binding"), "{tally:?}");
 }
 
 #[test]
@@ -88,7 +118,9 @@ fn agrees_in_space() {
     println!("{:?}", tally.borrow());
     let factors = of(&tally, "Suffices") - of(&tally, "none needed");
     assert!(factors > 300 && of(&tally, "NoFactor") > 300 && of(&tally, "GivesWay") > 50, "{tally:?}");
-    assert!(100 * of(&tally, "Unclear") <= of(&tally, "Suffices"), "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
+    assert!(of(&tally, "tied") < of(&tally, "binding"), "{tally:?}");
 }
 
 /// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
@@ -154,29 +186,43 @@ fn clearances_stay() {
     assert!((needed(-4.0) - 1.9).abs() < 1e-13, "{}", needed(-4.0));
 }
 
-/// Three fingers in space that the load presses against one another, one of which draws back: μF_n - |F_t| first grows, then shrinks. Only a bounded
-/// range of factors is enough, and with friction just too small none is.
+/// Two palms that press with `10 s` and lift by `2 mm · s` while a support below bears part of the weight w, all springs alike. The support lets go
+/// beyond `s = w/4`, the palms need `s = w / (30 μ - 2)`: some factor does if μ > 0.2.
 #[test]
 fn a_range_that_closes() {
-    let verdict = |mu: f64| {
-        let finger = |x: f64, press: f64| {
+    let plane = |mu: f64| {
+        let palm = |x: f64| {
+            planar::Contact::new([x, 0.0], [-x, 0.0])
+                .series_stiffness(1e3, 1e3)
+                .friction(mu)
+                .command_world([-0.01 * x, 0.002])
+        };
+        let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu);
+        let cases = LoadCases::new(&[planar::Wrench::force([0.0, -2.0])]).unwrap();
+        planar::Fingers::new(&[palm(-1.0), palm(1.0), below]).unwrap().least_squeeze(&cases)
+    };
+    let space = |mu: f64| {
+        let palm = |x: f64| {
             spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
                 .series_stiffness(1e3, 1e3)
                 .friction(mu)
-                .command([press, 0.0, 0.0])
+                .command_world([-0.01 * x, 0.002, 0.0])
         };
-        // Fingers across each other press with s, and bear s along y by a finger that pushes there.
-        let pusher = spatial::Contact::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])
-            .series_stiffness(1e3, 1e3)
-            .friction(mu)
-            .command([0.02, 0.0, 0.0]);
-        let fingers = [finger(-1.0, 0.01), finger(1.0, 0.01), pusher];
-        let loads = [spatial::Wrench::force([0.0, -6.0, 0.0])];
-        check::<6, 3, 3>(&fingers, &loads, 1e-12, &Tally::default()).unwrap();
-        spatial::Fingers::new(&fingers).unwrap().least_squeeze(&LoadCases::new(&loads).unwrap()).verdict()
+        let below =
+            spatial::Contact::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]).series_stiffness(1e3, 1e3).friction(mu);
+        let cases = LoadCases::new(&[spatial::Wrench::force([0.0, -2.0, 0.0])]).unwrap();
+        spatial::Fingers::new(&[palm(-1.0), palm(1.0), below]).unwrap().least_squeeze(&cases)
     };
-    let verdicts = [0.05, 0.1, 0.3, 0.5, 1.0].map(verdict);
-    assert!(verdicts.contains(&SqueezeVerdict::NoFactor) && verdicts.contains(&SqueezeVerdict::Suffices));
+    for screened in [plane as fn(f64) -> ScreenedSqueeze, space] {
+        for mu in [0.201, 0.3, 1.0] {
+            let found = screened(mu).factor().unwrap();
+            assert!((found - 2.0 / (30.0 * mu - 2.0)).abs() < 1e-13, "{mu}: {found}");
+        }
+        for mu in [0.02, 0.1, 0.199] {
+            assert_eq!(screened(mu).verdict(), SqueezeVerdict::NoFactor, "{mu}");
+        }
+        assert_eq!(screened(0.2).verdict(), SqueezeVerdict::Unclear);
+    }
 }
 
 /// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together. Scenes with
@@ -196,7 +242,7 @@ fn a_batch_gives_the_same_bits() {
         let alone = RefCell::new(Vec::new());
         let batch = RefCell::new(Batch::<D, C, N>::default());
         for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
-            let fingers = Fingers::new(&contacts(&data, &[9; N])).unwrap();
+            let fingers = Fingers::new(&contacts(&firmer(data), &[9; N])).unwrap();
             alone.borrow_mut().push(fingers.least_squeeze(&cases));
             batch.borrow_mut().push(&fingers);
             Ok(())

