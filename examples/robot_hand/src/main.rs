@@ -334,16 +334,16 @@ fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<Reach
     Ok(Reach { force, stalled, state: path.position().map(|(_, _, state)| state) })
 }
 
-/// Three circles about a ball.
+/// Circles of latitude around a ball, between which it is shaded.
 fn circles(ball: &Ball) -> Vec<Vec<[f64; 3]>> {
-    let circle = |normal: usize| {
+    let circle = |k: u32| {
+        let (aside, up) = f64::from(20 * k + 10).to_radians().sin_cos();
         let at = |k: u32| {
-            let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 36.0).sin_cos();
-            let mut arm = Vector3::zeros();
-            (arm[(normal + 1) % 3], arm[(normal + 2) % 3]) = (cos, sin);
+            let (sin, cos) = f64::from(10 * k).to_radians().sin_cos();
+            let arm = Vector3::new(aside * cos, aside * sin, up);
             (ball.centre + arm * ball.radius).into()
         };
         (0..36).map(at).collect()
     };
-    (0..3).map(circle).collect()
+    (0..9).map(circle).collect()
 }
