@@ -75,6 +75,10 @@ pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
 pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
 /// The load on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<3, 2>;
+/// A load on them that turns; see [`crate::screening::TurningPull`].
+pub type TurningPull = crate::screening::TurningPull<3, 2>;
+/// The loads that they are to hold; see [`crate::screening::LoadCases`].
+pub type LoadCases = crate::screening::LoadCases<3, 2>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
 pub type PatchPath<'g, const D: usize = 3> = crate::load_path::PatchPath<'g, D, 2>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].

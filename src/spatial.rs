@@ -76,6 +76,10 @@ pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
 pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
 /// The load on them; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<6, 3>;
+/// A load on them that turns; see [`crate::screening::TurningPull`].
+pub type TurningPull = crate::screening::TurningPull<6, 3>;
+/// The loads that they are to hold; see [`crate::screening::LoadCases`].
+pub type LoadCases = crate::screening::LoadCases<6, 3>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
 pub type PatchPath<'g, const D: usize = 6> = crate::load_path::PatchPath<'g, D, 3>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].

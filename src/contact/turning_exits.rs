@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Fall, Harmonic, Trigonometric};
+use crate::numerics::{Fall, Harmonic, Trigonometric, Turning};
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that its square has left.
 const POLISHING_STEPS: usize = 3;
@@ -137,9 +137,9 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// Where `(μF_n)² - |F_t|²` first falls below zero.
     fn fall_of_the_square(&self, wave: &Wave<C>, most: f64) -> Option<Fall> {
-        let square = |axis: usize, times: f64| Trigonometric::square_of(&wave.of.map(|x| x[axis] * times));
-        let limit = square(0, self.cone().limit(1.0));
-        let difference = (1..C).fold(limit, |sum, axis| sum.minus(&square(axis, 1.0)));
+        let limit = self.cone().limit(1.0);
+        let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
+        let difference = margin.square();
         let rounding = SQUARED * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),

@@ -36,7 +36,7 @@
 //! | Does it hold this load without sliding? | [`Grasp::onset`](crate::grasp::Grasp::onset): a factor above 1 | `solve` also finds equilibria with sliding |
 //! | Does it hold at all? | [`Grasp::solve`](crate::grasp::Grasp::solve), or [`follow`](crate::grasp::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
 //! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::grasp::Grasp::follow) | `solve` knows no history: all slip starts from zero |
-//! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, without the answer around it |
+//! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the answer around it |
 //! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::grasp::Grasp::agreement_with_minimum_energy) | beyond its factor the program returns numbers that balance nothing |
 //!
 //! ```

@@ -33,18 +33,21 @@ impl<const C: usize> Turning<C> {
         numbers.parts().into_iter().chain(vectors.parts()).sum()
     }
 
+    /// N² - |v|².
+    pub(crate) fn square(&self) -> Trigonometric {
+        let square = Trigonometric::square_of(&self.number);
+        (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
+    }
+
     /// An angle from 0 to `most` at which the value is negative by more than rounding, least near by; `None` if there is none.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = SQUARED * self.size();
         if self.value(0.0) < -rounding {
             return Some(self.least_near(0.0, most));
         }
-        let square = Trigonometric::square_of(&self.number);
-        let difference = (0..C)
-            .fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))));
         let falls = [
             Trigonometric::linear(&self.number).first_fall(most, rounding, 0),
-            difference.first_fall(most, rounding * self.size(), 0),
+            self.square().first_fall(most, rounding * self.size(), 0),
         ];
         falls.into_iter().find_map(|fall| match fall? {
             Fall::At(angle) => Some(self.least_near(angle, most)),

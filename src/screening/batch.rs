@@ -1,10 +1,14 @@
 //! Many grasps of as many contacts each, laid out so that several are screened at once.
 
-use super::block::Block;
+use super::block::{Block, Parted};
 use super::fingers::Fingers;
+use super::load_cases::LoadCases;
 use super::pull::Pull;
+use super::question::{Question, Scenes};
 use super::ready::Ready;
-use super::screened::Screened;
+use super::screened::{Screened, ScreenedTurn};
+use super::screened_squeeze::ScreenedSqueeze;
+use super::turning_pull::TurningPull;
 use crate::numerics::{Loop, wide};
 
 /// Scenes side by side.
@@ -36,12 +40,13 @@ pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 #[derive(Debug, Clone)]
 pub struct Batch<const D: usize, const C: usize, const N: usize> {
     blocks: Vec<Block<C, N, LANES>>,
+    parted: Vec<Parted<N, LANES>>,
     len: usize,
 }
 
 impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> {
     fn default() -> Self {
-        Self { blocks: Vec::new(), len: 0 }
+        Self { blocks: Vec::new(), parted: Vec::new(), len: 0 }
     }
 }
 
@@ -49,7 +54,8 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// An empty batch with room for so many grasps.
     #[must_use]
     pub fn with_capacity(grasps: usize) -> Self {
-        Self { blocks: Vec::with_capacity(grasps.div_ceil(LANES)), len: 0 }
+        let blocks = grasps.div_ceil(LANES);
+        Self { blocks: Vec::with_capacity(blocks), parted: Vec::with_capacity(blocks), len: 0 }
     }
 
     /// Appends a grasp; its answers come in the place of its number.
@@ -57,10 +63,13 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         let lane = self.len % LANES;
         if lane == 0 {
             self.blocks.push(Block::EMPTY);
+            self.parted.push(Parted::EMPTY);
         }
-        if let Some(block) = self.blocks.last_mut() {
-            // Lanes that stay empty hold the last scene again.
-            block.set(lane..LANES, &fingers.block);
+        // Lanes that stay empty hold the last scene again.
+        let lanes = lane..LANES;
+        if let (Some(block), Some(parted)) = (self.blocks.last_mut(), self.parted.last_mut()) {
+            block.set(&lanes, &fingers.block);
+            parted.set(&lanes, &fingers.parted);
         }
         self.len += 1;
     }
@@ -80,6 +89,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// Removes all grasps and keeps the memory.
     pub fn clear(&mut self) {
         self.blocks.clear();
+        self.parted.clear();
         self.len = 0;
     }
 
@@ -114,53 +124,76 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     pub fn onsets_into(&self, pulls: &[Pull<D, C>], answers: &mut Vec<Screened>) {
-        for part in self.parts(pulls, self.blocks.len(), answers) {
+        self.ask_into(pulls, answers);
+    }
+
+    /// At which angle the first contact of each grasp leaves rolling while each of the loads turns, on
+    /// one thread; for all cores there is [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch).
+    /// Answers come as from [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
+    pub fn turn_onsets_into(&self, turns: &[TurningPull<D, C>], answers: &mut Vec<ScreenedTurn>) {
+        self.ask_into(turns, answers);
+    }
+
+    /// The least factor of the commands with which each grasp holds every load of a list, for each of
+    /// the lists, on one thread; for all cores there is
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers come as from
+    /// [`Self::onsets_into`], each with the bits of [`Fingers::least_squeeze`].
+    pub fn least_squeezes_into(&self, cases: &[LoadCases<D, C>], answers: &mut Vec<ScreenedSqueeze>) {
+        self.ask_into(cases, answers);
+    }
+
+    fn ask_into<Q: Question<D, C>>(&self, questions: &[Q], answers: &mut Vec<Q::Answer>) {
+        for part in self.parts(questions, self.blocks.len(), answers) {
             part.screen();
         }
     }
 
     /// The batch in parts of so many blocks of scenes, each with the places for its answers.
-    pub(crate) fn parts<'a>(
+    pub(crate) fn parts<'a, Q: Question<D, C>>(
         &'a self,
-        pulls: &'a [Pull<D, C>],
+        questions: &'a [Q],
         blocks: usize,
-        answers: &'a mut Vec<Screened>,
-    ) -> impl Iterator<Item = Part<'a, D, C, N>> {
+        answers: &'a mut Vec<Q::Answer>,
+    ) -> impl Iterator<Item = Part<'a, D, C, N, Q>> {
         answers.clear();
-        answers.resize(self.len * pulls.len(), Screened::UNKNOWN);
+        answers.resize(self.len * questions.len(), Q::UNKNOWN);
         let size = blocks.max(1);
-        let places = answers.chunks_mut((size * LANES * pulls.len()).max(1));
-        let parts = self.blocks.chunks(size).zip(places);
-        parts.map(move |(blocks, answers)| Part { blocks, pulls, answers })
+        let places = answers.chunks_mut((size * LANES * questions.len()).max(1));
+        let parts = self.blocks.chunks(size).zip(self.parted.chunks(size)).zip(places);
+        parts.map(move |((blocks, parted), answers)| Part { blocks, parted, questions, answers })
     }
 }
 
 /// A part of a batch.
-pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize> {
+pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize, Q: Question<D, C>> {
     blocks: &'a [Block<C, N, LANES>],
-    pulls: &'a [Pull<D, C>],
-    answers: &'a mut [Screened],
+    parted: &'a [Parted<N, LANES>],
+    questions: &'a [Q],
+    answers: &'a mut [Q::Answer],
 }
 
-impl<const D: usize, const C: usize, const N: usize> Part<'_, D, C, N> {
+impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Part<'_, D, C, N, Q> {
     pub(crate) fn screen(self) {
         wide(self);
     }
 }
 
-impl<const D: usize, const C: usize, const N: usize> Loop for Part<'_, D, C, N> {
+impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for Part<'_, D, C, N, Q> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let each = self.pulls.len();
-        for (block, answers) in self.blocks.iter().zip(self.answers.chunks_mut(LANES * each)) {
+        let each = self.questions.len();
+        let blocks = self.blocks.iter().zip(self.parted);
+        for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * each)) {
             let ready = Ready::new(block);
-            for (k, pull) in self.pulls.iter().enumerate() {
-                let screened = ready.screen(&block.friction, pull);
+            let squeezed = ready.squeezed(block);
+            let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
+            for (k, question) in self.questions.iter().enumerate() {
+                let answered = question.ask(scenes);
                 // A last block need not be full.
-                for (of_grasp, screened) in answers.chunks_mut(each).zip(screened) {
-                    of_grasp[k] = screened;
+                for (of_grasp, answer) in answers.chunks_mut(each).zip(answered) {
+                    of_grasp[k] = answer;
                 }
             }
         }

@@ -19,10 +19,18 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     /// what rounding turns of a long way along the normal.
     pub(super) pressed: [Lanes<L>; N],
     pub(super) sheared: [[Lanes<L>; N]; C],
-    /// Friction coefficients, or codes; see [`super::exit`].
+    /// Friction coefficients, or codes; see [`super::cone`].
     pub(super) friction: [Lanes<L>; N],
     /// Of planar pairs only.
     pub(super) sizes: Sizes<L>,
+}
+
+/// Commands along the normals and clearances apart, of which blocks have the difference: only who
+/// changes the commands asks for them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Parted<const N: usize, const L: usize> {
+    pub(super) commanded: [Lanes<L>; N],
+    pub(super) clearance: [Lanes<L>; N],
 }
 
 /// What the rounding of forces is measured against, for the commands, for a unit moment, and for a
@@ -52,12 +60,8 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
     };
 
     /// Puts a scene into these lanes.
-    pub(super) fn set(&mut self, lanes: Range<usize>, scene: &Block<C, N, 1>) {
-        let put = |to: &mut [Lanes<L>], from: &[Lanes<1>]| {
-            for (to, from) in to.iter_mut().zip(from) {
-                to.0[lanes.clone()].fill(from.0[0]);
-            }
-        };
+    pub(super) fn set(&mut self, lanes: &Range<usize>, scene: &Block<C, N, 1>) {
+        let put = |to: &mut [Lanes<L>], from: &[Lanes<1>]| put(lanes, to, from);
         put(self.point.as_flattened_mut(), scene.point.as_flattened());
         put(self.normal.as_flattened_mut(), scene.normal.as_flattened());
         put(self.springs.as_flattened_mut(), scene.springs.as_flattened());
@@ -68,5 +72,22 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
         put(slice::from_mut(commands), &[scene.sizes.commands]);
         put(slice::from_mut(moment), &[scene.sizes.moment]);
         put(slice::from_mut(force), &[scene.sizes.force]);
+    }
+}
+
+impl<const N: usize, const L: usize> Parted<N, L> {
+    /// Nothing yet.
+    pub(super) const EMPTY: Self = Self { commanded: [Lanes::ZERO; N], clearance: [Lanes::ZERO; N] };
+
+    /// Puts a scene into these lanes.
+    pub(super) fn set(&mut self, lanes: &Range<usize>, scene: &Parted<N, 1>) {
+        put(lanes, &mut self.commanded, &scene.commanded);
+        put(lanes, &mut self.clearance, &scene.clearance);
+    }
+}
+
+fn put<const L: usize>(lanes: &Range<usize>, to: &mut [Lanes<L>], from: &[Lanes<1>]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        to.0[lanes.clone()].fill(from.0[0]);
     }
 }

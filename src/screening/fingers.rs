@@ -1,11 +1,16 @@
 //! The contacts of one grasp, checked once and made ready.
 
-use super::block::Block;
-use super::exit::{OPENS_ONLY, STAYS};
+use super::block::{Block, Parted};
+use super::cone::{OPENS_ONLY, STAYS};
+use super::forces::Forces;
 use super::lanes::Lanes;
+use super::load_cases::LoadCases;
 use super::pull::Pull;
+use super::question::{Question, Scenes};
 use super::ready::Ready;
-use super::screened::Screened;
+use super::screened::{Screened, ScreenedTurn};
+use super::screened_squeeze::ScreenedSqueeze;
+use super::turning_pull::TurningPull;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
@@ -31,7 +36,9 @@ use crate::grasp::{Contact, Hold, assert_plane_or_space};
 #[derive(Debug, Clone, Copy)]
 pub struct Fingers<const D: usize, const C: usize, const N: usize> {
     pub(super) block: Block<C, N, 1>,
+    pub(super) parted: Parted<N, 1>,
     ready: Ready<D, C, N, 1>,
+    squeezed: Forces<C, N, 1>,
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
@@ -44,7 +51,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
-        let mut block = Block::<C, N, 1>::EMPTY;
+        let (mut block, mut parted) = (Block::<C, N, 1>::EMPTY, Parted::EMPTY);
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
             let frame = contact.frame(index)?;
@@ -61,6 +68,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
             }
             let mut a = contact.commanded();
             block.pressed[index] = Lanes([a[0] - contact.clearance]);
+            parted.commanded[index] = Lanes([a[0]]);
+            parted.clearance[index] = Lanes([contact.clearance]);
             a[0] = 0.0;
             if C == 3 {
                 a = frame * a;
@@ -86,9 +95,10 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
             }]);
         }
         if C == 2 && N == 2 {
-            super::pair::to_compliances(&mut block);
+            super::pair::to_compliances(&mut block, &mut parted);
         }
-        Ok(Self { ready: Ready::new(&block), block })
+        let ready = Ready::new(&block);
+        Ok(Self { squeezed: ready.squeezed(&block), ready, block, parted })
     }
 
     /// When the first contact leaves rolling as the load grows, and which ones do; or why screening
@@ -96,7 +106,61 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     #[must_use]
     #[inline(never)]
     pub fn onset(&self, pull: &Pull<D, C>) -> Screened {
-        let [screened] = self.ready.screen(&self.block.friction, pull);
-        screened
+        self.ask(pull)
+    }
+
+    /// At which angle the first contact leaves rolling while the load turns, and which ones do; or why
+    /// screening does not know.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Fingers, Turn, TurningPull};
+    /// use grasp_lcp::screening::Verdict;
+    ///
+    /// // Palms that press with 10 N each hold a box of 12 N that begins on its side.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let palms = Fingers::new(&[palm(-1.0), palm(1.0)])?;
+    /// let from_its_side = Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
+    /// let onset = palms.onset_of_turn(&TurningPull::new(&from_its_side)?);
+    /// // 6 sin θ + 3 cos θ = 5 there.
+    /// let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
+    /// assert!((onset.angle().unwrap() - closed).abs() < 1e-14);
+    ///
+    /// let light = palms.onset_of_turn(&TurningPull::new(&Turn::tilting([0.0, -2.0], [0.0, 0.0]))?);
+    /// assert_eq!(light.verdict(), Verdict::Never);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    #[inline(never)]
+    pub fn onset_of_turn(&self, turn: &TurningPull<D, C>) -> ScreenedTurn {
+        self.ask(turn)
+    }
+
+    /// The least common factor of all commands with which every contact touches and rolls under each
+    /// of the loads; or why screening does not know. Clearances stay as they are.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Fingers, LoadCases, Wrench};
+    ///
+    /// // Palms that press with 1 N each, μ = 0.5. Upright 12 N need 12 times as much: 6 N of friction at each. On its side 6 N of
+    /// // squeeze are enough.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(1.0);
+    /// let palms = Fingers::new(&[palm(-1.0), palm(1.0)])?;
+    /// let cases = LoadCases::new(&[Wrench::force([-12.0, 0.0]), Wrench::force([0.0, -12.0])])?;
+    /// let squeeze = palms.least_squeeze(&cases);
+    /// assert!((squeeze.factor().unwrap() - 12.0).abs() < 1e-13);
+    /// assert_eq!(squeeze.binding().unwrap().1, 1);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    #[inline(never)]
+    pub fn least_squeeze(&self, cases: &LoadCases<D, C>) -> ScreenedSqueeze {
+        self.ask(cases)
+    }
+
+    #[inline(always)]
+    fn ask<Q: Question<D, C>>(&self, question: &Q) -> Q::Answer {
+        let Self { block, parted, ready, squeezed } = self;
+        let [answer] = question.ask(Scenes { block, parted, ready, squeezed });
+        answer
     }
 }

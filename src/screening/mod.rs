@@ -6,33 +6,62 @@
 //! the load and once for its rate. A ratio test on the exact cone then says where the first contact
 //! leaves.
 //!
-//! [`Grasp::onset`](crate::grasp::Grasp::onset) finds this factor, too, wherever every contact
-//! rolls at factor zero and the numbers are not extreme. Elsewhere screening says why it has no
-//! answer ([`Verdict`]) and leaves the question to `Grasp::onset`. Screening does not ask what
-//! comes beyond the onset.
+//! | question | as | answer | where that is unclear |
+//! |---|---|---|---|
+//! | At which factor does a load slide? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
+//! | At which angle does a load that turns? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
+//! | Which least squeeze holds each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
-//! F_i(τ) = F_i(W₀) + τ F_i',   W = W₀ + τ W',   onset: the least τ > 0 beyond which |F_t| > μ F_n (if μ is 0 or infinite: F_n < 0) at some contact
+//! F_i(τ) = F_i(W₀) + τ F_i'            W = W₀ + τ W'                      onset: the least τ > 0 beyond which
+//! F_i(θ) = F_i⁰ + F_iᶜ cos θ + F_iˢ sin θ,  W = W⁰ + Wᶜ cos θ + Wˢ sin θ   ... the least θ > 0 ...    |F_t| > μ F_n (if μ is 0 or infinite: F_n < 0)
+//! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and
-//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) on all cores.
+//! The method of the whole finds the same wherever every contact rolls to begin with and the numbers
+//! are not extreme. Elsewhere screening says why it has no answer ([`Verdict`], [`SqueezeVerdict`])
+//! and leaves the question to it. Screening does not ask what comes beyond the onset.
+//!
+//! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and on all cores
+//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
+//! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
+//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//!
+//! [`Grasp::onset`]: crate::grasp::Grasp::onset
+//! [`Grasp::onset_of_turn`]: crate::grasp::Grasp::onset_of_turn
+//! [`Grasp::least_squeeze`]: crate::grasp::Grasp::least_squeeze
 
+mod arccotangent;
 mod balance;
 mod batch;
 mod block;
+mod cone;
+mod enough;
 mod exit;
 mod finger;
 mod fingers;
+mod first;
+mod forces;
 mod lanes;
+mod load_cases;
 mod pair;
 mod pull;
+mod question;
 mod ready;
 mod rolling;
 mod screened;
+mod screened_squeeze;
+mod turning;
+mod turning_pull;
+mod verdict;
 
 pub use batch::Batch;
 pub(crate) use batch::Part;
 pub use fingers::Fingers;
+pub use first::Verdict;
+pub use load_cases::LoadCases;
 pub use pull::Pull;
-pub use screened::{Screened, Verdict};
+pub(crate) use question::Question;
+pub use screened::{Screened, ScreenedTurn};
+pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
+pub use turning_pull::TurningPull;

@@ -17,8 +17,8 @@
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
 use super::balance::NOTHING;
-use super::block::{Block, Sizes};
-use super::exit::{Forces, ON_THE_EDGE};
+use super::block::{Block, Parted, Sizes};
+use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::contact::ZERO_SLACK as ROUNDING;
 
@@ -28,7 +28,10 @@ use crate::contact::ZERO_SLACK as ROUNDING;
 /// reads `F_t = 0` there, and all its other terms vanish. Two such contacts do not hold anything
 /// together. Nor does one whose normal points along the line: the object turns about the other
 /// contact. The compliances of both are then not numbers.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
+pub(super) fn to_compliances<const C: usize, const N: usize>(
+    scene: &mut Block<C, N, 1>,
+    parted: &mut Parted<N, 1>,
+) {
     let slippery = scene.springs[1].map(|k| k.0[0] == 0.0);
     let [x, y] = [0, 1].map(|axis| scene.point[axis][1].0[0] - scene.point[axis][0].0[0]);
     let along = |i: usize| {
@@ -49,6 +52,7 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C
         if count > 0 {
             scene.pressed[i] = Lanes::ZERO;
             scene.sheared[0][i] = Lanes::ZERO;
+            *parted = Parted::EMPTY;
         }
     }
     scene.sizes = sizes(scene);
@@ -60,16 +64,16 @@ fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
     let one = Lanes::all(1.0);
     let [x, y] = [0, 1].map(|axis| scene.point[axis][1] - scene.point[axis][0]);
     let length = x.abs() + y.abs();
-    let (mut gives, mut commands) = (Lanes::ZERO, Lanes::ZERO);
+    let mut gives = Lanes::ZERO;
     for i in 0..2 {
         gives += pair.u[i].abs() + pair.v[i].abs();
-        commands += scene.pressed[i].abs() + scene.sheared[0][i].abs();
     }
+    let commands = pair.size_of(length, &scene.pressed, &scene.sheared[0]);
     let scale = length * pair.one_over_give;
     let gives = one + scale * gives;
     let moment = length * pair.one_over_square * gives;
     let [x, y] = pair.midpoint;
-    Sizes { commands: length * scale * commands, moment, force: moment * (x.abs() + y.abs()) + gives }
+    Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
 /// Two contacts and the line through them. Arrays run over the contacts.
@@ -112,7 +116,7 @@ impl<const L: usize> Pair<L> {
             v[i] = block.springs[1][i] * t[i];
             give[i] = u[i] * n[i] + v[i] * t[i];
             sheared[i] = u[i] * t[i] - v[i] * n[i];
-            commanded[i] = block.pressed[i] * n[i] + block.sheared[0][i] * t[i];
+            commanded[i] = taken(i, &block.pressed, &block.sheared[0], (n[i], t[i]));
         }
         let one_over_give = Lanes::all(1.0) / (give[0] + give[1]);
         let one_over_square = Lanes::all(1.0) / (x[0] * x[0] + y[0] * y[0]);
@@ -161,13 +165,60 @@ impl<const L: usize> Pair<L> {
     /// Forces that the commands of the fingers alone bring about: along the line through both.
     #[inline(always)]
     pub(super) fn squeeze<const C: usize, const N: usize>(&self) -> Forces<C, N, L> {
-        let lambda = self.commanded * self.one_over_give;
+        self.squeezed(self.commanded, self.sizes.commands)
+    }
+
+    /// The same of other commands than those of the block.
+    #[inline(always)]
+    pub(super) fn squeeze_by<const C: usize, const N: usize>(
+        &self,
+        block: &Block<C, N, L>,
+        (pressed, sheared): (&[Lanes<L>; N], &[Lanes<L>; N]),
+    ) -> Forces<C, N, L> {
+        let [x, y] = [0, 1].map(|axis| block.point[axis][1] - block.point[axis][0]);
+        let taken = |i: usize| taken(i, pressed, sheared, (self.n[i], self.t[i]));
+        self.squeezed(taken(0) + taken(1), self.size_of(x.abs() + y.abs(), pressed, sheared))
+    }
+
+    /// What the rounding of forces by commands is measured against.
+    #[inline(always)]
+    fn size_of<const N: usize>(
+        &self,
+        length: Lanes<L>,
+        pressed: &[Lanes<L>; N],
+        sheared: &[Lanes<L>; N],
+    ) -> Lanes<L> {
+        let mut commands = Lanes::ZERO;
+        for i in 0..2 {
+            commands += pressed[i].abs() + sheared[i].abs();
+        }
+        length * (length * self.one_over_give) * commands
+    }
+
+    #[inline(always)]
+    fn squeezed<const C: usize, const N: usize>(
+        &self,
+        commanded: Lanes<L>,
+        size: Lanes<L>,
+    ) -> Forces<C, N, L> {
+        let lambda = commanded * self.one_over_give;
         let mut forces = Forces::none();
         for i in 0..2 {
             forces.normal[i] = lambda * self.n[i];
             forces.tangential[0][i] = lambda * self.t[i];
-            forces.rounding[i] = Lanes::all(ON_THE_EDGE) * self.sizes.commands;
+            forces.rounding[i] = Lanes::all(ON_THE_EDGE) * size;
         }
         forces
     }
+}
+
+/// What a finger takes from the line through both by going where it is told.
+#[inline(always)]
+fn taken<const N: usize, const L: usize>(
+    i: usize,
+    pressed: &[Lanes<L>; N],
+    sheared: &[Lanes<L>; N],
+    (n, t): (Lanes<L>, Lanes<L>),
+) -> Lanes<L> {
+    pressed[i] * n + sheared[i] * t
 }

@@ -1,5 +1,9 @@
 //! The load on a grasp in screening.
 
+use super::exit::judge;
+use super::first::First;
+use super::question::{Question, Scenes};
+use super::screened::Screened;
 use crate::error::Error;
 use crate::grasp::Wrench;
 
@@ -24,5 +28,19 @@ impl<const D: usize, const C: usize> Pull<D, C> {
         base.check("base load")?;
         direction.check("load direction")?;
         Ok(Self { base: *base, direction: *direction, loaded: *base != Wrench::ZERO })
+    }
+}
+
+impl<const D: usize, const C: usize> Question<D, C> for Pull<D, C> {
+    type Answer = Screened;
+    const UNKNOWN: Screened = Screened(First::UNKNOWN);
+
+    #[inline(always)]
+    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {
+        let rates = scenes.ready.under(&self.direction);
+        if !self.loaded {
+            return judge(&scenes.block.friction, scenes.squeezed, &rates);
+        }
+        judge(&scenes.block.friction, &scenes.squeezed_under(&self.base), &rates)
     }
 }

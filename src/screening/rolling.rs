@@ -7,9 +7,8 @@
 //! little T is known.
 
 use super::balance::Body;
-use super::block::Block;
-use super::exit::{Forces, ON_THE_EDGE};
 use super::finger::{Force, displacement, stretched};
+use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::contact::ZERO_SLACK as ROUNDING;
 
@@ -37,14 +36,15 @@ struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
 #[inline(always)]
 pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: usize>(
     body: &Body<D, C, N, L>,
-    block: &Block<C, N, L>,
+    pressed: &[Lanes<L>; N],
+    sheared: &[[Lanes<L>; N]; C],
 ) -> Forces<C, N, L> {
     let zero = Lanes::ZERO;
     let mut commands = [Force { normal: zero, tangential: [zero; C] }; N];
     for i in 0..N {
-        commands[i].normal = block.pressed[i];
+        commands[i].normal = pressed[i];
         for axis in 0..C {
-            commands[i].tangential[axis] = block.sheared[axis][i];
+            commands[i].tangential[axis] = sheared[axis][i];
         }
     }
     let rounding = Lanes::all(ON_THE_EDGE);

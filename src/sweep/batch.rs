@@ -1,6 +1,8 @@
 //! Batches of small grasps screened on all cores.
 
-use crate::screening::{Batch, Part, Pull, Screened};
+use crate::screening::{
+    Batch, LoadCases, Part, Pull, Question, Screened, ScreenedSqueeze, ScreenedTurn, TurningPull,
+};
 
 /// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
 /// work than handing it out, and small enough that every core gets some of a batch of ten thousand.
@@ -14,7 +16,36 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     pulls: &[Pull<D, C>],
     answers: &mut Vec<Screened>,
 ) {
-    let parts = batch.parts(pulls, BLOCKS, answers);
+    ask(batch, pulls, answers);
+}
+
+/// At which angle the first contact of each grasp of a batch leaves rolling while each of the loads
+/// turns: [`Batch::turn_onsets_into`] on all cores. Answers come as from [`onsets_of_batch`].
+pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
+    batch: &Batch<D, C, N>,
+    turns: &[TurningPull<D, C>],
+    answers: &mut Vec<ScreenedTurn>,
+) {
+    ask(batch, turns, answers);
+}
+
+/// The least factor of the commands with which each grasp of a batch holds every load of a list, for
+/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come as from
+/// [`onsets_of_batch`].
+pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
+    batch: &Batch<D, C, N>,
+    cases: &[LoadCases<D, C>],
+    answers: &mut Vec<ScreenedSqueeze>,
+) {
+    ask(batch, cases, answers);
+}
+
+fn ask<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
+    batch: &Batch<D, C, N>,
+    questions: &[Q],
+    answers: &mut Vec<Q::Answer>,
+) {
+    let parts = batch.parts(questions, BLOCKS, answers);
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;

@@ -1,0 +1,226 @@
+//! How much squeeze is enough.
+//!
+//! Of the commands times s and a load the forces at a contact are `F + s F'`. With n and t for `α F_n`
+//! and `β F_t` the margin `n - |t|` is concave in s, and not negative from where the line enters the
+//! cone to where it leaves: an interval of factors, perhaps empty. The answer is the least point that
+//! the intervals of all contacts and loads have in common. In the plane a margin is two straight lines;
+//! in space both ends are roots of one quadratic, see [`Crossing`].
+
+use super::cone::{Cone, Crossing, LEAST, MOST};
+use super::exit::SHARP;
+use super::forces::Forces;
+use super::lanes::{Lanes, dot};
+use super::verdict::balanced;
+
+/// A line must pass through the cone by so many times the rounding of its margin, or it may miss it.
+const DEPTH: f64 = 4.0;
+/// A margin without squeeze that falls short by its rounding, but for this factor, may be broken or
+/// not. Sums without structure stay below; with a larger one more grasps that need no squeeze would
+/// be unclear.
+const ABOUT: f64 = 4.0;
+
+/// Not a factor: no factor is enough.
+pub(super) const NO_FACTOR: f64 = -1.0;
+/// Not a factor: a load works on a motion that no contact resists.
+pub(super) const GIVES_WAY: f64 = -2.0;
+/// Not a factor: not clear, as what is not a number.
+pub(super) const UNCLEAR: f64 = -3.0;
+
+/// From where to where factors are enough, and how far both ends may be off.
+struct Interval<const L: usize> {
+    first: Lanes<L>,
+    first_off: Lanes<L>,
+    last: Lanes<L>,
+    last_off: Lanes<L>,
+}
+
+/// A margin and its gain by the whole squeeze, with the rounding of both.
+struct Margin<const L: usize> {
+    value: Lanes<L>,
+    gain: Lanes<L>,
+    noise: Lanes<L>,
+    gain_noise: Lanes<L>,
+}
+
+impl<const L: usize> Margin<L> {
+    /// Where a straight margin is not negative.
+    #[inline(always)]
+    fn straight(&self) -> Interval<L> {
+        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+        let Self { value, gain, noise, gain_noise } = *self;
+        let root = -(value / gain);
+        let off = |at: Lanes<L>, rate: Lanes<L>| (noise + at * gain_noise) / rate;
+        // What is broken without squeeze needs some, if that helps.
+        let entered = gain.above(gain_noise, root, infinite);
+        let first = self.broken(entered, zero);
+        let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
+        let falls = |yes, no| (-gain).above(gain_noise, yes, no);
+        let last = falls(root.max(zero), infinite);
+        let last = self.broken(gain.above(gain_noise, infinite, -infinite), last);
+        let last_off = self.broken(zero, falls(off(root.max(zero), -gain), zero));
+        Interval { first, first_off, last, last_off }
+    }
+
+    /// A choice by whether the margin is broken without any squeeze.
+    #[inline(always)]
+    fn broken(&self, yes: Lanes<L>, no: Lanes<L>) -> Lanes<L> {
+        (-self.noise).above(self.value, yes, no)
+    }
+
+    /// Where that of a round cone is not negative.
+    #[inline(always)]
+    fn round<const C: usize>(
+        &self,
+        line: &Crossing<L>,
+        [(n, t), (dn, dt)]: [(Lanes<L>, &[Lanes<L>; C]); 2],
+    ) -> Interval<L> {
+        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+        let Self { noise, gain_noise, .. } = *self;
+        // The deepest place of a line that enters and leaves.
+        let deepest = line.b / line.a;
+        let mut at = *t;
+        for axis in 0..C {
+            at[axis] = t[axis] + deepest * dt[axis];
+        }
+        let depth = n + deepest * dn - dot(&at, &at).sqrt();
+        let needed = Lanes::all(DEPTH) * (noise + deepest * gain_noise);
+        let crossing = line.closing.above(gain_noise, Lanes::all(1.0), zero);
+        let unknown = Lanes::all(f64::NAN);
+        let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
+        // A line that closes in the long run is inside for a while, if it ever comes there; the others
+        // stay where they come to. Where rounding decides which, only commands without force are clear.
+        let rate = dn.abs().max(line.friction_rate);
+        let idle = rate.above(gain_noise, unknown, infinite);
+        let (first, last) = (line.first(), line.last());
+        let passing = line.a.above(zero, line.b.above(zero, through(first, infinite), infinite), infinite);
+        let entered = (-line.closing).above(gain_noise, first, crossing.above(zero, passing, idle));
+        let slope = (line.root / (n + first * dn)).max(self.gain);
+        let first_off = (noise + first * gain_noise) / slope;
+        let is_entered = Lanes::all(f64::MAX);
+        let first_off = entered.above(is_entered, zero, first_off);
+        // At the apex the rates alone decide.
+        let weight = n.abs() + line.friction;
+        let left = weight.above(noise, last.max(zero), zero);
+        let chord = self.broken(depth / (last - deepest), self.value / last);
+        let steeper = chord.max(line.root / (n + last * dn));
+        let slope = steeper.above(zero, steeper, chord);
+        let left_off = weight.above(noise, (noise + last * gain_noise) / slope, zero);
+        let leaves = |yes, no| crossing.above(zero, yes, no);
+        let (last, last_off) = (leaves(left, infinite), leaves(left_off, zero));
+        Interval {
+            first: self.broken(entered, zero),
+            first_off: self.broken(first_off, zero),
+            last: self.broken(entered.above(is_entered, -infinite, last), last),
+            last_off: self.broken(entered.above(is_entered, zero, last_off), last_off),
+        }
+    }
+}
+
+/// What the contacts of scenes ask of the factor, as far as they have been asked.
+pub(super) struct Enough<const L: usize> {
+    /// The largest first end of an interval, as it is, and at least and at most.
+    first: Lanes<L>,
+    first_sure: Lanes<L>,
+    first_most: Lanes<L>,
+    /// The least last end, at least and at most.
+    last_sure: Lanes<L>,
+    last_most: Lanes<L>,
+    /// Positive if something is not clear.
+    doubt: Lanes<L>,
+    /// Positive if a load works on a motion that no contact resists.
+    free: Lanes<L>,
+    /// The contact and the load, `8 load + contact`, that need most.
+    binding: Lanes<L>,
+}
+
+impl<const L: usize> Enough<L> {
+    /// Nothing is asked yet.
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+        Self {
+            first: zero,
+            first_sure: zero,
+            first_most: zero,
+            last_sure: infinite,
+            last_most: infinite,
+            doubt: zero,
+            free: zero,
+            binding: zero,
+        }
+    }
+
+    /// What the contacts ask under one load: forces of the commands, and all others.
+    #[inline(always)]
+    pub(super) fn under<const C: usize, const N: usize>(
+        &mut self,
+        load: usize,
+        friction: &[Lanes<L>; N],
+        [commands, others]: [&Forces<C, N, L>; 2],
+    ) {
+        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
+        for i in 0..N {
+            let cone = Cone::of(friction[i]);
+            let weight = cone.alpha + cone.beta;
+            let noise = weight * others.rounding[i];
+            let gain_noise = weight * commands.rounding[i];
+            let (n, dn) = (cone.alpha * others.normal[i], cone.alpha * commands.normal[i]);
+            let (t, dt) = (cone.friction(others, i), cone.friction(commands, i));
+            let binding = Lanes::all((8 * load + i) as f64);
+            self.know([n.abs(), dn.abs()]);
+            if C == 2 {
+                for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
+                    let margin = Margin { value, gain, noise, gain_noise };
+                    self.narrow(&margin, &margin.straight(), binding);
+                }
+            } else {
+                let line = Crossing::new((n, &t), (dn, &dt));
+                let margin = Margin { value: line.margin, gain: -line.closing, noise, gain_noise };
+                self.narrow(&margin, &margin.round(&line, [(n, &t), (dn, &dt)]), binding);
+                let (size, rate) = (n.abs() + line.friction, dn.abs() + line.friction_rate);
+                let product = size * rate;
+                let lost = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), one, zero), one);
+                self.doubt += size.above(noise, rate.above(gain_noise, lost, zero), zero);
+            }
+        }
+        self.free += others.free;
+        self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
+    }
+
+    /// Leaves of the factors so far those with which a margin is not negative.
+    #[inline(always)]
+    fn narrow(&mut self, margin: &Margin<L>, interval: &Interval<L>, binding: Lanes<L>) {
+        let (short, about) = (-margin.value, Lanes::all(ABOUT));
+        let doubt = (about * margin.noise).above(short, Lanes::all(1.0), Lanes::ZERO);
+        self.doubt += (about * short).above(margin.noise, doubt, Lanes::ZERO);
+        let Interval { first, first_off, last, last_off } = *interval;
+        self.binding = first.above(self.first, binding, self.binding);
+        self.first = self.first.max(first);
+        self.first_sure = self.first_sure.max(first - first_off);
+        self.first_most = self.first_most.max(first + first_off);
+        self.last_sure = self.last_sure.min(last - last_off);
+        self.last_most = self.last_most.min(last + last_off);
+        self.know([first, first_off, last.abs(), last_off]);
+    }
+
+    /// Nothing is clear unless these are numbers, and not negative: comparisons pass over what is none.
+    #[inline(always)]
+    fn know<const K: usize>(&mut self, sizes: [Lanes<L>; K]) {
+        for size in sizes {
+            self.doubt += size.above(Lanes::all(-f64::MIN_POSITIVE), Lanes::ZERO, Lanes::all(1.0));
+        }
+    }
+
+    /// The factors or codes, and what binds them.
+    #[inline(always)]
+    pub(super) fn least(&self) -> (Lanes<L>, Lanes<L>) {
+        let (zero, unclear) = (Lanes::ZERO, Lanes::all(UNCLEAR));
+        let spread = self.first_most - self.first_sure;
+        let code = (Lanes::all(2.0 / SHARP) * self.first).above(spread, self.first, unclear);
+        let code = self.first_most.above(self.last_sure, unclear, code);
+        let code = self.first_sure.above(self.last_most, Lanes::all(NO_FACTOR), code);
+        let code = self.first.above(zero, code, zero);
+        let code = self.doubt.above(zero, unclear, code);
+        (self.free.above(zero, Lanes::all(GIVES_WAY), code), self.binding)
+    }
+}

@@ -1,0 +1,89 @@
+//! When the first contact of one grasp leaves rolling, at a factor or an angle.
+
+use std::fmt;
+
+#[cfg(doc)]
+use super::screened::{Screened, ScreenedTurn};
+
+/// When the first contact of one grasp leaves rolling: a plain number, so that kernels choose it
+/// without a branch.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct First {
+    /// The factor or the angle, infinite if nothing leaves, or one of the codes below.
+    pub(super) code: f64,
+    /// Sum of 2^i over the contacts i that leave there.
+    pub(super) leaving: f64,
+}
+
+/// Neither factor nor angle: [`Verdict::NotRolling`].
+pub(super) const NOT_ROLLING: f64 = -1.0;
+/// Neither factor nor angle: [`Verdict::GivesWay`].
+pub(super) const GIVES_WAY: f64 = -2.0;
+/// Neither factor nor angle: [`Verdict::Unclear`], as what is not a number.
+pub(super) const UNCLEAR: f64 = -3.0;
+
+/// How the screening of one grasp ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// Contacts leave rolling, at the [factor](Screened::factor) or the [angle](ScreenedTurn::angle):
+    /// they slide or open.
+    Leaves,
+    /// However large the load grows, or as far as it turns, no contact leaves rolling.
+    Never,
+    /// Not every contact rolls at factor or angle zero: one would slide or be open there, perhaps
+    /// there is no equilibrium. [`Grasp::onset`](crate::grasp::Grasp::onset) and
+    /// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn) say more.
+    NotRolling,
+    /// The load works on a motion that no contact resists, at factor or angle zero or beyond.
+    GivesWay,
+    /// Single passes of floating-point arithmetic do not tell; ask
+    /// [`Grasp::onset`](crate::grasp::Grasp::onset) or
+    /// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn).
+    ///
+    /// * A contact stands on the edge of its cone at factor or angle zero.
+    /// * A margin closes so slowly that rounding would show in the factor or the angle.
+    /// * While the load turns, a contact comes as near to the edge of its cone as rounding and may
+    ///   touch it or leave; or it leaves where the turn ends.
+    /// * Two contacts in the plane do not hold the object because friction is missing.
+    /// * Numbers are too extreme.
+    Unclear,
+}
+
+impl First {
+    /// Not asked yet.
+    pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
+
+    pub(super) fn verdict(self) -> Verdict {
+        match self.code {
+            f64::INFINITY => Verdict::Never,
+            NOT_ROLLING => Verdict::NotRolling,
+            GIVES_WAY => Verdict::GivesWay,
+            place if place > 0.0 => Verdict::Leaves,
+            _ => Verdict::Unclear,
+        }
+    }
+
+    pub(super) fn place(self) -> Option<f64> {
+        (self.verdict() == Verdict::Leaves).then_some(self.code)
+    }
+
+    pub(super) fn holds_up_to(self, place: f64) -> bool {
+        // All codes are negative.
+        place >= 0.0 && place <= self.code
+    }
+
+    pub(super) fn leaving(self) -> impl Iterator<Item = usize> + use<> {
+        let leaving = if self.verdict() == Verdict::Leaves { self.leaving } else { 0.0 };
+        (0..5_u8).filter(move |&i| (leaving / f64::from(1 << i)).floor() % 2.0 == 1.0).map(usize::from)
+    }
+
+    pub(super) fn show(self, f: &mut fmt::Formatter<'_>, [name, place]: [&str; 2]) -> fmt::Result {
+        let mut shown = f.debug_struct(name);
+        shown.field("verdict", &self.verdict());
+        if let Some(value) = self.place() {
+            shown.field(place, &value).field("leaving", &self.leaving().collect::<Vec<_>>());
+        }
+        shown.finish()
+    }
+}
