@@ -1,7 +1,10 @@
 //! Many questions at once.
 
 mod robust_onset;
+mod screened_scenes;
 mod screening;
 mod screening_exact;
+mod screening_squeeze;
+mod screening_turns;
 mod sweep;
 mod thread_count;

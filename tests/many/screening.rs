@@ -13,29 +13,8 @@ use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{Spread, datum, for_all};
-use support::scene::Datum;
 
-/// How often each verdict came.
-type Tally = std::cell::RefCell<std::collections::BTreeMap<String, usize>>;
-
-/// Contacts from data, with one tangential stiffness each; some are held in other ways.
-fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> [Contact<C>; N] {
-    std::array::from_fn(|i| {
-        let mut datum = data[i];
-        datum.stiffness[C - 1] = datum.stiffness[1];
-        if C == 3 && datum.friction < 10.0 {
-            // Fewer slide at once.
-            datum.normal -= 2.0 * datum.point;
-            datum.friction *= 2.0;
-            datum.command.rows_range_mut(1..).fill(0.0);
-        }
-        match holds[i] {
-            0 => datum.contact().kept_closed(),
-            1 => datum.contact().bonded(),
-            _ => datum.contact(),
-        }
-    })
-}
+use crate::screened_scenes::{Tally, contacts, count};
 
 /// What screening says, checked against the onset; factors to this part.
 fn check<const D: usize, const C: usize, const N: usize>(
@@ -47,9 +26,9 @@ fn check<const D: usize, const C: usize, const N: usize>(
     let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
     let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
     let onset = grasp.onset(&Ramp::load(base, direction)).unwrap();
-    *tally.borrow_mut().entry(format!("{:?}", screened.verdict())).or_default() += 1;
+    count(tally, &format!("{:?}", screened.verdict()));
     if matches!(onset, Onset::Undecided(_)) {
-        *tally.borrow_mut().entry("whole undecided".to_owned()).or_default() += 1;
+        count(tally, "whole undecided");
     }
     match (screened.verdict(), &onset) {
         (Verdict::Leaves, Onset::At(event)) => {

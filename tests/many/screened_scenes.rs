@@ -1,0 +1,77 @@
+//! Scenes that screening is asked about.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use grasp_lcp::grasp::Contact;
+use support::scene::Datum;
+
+/// How often each verdict came.
+pub(crate) type Tally = RefCell<BTreeMap<String, usize>>;
+
+pub(crate) fn count(tally: &Tally, verdict: &str) {
+    *tally.borrow_mut().entry(verdict.to_owned()).or_default() += 1;
+}
+
+pub(crate) fn of(tally: &Tally, verdict: &str) -> usize {
+    tally.borrow().get(verdict).copied().unwrap_or_default()
+}
+
+/// Contacts from data, with one tangential stiffness each; some are held in other ways.
+pub(crate) fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> [Contact<C>; N] {
+    std::array::from_fn(|i| {
+        let mut datum = data[i];
+        datum.stiffness[C - 1] = datum.stiffness[1];
+        if C == 3 && datum.friction < 10.0 {
+            // Fewer slide at once.
+            datum.normal -= 2.0 * datum.point;
+            datum.friction *= 2.0;
+            datum.command.rows_range_mut(1..).fill(0.0);
+        }
+        match holds[i] {
+            0 => datum.contact().kept_closed(),
+            1 => datum.contact().bonded(),
+            _ => datum.contact(),
+        }
+    })
+}
+
+/// Fingers that point more towards the middle, with more friction and less shear: most of them roll before a load acts.
+pub(crate) fn firmer<const C: usize>(mut data: Vec<Datum<C>>) -> Vec<Datum<C>> {
+    for datum in &mut data {
+        datum.normal -= datum.point * 2.0;
+        datum.command.rows_range_mut(1..).fill(0.0);
+        datum.friction *= if datum.friction < 10.0 { 2.0 } else { 1.0 };
+    }
+    data
+}
+
+/// The same contacts with points and stiffnesses off by parts of this size, to either side.
+pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<C>> {
+    let mut sign = part;
+    let mut data = data.to_vec();
+    for datum in &mut data {
+        for axis in 0..C {
+            datum.point[axis] *= 1.0 + sign;
+            sign = -sign;
+        }
+        datum.stiffness *= 1.0 + sign;
+    }
+    data
+}
+
+/// Whether an answer agrees with another to a part of it, or to ten times that, or as well as others to questions whose twelfth digits are off: a search
+/// ends where what is missing may be rounding, and is as much too low.
+pub(crate) fn agrees(
+    [found, exact]: [f64; 2],
+    close: f64,
+    others: impl Fn(f64) -> f64,
+    tally: &Tally,
+) -> bool {
+    let off = (found - exact).abs();
+    let sharp = off <= close * exact.abs();
+    count(tally, if sharp { "close" } else { "as close as the question" });
+    sharp
+        || off <= 10.0 * close * exact.abs()
+        || off <= [1e-12, -1e-12].map(|part| (others(part) - exact).abs()).into_iter().fold(0.0, f64::max)
+}

@@ -1,0 +1,293 @@
+//! Screening of loads that turn against `Grasp::onset_of_turn`, which solves again at every event, and against closed forms.
+//!
+//! Scenes of two to five contacts in the plane and in space, of every kind of contact, ordinary and with stiffnesses and friction over many decades, full
+//! turns and parts of one. Wherever screening gives an angle it is that of the onset, and wherever it gives none the onset says why; every lane of a
+//! batch answers as the grasp on its own, to the last bit.
+
+use std::cell::RefCell;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::load_path::{Onset, Turn};
+use grasp_lcp::screening::{Batch, Fingers, ScreenedTurn, TurningPull, Verdict};
+use grasp_lcp::sweep::turn_onsets_of_batch;
+use grasp_lcp::{planar, spatial};
+use nalgebra::SVector;
+use proptest::prelude::*;
+use support::random::{Spread, datum, for_all};
+
+use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken};
+
+/// What screening says, checked against the onset. Contacts are those of a scene that is shaken by a part.
+fn check<const D: usize, const C: usize, const N: usize>(
+    contacts: impl Fn(f64) -> [Contact<C>; N],
+    turn: &Turn<D, C>,
+    close: f64,
+    tally: &Tally,
+) -> Result<(), TestCaseError> {
+    let pull = TurningPull::new(turn).unwrap();
+    let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().onset_of_turn(&pull);
+    let grasp = Grasp::new(contacts(0.0)).unwrap();
+    let whole = grasp.onset_of_turn(turn).unwrap();
+    let shaken = |part: f64| {
+        let onset = Grasp::new(contacts(part)).unwrap().onset_of_turn(turn).unwrap().onset;
+        onset.factor().unwrap_or(f64::INFINITY)
+    };
+    count(tally, &format!("{:?}", screened.verdict()));
+    match (screened.verdict(), &whole.onset) {
+        (Verdict::Leaves, Onset::At(event)) => {
+            let angle = screened.angle().unwrap();
+            count(tally, if angle > FRAC_PI_2 { "late" } else { "early" });
+            prop_assert!(agrees([angle, event.factor], close, shaken, tally), "{angle} {}", event.factor);
+            prop_assert!(screened.holds_up_to(0.999 * angle) && !screened.holds_up_to(1.001 * angle));
+            for leaving in &event.leaving {
+                prop_assert!(screened.leaving().any(|i| i == leaving.contact), "{leaving:?} {screened:?}");
+            }
+        }
+        (Verdict::Never, Onset::Never) => {
+            prop_assert!(screened.holds_up_to(turn.angle()));
+            prop_assert_eq!(screened.holds_up_to(7.0), turn.angle() >= TAU);
+        }
+        (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_) | Onset::AlreadySliding(_))
+        | (Verdict::NotRolling, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (Verdict::NotRolling | Verdict::Unclear, Onset::Undecided(_)) => {}
+        // A contact that is open at the beginning may well close on the way.
+        (Verdict::NotRolling, onset) => {
+            let state = grasp.solve(&turn.load_at(0.0)).unwrap();
+            let open = state
+                .equilibrium()
+                .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));
+            prop_assert!(open, "{onset:?}");
+        }
+        (Verdict::Unclear, _) => prop_assert_eq!(screened.angle(), None),
+        (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
+    }
+    Ok(())
+}
+
+fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Spread, tally: &Tally) {
+    let wrench = || prop::collection::vec(-1.0..1.0_f64, D).prop_map(SVector::<f64, D>::from_vec);
+    let question = (
+        prop::collection::vec(datum::<C>(spread), N),
+        prop::collection::vec(0..12_u8, N),
+        [wrench(), wrench(), wrench()],
+        // How much of the load turns, and how far.
+        (0.02..1.0_f64, prop_oneof![Just(TAU), 0.1..7.0_f64]),
+    );
+    let close = if spread == Spread::Narrow { 1e-12 } else { 1e-8 };
+    for_all(file!(), cases, &question, |(data, holds, [constant, cosine, sine], (part, most))| {
+        let [constant, cosine, sine] =
+            [constant * part, cosine * (part * part), sine * part].map(Wrench::from_vector);
+        let turn = Turn::new(constant, cosine, sine).up_to(most);
+        let data = firmer(data);
+        check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &turn, close, tally)
+    });
+}
+
+#[test]
+fn agrees_in_the_plane() {
+    let tally = Tally::default();
+    random::<3, 2, 2>(3000, Spread::Narrow, &tally);
+    random::<3, 2, 3>(1500, Spread::Narrow, &tally);
+    random::<3, 2, 4>(700, Spread::Narrow, &tally);
+    random::<3, 2, 5>(700, Spread::Narrow, &tally);
+    println!("{:?}", tally.borrow());
+    assert!(of(&tally, "Leaves") > 500 && of(&tally, "Never") > 300 && of(&tally, "late") > 200, "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
+}
+
+#[test]
+fn agrees_in_space() {
+    let tally = Tally::default();
+    random::<6, 3, 2>(100, Spread::Narrow, &tally);
+    random::<6, 3, 3>(1500, Spread::Narrow, &tally);
+    random::<6, 3, 4>(1000, Spread::Narrow, &tally);
+    random::<6, 3, 5>(700, Spread::Narrow, &tally);
+    println!("{:?}", tally.borrow());
+    assert!(of(&tally, "Leaves") > 300 && of(&tally, "Never") > 100 && of(&tally, "late") > 50, "{tally:?}");
+    assert!(of(&tally, "GivesWay") > 20, "{tally:?}");
+    assert!(100 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+    assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
+}
+
+/// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
+#[test]
+fn agrees_on_wide_ranges() {
+    let tally = Tally::default();
+    random::<3, 2, 2>(1500, Spread::Wide, &tally);
+    random::<3, 2, 3>(1000, Spread::Wide, &tally);
+    random::<6, 3, 3>(300, Spread::Wide, &tally);
+    random::<6, 3, 5>(100, Spread::Wide, &tally);
+    println!("{:?}", tally.borrow());
+    assert!(of(&tally, "Leaves") > 100, "{tally:?}");
+    assert!(2 * of(&tally, "Unclear") < of(&tally, "Leaves") + of(&tally, "Never"), "{tally:?}");
+}
+
+/// Palms with stiffness ratios of up to 1e21 and a weight w that begins upright. The palm above carries `F_n = p - (w/2) sin θ` and
+/// `F_t = (w/2) cos θ`: it slides where `cos θ + μ sin θ = 2 μ p / w`.
+#[test]
+fn palms_of_any_stiffness() {
+    for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9), (1e9, 1e-12)] {
+        for w in [0.9, 1.9, 1.99] {
+            let (mu, press) = (0.5, 2.0);
+            let palm = |x: f64| {
+                planar::Contact::new([x, 0.0], [-x, 0.0])
+                    .series_stiffness(k, kt)
+                    .friction(mu)
+                    .command([press / k, 0.0])
+            };
+            let palms = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
+            let turn = planar::Turn::tilting([0.0, -w], [0.0, 0.0]);
+            let onset = palms.onset_of_turn(&TurningPull::new(&turn).unwrap());
+            // The left-hand side is at most √(1 + μ²).
+            let level = 2.0 * mu * press / w;
+            if level > (1.0 + mu * mu).sqrt() {
+                assert_eq!(onset.verdict(), Verdict::Never);
+                continue;
+            }
+            let closed = mu.atan() - (level / (1.0 + mu * mu).sqrt()).acos();
+            assert!(
+                (onset.angle().unwrap() / closed - 1.0).abs() < 1e-12,
+                "{k} {kt} {w}: {onset:?} {closed}"
+            );
+            // Palms that turn the other way round leave at the same angle, by the other palm.
+            let back = palms.onset_of_turn(&TurningPull::new(&turn.reversed()).unwrap());
+            assert!((back.angle().unwrap() / closed - 1.0).abs() < 1e-12, "{back:?}");
+            assert!(back.leaving().ne(onset.leaving()) && onset.leaving().count() == 1);
+        }
+    }
+}
+
+/// A pinch across which a load turns in space: palms along x, a force of size w about y at the middle, `F_t = (w/2) sin θ` along z and
+/// `F_n = p ∓ (w/2) cos θ`. The more the force falls short of an edge, the nearer the angle is to where they just touch; there it is not clear.
+#[test]
+fn a_force_that_turns_in_space_touches_an_edge() {
+    let (mu, press) = (0.75_f64, 1.0);
+    let finger = |x: f64, y: f64| {
+        spatial::Contact::new([x, y, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(mu).command([
+            press / 1e3,
+            0.0,
+            0.0,
+        ])
+    };
+    let fingers = [finger(-1.0, 0.5), finger(-1.0, -0.5), finger(1.0, 0.5), finger(1.0, -0.5)];
+    let fingers = spatial::Fingers::new(&fingers).unwrap();
+    // |sin θ| + μ |cos θ| reaches √(1 + μ²); w/4 at each finger.
+    let touching = 4.0 * mu * press / (1.0 + mu * mu).sqrt();
+    let screened = |part: f64| {
+        let w = part * touching;
+        let turn = spatial::Turn::new(
+            Wrench::ZERO,
+            spatial::Wrench::force([w, 0.0, 0.0]),
+            spatial::Wrench::force([0.0, 0.0, w]),
+        );
+        fingers.onset_of_turn(&TurningPull::new(&turn).unwrap())
+    };
+    assert_eq!(screened(0.999).verdict(), Verdict::Never);
+    assert_eq!(screened(1.0 - 1e-11).verdict(), Verdict::Never);
+    assert_eq!(screened(1.0).verdict(), Verdict::Unclear);
+    for over in [1e-9, 1e-6, 1e-3, 0.1] {
+        let onset = screened(1.0 + over);
+        // The fingers at -x are pressed more while cos θ > 0... and those at +x less.
+        let closed = (1.0 / (1.0 + over)).acos();
+        let closed = (1.0 / mu).atan() - closed;
+        let angle = onset.angle().unwrap();
+        // A root of a nearly double one keeps half its digits.
+        assert!((angle - closed).abs() < 1e-14 / over.sqrt(), "{over}: {angle} {closed}");
+        assert!(onset.leaving().count() == 2, "{onset:?}");
+    }
+}
+
+/// Turns that end before, at and behind the onset.
+#[test]
+fn parts_of_a_turn() {
+    let palm = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
+    };
+    let palms = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
+    let turn = planar::Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
+    let screened = |most: f64| palms.onset_of_turn(&TurningPull::new(&turn.up_to(most)).unwrap());
+    let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
+    for most in [0.9 * closed, closed - 1e-9] {
+        assert_eq!(screened(most).verdict(), Verdict::Never);
+        assert!(screened(most).holds_up_to(most) && !screened(most).holds_up_to(closed));
+    }
+    assert_eq!(screened(closed).verdict(), Verdict::Unclear);
+    for most in [closed + 1e-9, 1.0, TAU, 1e6] {
+        assert!((screened(most).angle().unwrap() - closed).abs() < 1e-14);
+    }
+}
+
+/// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
+#[test]
+fn a_batch_gives_the_same_bits() {
+    fn bits(screened: &ScreenedTurn) -> (Option<u64>, Verdict, Vec<usize>) {
+        (screened.angle().map(f64::to_bits), screened.verdict(), screened.leaving().collect())
+    }
+    fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
+        let load = |times: f64, shift: usize| {
+            let of = SVector::<f64, D>::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][(k + shift) % 6]);
+            Wrench::from_vector(of * times)
+        };
+        let turn = Turn::new(load(0.003, 0), load(0.003, 1), load(1.5, 2));
+        let [turn, other] = [turn, turn.reversed().up_to(1.0)].map(|turn| TurningPull::new(&turn).unwrap());
+        let alone = RefCell::new(Vec::new());
+        let batch = RefCell::new(Batch::<D, C, N>::default());
+        for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
+            let fingers = Fingers::new(&contacts(&firmer(data), &[9; N])).unwrap();
+            alone.borrow_mut().push(fingers.onset_of_turn(&turn));
+            batch.borrow_mut().push(&fingers);
+            Ok(())
+        });
+        let batch = batch.into_inner();
+        let alone: Vec<_> = alone.borrow().iter().map(bits).collect();
+        let (mut together, mut of_both, mut in_parallel) = (vec![], vec![], vec![]);
+        batch.turn_onsets_into(&[turn], &mut together);
+        batch.turn_onsets_into(&[other, turn], &mut of_both);
+        turn_onsets_of_batch(&batch, &[turn], &mut in_parallel);
+        assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);
+        assert_eq!(in_parallel.iter().map(bits).collect::<Vec<_>>(), alone);
+        assert_eq!(of_both.iter().skip(1).step_by(2).map(bits).collect::<Vec<_>>(), alone);
+        assert!(alone.iter().filter(|(angle, ..)| angle.is_some()).count() > 5, "{alone:?}");
+    }
+    grasps::<3, 2, 2>(Spread::Narrow);
+    grasps::<3, 2, 4>(Spread::Narrow);
+    grasps::<6, 3, 3>(Spread::Narrow);
+    grasps::<6, 3, 5>(Spread::Narrow);
+}
+
+/// In units in which squares leave the range of numbers there is no angle rather than a wrong one; in all others it is the same.
+#[test]
+fn units() {
+    let onset = |exponent: i32| {
+        let unit = 2.0_f64.powi(exponent);
+        let fingers: [spatial::Contact; 3] = std::array::from_fn(|i| {
+            let (sin, cos) = (TAU * i as f64 / 3.0 + 0.1).sin_cos();
+            spatial::Contact::new([cos, sin, 0.1 * sin], [-cos, -sin, 0.05])
+                .series_stiffness(900.0 * unit, 600.0 * unit)
+                .friction(0.6)
+                .command([6e-3 * unit, 0.0, 0.0])
+        });
+        let part = |force: [f64; 3]| spatial::Wrench::force(force.map(|f| f * unit * unit));
+        let turn = Turn::new(Wrench::ZERO, part([0.5, 0.0, 0.2]), part([0.0, 1.0, -12.0]));
+        spatial::Fingers::new(&fingers).unwrap().onset_of_turn(&TurningPull::new(&turn).unwrap())
+    };
+    let angle = onset(0).angle().unwrap();
+    for exponent in [-100, -30, 30, 70] {
+        assert!((onset(exponent).angle().unwrap() / angle - 1.0).abs() < 1e-12, "{exponent}");
+    }
+    for exponent in [-130, -150] {
+        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+    }
+}
+
+#[test]
+fn malformed_turns_are_refused() {
+    let turn = planar::Turn::new(Wrench::ZERO, planar::Wrench::new([0.0, f64::NAN], 0.0), Wrench::ZERO);
+    let bad = TurningPull::new(&turn).unwrap_err();
+    assert!(bad.to_string().contains("cosine of the load: component 1 is NaN"), "{bad}");
+    let bad = TurningPull::new(&planar::Turn::tilting([0.0, -1.0], [0.0, 0.0]).up_to(0.0)).unwrap_err();
+    assert!(bad.to_string().contains("angle of the turn is 0"), "{bad}");
+}
