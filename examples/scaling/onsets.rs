@@ -1,10 +1,12 @@
-//! The onset of sliding of small grasps: one at a time, in batches, and as one would find it without this crate.
+//! The onset of sliding of small grasps, while a load grows or turns, and the least squeeze: one at a time, in batches, and as one would find the
+//! first without this crate.
 
 use std::hint::black_box;
 
 use grasp_lcp::grasp::{Contact, Grasp, Wrench};
-use grasp_lcp::load_path::Ramp;
-use grasp_lcp::screening::{Batch, Fingers, Pull};
+use grasp_lcp::load_path::{Ramp, Turn};
+use grasp_lcp::screening::{Batch, Fingers, LoadCases, Pull, TurningPull};
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::sweep::onsets_of_batch;
 use grasp_lcp::{planar, spatial};
 
@@ -98,8 +100,75 @@ fn family<const D: usize, const C: usize, const N: usize>(
     let rate = |time: f64| format!("{:.1} million a second", 1e-6 / time);
     row(&format!("onset of {name}, batch on one thread"), together, whole, today, &rate(together));
     row(&format!("onset of {name}, batch on all cores"), on_all_cores, whole, today, &rate(on_all_cores));
-    let name = format!("onset of {name}, batch of 16 loads each, all cores");
-    row(&name, of_many_loads, whole, today, &rate(of_many_loads));
+    let of_many = format!("onset of {name}, batch of 16 loads each, all cores");
+    row(&of_many, of_many_loads, whole, today, &rate(of_many_loads));
+    turns(name, (&fingers, &batch), &grasps, direction)?;
+    squeezes(name, (&fingers, &batch), &grasps, direction)
+}
+
+/// The angle at which contacts leave while a load turns: a light one that all hold, and one under which many slide.
+fn turns<const D: usize, const C: usize, const N: usize>(
+    name: &str,
+    (fingers, batch): (&[Fingers<D, C, N>], &Batch<D, C, N>),
+    grasps: &[Grasp<D, C>],
+    direction: &Wrench<D, C>,
+) -> Outcome {
+    for (times, how) in [(1.0, "light"), (20.0, "heavy")] {
+        let turn = Turn::new(Wrench::ZERO, *direction * 0.1, *direction * times);
+        let pull = TurningPull::new(&turn)?;
+        let mut answers = Vec::new();
+        let together = best(100, || batch.turn_onsets_into(black_box(&[pull]), &mut answers)) / GRASPS as f64;
+        let alone = best(50, || {
+            for grasp in fingers {
+                black_box(black_box(grasp).onset_of_turn(&pull));
+            }
+        }) / GRASPS as f64;
+        let whole = best(5, || {
+            for grasp in grasps {
+                black_box(grasp.onset_of_turn(black_box(&turn)).is_ok());
+            }
+        }) / grasps.len() as f64;
+        let leave = answers.iter().filter(|answer| answer.angle().is_some()).count();
+        let remark = format!("{:.0} % leave", 100.0 * leave as f64 / GRASPS as f64);
+        let name = format!("{how} load that turns, {name}");
+        row(&format!("{name}, one at a time"), alone, whole, f64::NAN, &remark);
+        row(&format!("{name}, batch on one thread"), together, whole, f64::NAN, &remark);
+    }
+    Ok(())
+}
+
+/// The least squeeze under two loads.
+fn squeezes<const D: usize, const C: usize, const N: usize>(
+    name: &str,
+    (fingers, batch): (&[Fingers<D, C, N>], &Batch<D, C, N>),
+    grasps: &[Grasp<D, C>],
+    direction: &Wrench<D, C>,
+) -> Outcome {
+    let loads = vec![*direction * 8.0, *direction * -2.0];
+    let cases = [LoadCases::new(&loads)?];
+    let loads = Loads::Each(loads);
+    let mut answers = Vec::new();
+    let together = best(100, || batch.least_squeezes_into(black_box(&cases), &mut answers)) / GRASPS as f64;
+    let alone = best(50, || {
+        for grasp in fingers {
+            black_box(black_box(grasp).least_squeeze(&cases[0]));
+        }
+    }) / GRASPS as f64;
+    let whole = best(5, || {
+        for grasp in grasps {
+            black_box(grasp.least_squeeze(black_box(&loads)).is_ok());
+        }
+    }) / grasps.len() as f64;
+    let known = answers.iter().filter(|answer| answer.factor().is_some()).count();
+    let remark = format!("a factor for {:.0} %", 100.0 * known as f64 / GRASPS as f64);
+    row(&format!("least squeeze for two loads, {name}, one at a time"), alone, whole, f64::NAN, &remark);
+    row(
+        &format!("least squeeze for two loads, {name}, batch on one thread"),
+        together,
+        whole,
+        f64::NAN,
+        &remark,
+    );
     Ok(())
 }
 
