@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-#[cfg(doc)]
-use super::screened::{Screened, ScreenedTurn};
-
 /// When the first contact of one grasp leaves rolling: a plain number, so that kernels choose it
 /// without a branch.
 #[derive(Clone, Copy, PartialEq)]
@@ -26,7 +23,7 @@ pub(super) const UNCLEAR: f64 = -3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// Contacts leave rolling, at the [factor](Screened::factor) or the [angle](ScreenedTurn::angle):
+    /// Contacts leave rolling, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
     /// they slide or open.
     Leaves,
     /// However large the load grows, or as far as it turns, no contact leaves rolling.

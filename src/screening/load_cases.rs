@@ -13,8 +13,7 @@ pub struct LoadCases<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> LoadCases<D, C> {
-    /// The loads on the object: forces in N, moments in N m about the origin of the coordinates of
-    /// each grasp.
+    /// The loads on the object: forces in N, moments in N m. Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
     /// [`Error::Argument`] if there are none, [`Error::Wrench`] if a component of one is not finite or

@@ -21,8 +21,8 @@ pub struct TurningPull<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> TurningPull<D, C> {
-    /// The load on the object at angle θ, `constant + cosine cos θ + sine sin θ`: forces in N, moments
-    /// in N m about the origin of the coordinates of each grasp.
+    /// The load on the object at angle θ is `constant + cosine cos θ + sine sin θ`. Forces are in N, moments in N m.
+    /// Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of a part is not finite or larger than 1e50.

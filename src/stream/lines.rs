@@ -9,6 +9,7 @@ use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TryRecvError, channel, sync_channel};
 use std::thread;
 
+use super::line::{LONGEST_LINE, Line};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
@@ -16,8 +17,6 @@ use super::reply::Reply;
 const BLOCK: usize = 64;
 /// A block with this many bytes is full.
 pub const BLOCK_BYTES: usize = 1 << 16;
-/// A longer line is not kept; it is answered by an error.
-pub const LONGEST_LINE: usize = 1 << 26;
 
 /// Bytes that are kept of a line that is too long.
 const KEPT: usize = 1 << 10;
@@ -44,15 +43,6 @@ pub const fn most_ahead(threads: usize) -> usize {
 /// Blocks that may be under way or done before the oldest one.
 const fn queue(threads: usize) -> usize {
     4 * threads
-}
-
-/// One line.
-pub(super) struct Line {
-    /// From 1.
-    pub(super) number: usize,
-    /// What is kept of it: of a line that is too long, its beginning.
-    pub(super) text: Vec<u8>,
-    pub(super) too_long: bool,
 }
 
 struct Job {

@@ -18,9 +18,11 @@
 //!
 //! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order.
 
+mod line;
 mod lines;
 mod options;
 mod reply;
 
-pub use lines::{BLOCK_BYTES, LONGEST_LINE, Tally, answer_lines, most_ahead};
+pub use line::LONGEST_LINE;
+pub use lines::{BLOCK_BYTES, Tally, answer_lines, most_ahead};
 pub use options::StreamOptions;

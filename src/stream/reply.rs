@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::lines::{LONGEST_LINE, Line};
+use super::line::{LONGEST_LINE, Line};
 use super::options::StreamOptions;
 use crate::error::Error;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};

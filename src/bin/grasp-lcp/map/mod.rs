@@ -1,8 +1,8 @@
 //! How much is held in every direction: onset of sliding and what the load path holds, with the weakest direction.
 //!
 //! The onset is found directly, and so is the weakest direction. Beside the onset stands what is left of it with three standard deviations in reserve,
-//! where friction, stiffness and squeeze are not known exactly. The limit is where the load path in that direction, followed from event to event with slip
-//! memory, is lost; how it is lost is told: a limit load has no equilibrium beyond, at a snap there are others, to which a grasp may or may not come.
+//! where friction, stiffness and squeeze are not known exactly. The limit is where the load path in that direction is lost, followed from event to event with slip
+//! memory. How it is lost is told: a limit load has no equilibrium beyond; at a snap there are others, to which a grasp may or may not come.
 
 mod ask;
 mod limit;

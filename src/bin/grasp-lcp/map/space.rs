@@ -8,7 +8,7 @@ use grasp_lcp::scene::{Setup, WithGrasp};
 use grasp_lcp::spatial::hand::{Ramp, Wrench};
 
 use super::ask::{self, First};
-use super::limit::{self, End};
+use super::limit::{self, End, Last};
 use super::watch;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -69,16 +69,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Fail
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);
     let most = FAR * largest;
     let ways = coarse.directions();
-    let lasts = if grasp.len() > MANY {
-        None
-    } else {
-        // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
-        watch::sweep("load paths", &ways, ALL_PATHS, |d| {
-            let last = limit::last(grasp, &quick, base, pull(*d), most)?;
-            let known = last.end != End::Unknown;
-            if known { Ok(last) } else { limit::last(grasp, &setup.settings, base, pull(*d), most) }
-        })?
-    };
+    let lasts = load_paths(grasp, setup, base, &pull, (&ways, most))?;
 
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
@@ -100,48 +91,83 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Fail
     }
     let first = ask::first(grasp, &quick, &ramp(weakest))?;
 
-    let robust: Vec<f64> = firsts.iter().map(|first| first.robust).collect();
-    let marked = |map: SphereMap| {
-        let normals = grasp.contacts().iter().zip(grasp.frames()).enumerate();
-        let soft = grasp.len() > MANY;
-        normals.filter(|_| !soft).fold(map, |map, (i, (contact, frame))| {
-            map.ray([frame[(0, 0)], frame[(1, 0)], frame[(2, 0)]], contact.label_text(i))
-        })
-    };
-    let map = SphereMap::new(
-        format!("{title}: onset of sliding for a force in every direction"),
-        "onset (N)",
-        grid,
-        onsets,
-    )?
-    .mark(weakest, format!("weakest {onset:.3} N"))
-    .meanings("never slides", "not known")
-    .note(NOTE)
-    .note(format!("{words}."))
-    .note(format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who));
-    pictures.save("_map.svg", &marked(map).to_svg()?)?;
-    let map = SphereMap::new(
-        format!("{title}: onset of sliding with 3σ in reserve"),
-        "onset − 3σ (N)",
-        grid,
-        robust,
-    )?
-    .meanings("never slides", "not known")
-    .note(NOTE)
-    .note(format!("{words}."))
-    .note(ask::NOT_KNOWN.replace('\n', " "));
-    pictures.save("_map_robust.svg", &marked(map).to_svg()?)?;
-    if let Some(lasts) = lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
-        let held = lasts.iter().map(|last| last.factor).collect();
-        let map =
-            SphereMap::new(format!("{title}: what is held on the load path"), "held to (N)", coarse, held)?
-                .meanings(format!("held to {most:.0} N and on"), "not known")
-                .note(NOTE)
-                .note(format!("{words}."))
-                .note(format!("How the {} paths end: {}.", ways.len(), limit::count(&lasts)));
-        pictures.save("_map_limit.svg", &marked(map).to_svg()?)?;
+    let drawing = Drawing { grasp, pictures, title: &title, words: &words };
+    let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who);
+    drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
+    match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
+        Some(lasts) => drawing.of_limits(coarse, &lasts, most),
+        None => Ok(()),
     }
-    Ok(())
+}
+
+/// Where the load path ends in each of these directions; `None` where that takes too long.
+fn load_paths<const W: usize>(
+    grasp: &Grasp<W, 3>,
+    setup: &Setup<6, 3>,
+    base: Wrench<W>,
+    pull: &(impl Fn([f64; 3]) -> Wrench<W> + Sync),
+    (ways, most): (&[[f64; 3]], f64),
+) -> Result<Option<Vec<Last>>, Failure> {
+    if grasp.len() > MANY {
+        return Ok(None);
+    }
+    let quick = ask::quick(&setup.settings);
+    // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
+    Ok(watch::sweep("load paths", ways, ALL_PATHS, |d| {
+        let last = limit::last(grasp, &quick, base, pull(*d), most)?;
+        let known = last.end != End::Unknown;
+        if known { Ok(last) } else { limit::last(grasp, &setup.settings, base, pull(*d), most) }
+    })?)
+}
+
+/// What all maps of a grasp have in common.
+struct Drawing<'a, const W: usize> {
+    grasp: &'a Grasp<W, 3>,
+    pictures: &'a Pictures<'a>,
+    title: &'a str,
+    words: &'a str,
+}
+
+impl<const W: usize> Drawing<'_, W> {
+    /// Onsets, and what is left of them in reserve.
+    fn of_onsets(
+        &self,
+        grid: SphereGrid,
+        firsts: &[First],
+        (weakest, onset, weak): ([f64; 3], f64, &str),
+    ) -> Result<(), Failure> {
+        let of = |value: fn(&First) -> f64| firsts.iter().map(value).collect::<Vec<_>>();
+        let title = format!("{}: onset of sliding for a force in every direction", self.title);
+        let map = SphereMap::new(title, "onset (N)", grid, of(|first| first.factor))?
+            .mark(weakest, format!("weakest {onset:.3} N"))
+            .meanings("never slides", "not known");
+        self.save("_map.svg", map, weak)?;
+        let title = format!("{}: onset of sliding with 3σ in reserve", self.title);
+        let map = SphereMap::new(title, "onset − 3σ (N)", grid, of(|first| first.robust))?
+            .meanings("never slides", "not known");
+        self.save("_map_robust.svg", map, &ask::NOT_KNOWN.replace('\n', " "))
+    }
+
+    /// How far load paths go.
+    fn of_limits(&self, grid: SphereGrid, lasts: &[Last], most: f64) -> Result<(), Failure> {
+        let held = lasts.iter().map(|last| last.factor).collect();
+        let title = format!("{}: what is held on the load path", self.title);
+        let map = SphereMap::new(title, "held to (N)", grid, held)?
+            .meanings(format!("held to {most:.0} N and on"), "not known");
+        let ends = format!("How the {} paths end: {}.", lasts.len(), limit::count(lasts));
+        self.save("_map_limit.svg", map, &ends)
+    }
+
+    /// With the notes of every map, the names of the contacts and one more note.
+    fn save(&self, end: &str, map: SphereMap, note: &str) -> Result<(), Failure> {
+        let mut map = map.note(NOTE).note(format!("{}.", self.words)).note(note);
+        if self.grasp.len() <= MANY {
+            for (i, (contact, frame)) in self.grasp.contacts().iter().zip(self.grasp.frames()).enumerate() {
+                map = map.ray([frame[(0, 0)], frame[(1, 0)], frame[(2, 0)]], contact.label_text(i));
+            }
+        }
+        self.pictures.save(end, &map.to_svg()?)
+    }
 }
 
 /// Names of more contacts would cover the map, and its load paths take minutes.
