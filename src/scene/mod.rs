@@ -270,6 +270,7 @@ mod question;
 mod rows;
 mod settings;
 mod setup;
+mod told;
 mod turn;
 mod turn_onset;
 mod warning;

@@ -1,0 +1,26 @@
+"""Does the grasp hold? Contact forces, object motion, and the exact load at which a grasp starts to slide.
+
+    >>> from grasp_lcp import Grasp
+    >>> grasp = Grasp.planar(
+    ...     [[-0.04, 0], [0.04, 0]], [[1, 0], [-1, 0]],      # points, m; normals into the object
+    ...     body_stiffness=[5e4, 3e4], finger_stiffness=[2e3, 1.5e3], friction=0.5, pressed_with=8.0)
+    >>> grasp.onset([0, -4.905])
+    <Onset at factor 1.63098878695: contact 0 slides, contact 1 slides>
+
+One grasp: :class:`Grasp`. Many at once: :func:`onsets`, :func:`solve_batch`. Problems by themselves: :mod:`grasp_lcp.lcp`,
+:mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input is a ``ValueError`` or a ``TypeError``
+that names the argument.
+"""
+
+from . import friction, lcp
+from .answers import Answer, Beyond, Event, Leaving, Onset, Path, Proof, Solution, TurnOnset
+from .batch import ContactState, Equilibria, OnsetStatus, Onsets, SolveStatus, onsets, solve_batch
+from .equilibrium import Contact, Drive, Equilibrium
+from .grasp import Grasp, Leg, Settings, answers, wrench
+from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
+
+__all__ = [
+    "Answer", "Beyond", "Closure", "Contact", "ContactState", "Drive", "Equilibria", "Equilibrium", "Event", "Grasp", "Leaving",
+    "LeastSqueeze", "Leg", "LoadLimit", "Onset", "OnsetStatus", "Onsets", "Path", "Proof", "Quality", "Settings", "Solution", "SolveStatus",
+    "TurnOnset", "WeakestDirection", "WrenchBall", "answers", "friction", "lcp", "onsets", "solve_batch", "wrench",
+]  # fmt: skip

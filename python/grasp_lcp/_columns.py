@@ -1,0 +1,152 @@
+"""Contacts from arrays: whatever broadcasts, checked by name, as the native side reads it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._views import Array
+
+HOLDS = {"unilateral": 0, "kept_closed": 1, "bonded": 2}
+
+
+def floats(name: str, given: ArrayLike) -> Array:
+    """Numbers of any kind as double precision; masked ones are NaN."""
+    try:
+        found = np.asarray(given)
+    except ValueError:
+        raise ValueError(f"{name}: rows of different lengths given, must be an array") from None
+    if found.dtype.kind not in "fiu":
+        kind = found.dtype if found.dtype.kind != "O" else type(given).__name__
+        raise TypeError(f"{name}: {kind} given, must be numbers")
+    if isinstance(given, np.ma.MaskedArray):
+        found = given.astype(np.float64).filled(np.nan)
+    return np.require(found, dtype=np.float64, requirements=["A"])
+
+
+def finite(name: str, given: ArrayLike) -> Array:
+    """Numbers that are written as JSON, which has only finite ones."""
+    found = floats(name, given)
+    bad = np.argwhere(~np.isfinite(found))
+    if len(bad):
+        place = ", ".join(str(index) for index in bad[0])
+        where = f"[{place}]" if place else ""
+        raise ValueError(f"{name}{where} is {found[tuple(bad[0])]}, must be finite")
+    return found
+
+
+def _stiffness(name: str, given: ArrayLike, axes: int) -> Array:
+    found = floats(name, given)
+    if found.ndim == 0:
+        return np.broadcast_to(found, (axes,))
+    if found.shape[-1] == axes:
+        return found
+    if found.shape[-1] == 2:
+        # Normal and tangential, the same along both tangents.
+        return found[..., [0, 1, 1]]
+    sizes = "2" if axes == 2 else "2 or 3"
+    raise ValueError(f"{name}: shape {found.shape} given, must be one number or end in {sizes}, normal first")
+
+
+def _vectors(name: str, given: ArrayLike, axes: int) -> Array:
+    found = floats(name, given)
+    if found.ndim == 0 or found.shape[-1] != axes:
+        raise ValueError(f"{name}: shape {found.shape} given, must end in {axes}")
+    return found
+
+
+def _holds(given: str | Sequence[str], contacts: int) -> np.ndarray[Any, np.dtype[np.uint8]]:
+    words = [given] * contacts if isinstance(given, str) else list(given)
+    if len(words) != contacts:
+        raise ValueError(f"hold: {len(words)} given, must be one word, or {contacts}, one a contact")
+    for index, word in enumerate(words):
+        if word not in HOLDS:
+            raise ValueError(f"hold[{index}] is {word!r}, must be one of {', '.join(HOLDS)}")
+    return np.array([HOLDS[word] for word in words], dtype=np.uint8)
+
+
+def columns(
+    axes: int,
+    points: ArrayLike,
+    normals: ArrayLike,
+    friction: ArrayLike,
+    hold: str | Sequence[str],
+    **others: ArrayLike | None,
+) -> tuple[tuple[int, ...], dict[str, Any]]:
+    """The leading shape of the grasps, and all columns broadcast to rows of grasps by contacts (by axes)."""
+    given: dict[str, Array | None] = {"points": _vectors("points", points, axes)}
+    if given["points"] is None or given["points"].ndim < 2:
+        shape = np.shape(points)
+        raise ValueError(f"points: shape {shape} given, must be (..., n, {axes})")
+    contacts = given["points"].shape[-2]
+    given["normals"] = _vectors("normals", normals, axes)
+    for name in ("series_stiffness", "body_stiffness", "finger_stiffness"):
+        value = others.get(name)
+        given[name] = None if value is None else _stiffness(name, value, axes)
+    for name in ("tangents", "command", "command_world"):
+        value = others.get(name)
+        given[name] = None if value is None else _vectors(name, value, axes)
+    if given["series_stiffness"] is not None and (given["body_stiffness"] is not None or given["finger_stiffness"] is not None):
+        raise ValueError("series_stiffness: given beside body_stiffness or finger_stiffness, must be alone")
+    if given["command"] is not None and given["command_world"] is not None:
+        raise ValueError("command_world: given beside command, must be alone")
+    scalars = {"friction": floats("friction", friction)}
+    for name in ("pressed_with", "clearance"):
+        value = others.get(name)
+        if value is not None:
+            scalars[name] = floats(name, value)
+
+    shape: tuple[int, ...] = ()
+    shapes = [(name, found.shape[:-1]) for name, found in given.items() if found is not None]
+    for name, own in [*shapes, *((name, found.shape) for name, found in scalars.items())]:
+        try:
+            shape = np.broadcast_shapes(shape, own)
+        except ValueError:
+            raise ValueError(f"{name}: shape {own} given for contacts of shape {shape}, must broadcast to it") from None
+        if shape[-1] != contacts:
+            raise ValueError(f"{name}: {shape[-1]} contacts given, points have {contacts}")
+    leading = shape[:-1]
+    rows = int(np.prod(leading, dtype=np.int64))
+
+    made: dict[str, Any] = {
+        name: None if found is None else np.broadcast_to(found, (*shape, axes)).reshape(rows, contacts, axes)
+        for name, found in given.items()
+    }
+    for name in ("friction", "pressed_with", "clearance"):
+        made[name] = np.broadcast_to(scalars[name], shape).reshape(rows, contacts) if name in scalars else None
+    made["hold"] = None if hold == "unilateral" else _holds(hold, contacts)
+    return leading, made
+
+
+def plain(name: str, given: Any) -> Any:
+    """A load or a turn as it is written in JSON: mappings as they are, arrays as lists of finite numbers."""
+    if isinstance(given, Mapping):
+        return {key: plain(f"{name}[{key!r}]", value) for key, value in given.items()}
+    if isinstance(given, (str, bool)):
+        return given
+    return finite(name, given).tolist()
+
+
+def wrench_json(name: str, given: Any, axes: int) -> Any:
+    """A load as scenes write it, from a mapping or from an array of a force, or of a force and a moment."""
+    if isinstance(given, Mapping):
+        return plain(name, given)
+    numbers = finite(name, given)
+    coordinates = 3 * (axes - 1)
+    if numbers.shape not in ((axes,), (coordinates,)):
+        raise ValueError(
+            f"{name}: shape {numbers.shape} given, must be ({axes},) of a force or ({coordinates},) of a force and a moment"
+        )
+    force, moment = numbers[:axes].tolist(), numbers[axes:].tolist()
+    if not moment:
+        return {"force": force}
+    return {"force": force, "moment": moment if axes == 3 else moment[0]}
+
+
+def dumped(value: Any) -> str:
+    """JSON without words that JSON has not."""
+    return json.dumps(value, allow_nan=False)

@@ -1,0 +1,116 @@
+"""Answers as trees of the scene format, and what attributes make of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Tree = dict[str, Any]
+
+# What scenes write for numbers that JSON has not.
+_WORDS = {"infinite": float("inf"), "-infinite": float("-inf"), "not a number": float("nan")}
+
+ViewT = TypeVar("ViewT", bound="View")
+
+
+def number(value: Any) -> float:
+    """A number of the scene format, which may be a word."""
+    return _WORDS[value] if isinstance(value, str) else float(value)
+
+
+def optional_number(value: Any) -> float | None:
+    """The same where it may be left out."""
+    return None if value is None else number(value)
+
+
+def _numbers(value: Any) -> Any:
+    return [_numbers(item) for item in value] if isinstance(value, list) else number(value)
+
+
+def array(value: Any) -> Array:
+    """An array nobody can change: an answer stays what it is."""
+    made = np.array(_numbers(value), dtype=np.float64)
+    made.setflags(write=False)
+    return made
+
+
+def rows(values: Iterable[Any], columns: int) -> Array:
+    """Rows of so many columns, be there none."""
+    made = np.array([_numbers(value) for value in values], dtype=np.float64).reshape(-1, columns)
+    made.setflags(write=False)
+    return made
+
+
+def _joined(first: Any, second: Any) -> list[Any]:
+    return [*first, *(second if isinstance(second, list) else [second])]
+
+
+def load_of(tree: Mapping[str, Any]) -> Array:
+    """Force and moment in one row."""
+    return array(_joined(tree["force"], tree["moment"]))
+
+
+def motion_of(tree: Mapping[str, Any]) -> Array:
+    """Translation and rotation in one row."""
+    return array(_joined(tree["translation"], tree["rotation"]))
+
+
+def motions_of(trees: Iterable[Mapping[str, Any]], columns: int) -> Array:
+    """Motions, one a row."""
+    return rows((_joined(tree["translation"], tree["rotation"]) for tree in trees), columns)
+
+
+def short(values: Iterable[float]) -> str:
+    """Numbers for people: six digits, in brackets."""
+    return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
+
+
+class View:
+    """A part of an answer. Two are equal if all their numbers are."""
+
+    def __init__(self, tree: Tree) -> None:
+        self._own = tree
+
+    @property
+    def _tree(self) -> Tree:
+        return self._own
+
+    @classmethod
+    def from_dict(cls: type[ViewT], tree: Mapping[str, Any]) -> ViewT:
+        """The answer that :meth:`to_dict` has written."""
+        return cls.from_json(json.dumps(tree))
+
+    @classmethod
+    def from_json(cls: type[ViewT], text: str) -> ViewT:
+        """The answer that :meth:`to_json` has written."""
+        tree = json.loads(text)
+        if not isinstance(tree, dict):
+            raise ValueError(f"text: a {type(tree).__name__} of JSON given, must be an object")
+        return cls(tree)
+
+    def to_json(self) -> str:
+        """In JSON, in the format of scenes; numbers come back to the bit."""
+        return json.dumps(self._tree)
+
+    def to_dict(self) -> Tree:
+        """As a dictionary in the format of scenes, its own copy."""
+        tree: Tree = json.loads(self.to_json())
+        return tree
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and isinstance(other, View) and other._tree == self._tree
+
+    def __hash__(self) -> int:
+        return hash((type(self), self.to_json()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored, (type(self), self.to_json()))
+
+
+def _restored(kind: type[ViewT], text: str) -> ViewT:
+    return kind.from_json(text)

@@ -1,0 +1,347 @@
+"""Answers to what is asked of a grasp. They are read from the native side when an attribute is first asked for."""
+
+from __future__ import annotations
+
+import html
+import json
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, TypeVar
+
+from ._grasp_lcp import Told
+from ._views import Array, Tree, View, array, load_of, motion_of, number, optional_number, rows, short
+from .equilibrium import Equilibrium
+
+AnswerT = TypeVar("AnswerT", bound="Answer")
+
+
+class Proof(View):
+    """Why no equilibrium exists, and how that is known."""
+
+    @property
+    def kind(self) -> str:
+        """``"free_motion"``, ``"separating_motion"``, ``"every_state_tried"`` or ``"every_case_contradicted"``."""
+        return str(self._tree["proof"])
+
+    @cached_property
+    def motion(self) -> Array | None:
+        """Unit motion of the object that nothing resists, m and rad, shape (d,); None where states or cases were tried."""
+        found = self._tree.get("motion")
+        return None if found is None else motion_of(found)
+
+    @property
+    def work(self) -> float | None:
+        """Work of the load on that motion, positive, J."""
+        return optional_number(self._tree.get("work"))
+
+    def __repr__(self) -> str:
+        along = "" if self.motion is None else f" along {short(self.motion)}"
+        return f"<Proof by {self.kind.replace('_', ' ')}{along}>"
+
+
+class Leaving(View):
+    """A contact that leaves rolling at an onset, or changes on a path."""
+
+    @property
+    def contact(self) -> int:
+        """Its place among the contacts of the grasp, from 0."""
+        return int(self._tree["contact"])
+
+    @property
+    def label(self) -> str:
+        """Its name, or what it is and its number."""
+        label = str(self._tree.get("name") or f"contact {self.contact}")
+        return f"{label}, point {self._tree['point']}" if "point" in self._tree else label
+
+    @property
+    def how(self) -> str:
+        """``"slides"`` or ``"opens"``; on a path also ``"sticks"``, ``"reverses"``, ``"turns"``, ``"closes"``, ``"closes_sliding"``."""
+        return str(self._tree["how"] if "how" in self._tree else self._tree["what"])
+
+    @cached_property
+    def direction(self) -> Array | None:
+        """Unit direction in which the finger slips over the body, coordinate axes, shape (c,); None unless it slides."""
+        found = self._tree.get("direction")
+        return None if found is None else array(found)
+
+    def __repr__(self) -> str:
+        return f"<{self.label} {self.how.replace('_', ' ')}>"
+
+
+class Beyond(View):
+    """What comes just beyond an onset or the end of a path."""
+
+    @property
+    def what(self) -> str:
+        """``"continues"``, ``"limit_load"``, ``"snap"``, ``"ends"`` or ``"undecided"``."""
+        return str(self._tree["what"])
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """What every contact does next, if it continues."""
+        return tuple(str(tree["state"]) for tree in self._tree.get("states", ()))
+
+    @cached_property
+    def force_rates(self) -> Array | None:
+        """Rates of the contact forces per unit of the factor, contact frames, N, shape (n, c); None unless it continues."""
+        found = self._tree.get("force_rates")
+        return None if found is None else rows(found, len(found[0]))
+
+    @cached_property
+    def twist_rate(self) -> Array | None:
+        """Rate of the object's motion per unit of the factor, m and rad, shape (d,); None unless it continues."""
+        found = self._tree.get("twist_rate")
+        return None if found is None else motion_of(found)
+
+    def __repr__(self) -> str:
+        return f"<Beyond: {self.what.replace('_', ' ')}>"
+
+
+class Answer(View):
+    """An answer of a grasp. Its outcome comes first; what the outcome does not have is None."""
+
+    def __init__(self, told: Told | str | Tree) -> None:
+        # One attribute on the way of every call; the tree is made when it is read.
+        self._told = told
+
+    @cached_property
+    def _tree(self) -> Tree:  # type: ignore[override]
+        told = self._told
+        if isinstance(told, dict):
+            return told
+        tree: Tree = json.loads(self.to_json())
+        return tree
+
+    def to_json(self) -> str:
+        """In JSON, in the format of scenes; numbers come back to the bit."""
+        told = self._told
+        if isinstance(told, str):
+            return told
+        return told.json() if isinstance(told, Told) else json.dumps(told)
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in the words of the scene format."""
+        told = self._told
+        return told.outcome if isinstance(told, Told) else str(self._tree["outcome"])
+
+    @cached_property
+    def state(self) -> Equilibrium | None:
+        """The equilibrium that the answer speaks of, if there is one."""
+        found = self._tree.get("state")
+        return None if found is None else Equilibrium(found)
+
+    @cached_property
+    def proof(self) -> Proof | None:
+        """Why there is no equilibrium, where there is none."""
+        found = self._tree if "proof" in self._tree else self._tree.get("reason")
+        return None if found is None else Proof(found)
+
+    @property
+    def doubt(self) -> str | None:
+        """Why nothing could be said, of what is undecided."""
+        found = self._tree.get("doubt")
+        return None if found is None else str(found)
+
+    def _why(self) -> str:
+        words = self.outcome.replace("_", " ")
+        if self.proof is not None:
+            along = "" if self.proof.motion is None else f" along {short(self.proof.motion)}"
+            return f"{words}: {self.proof.kind.replace('_', ' ')}{along}"
+        return words if self.doubt is None else f"{words}: {self.doubt.replace('_', ' ')}"
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self._why()}>"
+
+    def _repr_svg_(self) -> str | None:
+        """The grasp with its forces, for notebooks; None where there is no equilibrium, or the answer was read from JSON."""
+        return self._told.svg(self._title()) if isinstance(self._told, Told) else None
+
+    def _repr_html_(self) -> str | None:
+        """A spatial grasp as a page to turn, for notebooks."""
+        page = self._told.page(self._title()) if isinstance(self._told, Told) else None
+        if page is None:
+            return None
+        return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="620" style="border:0"></iframe>'
+
+    def _title(self) -> str:
+        return self.outcome.replace("_", " ").capitalize()
+
+
+class Solution(Answer):
+    """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
+
+    @cached_property
+    def equilibrium(self) -> Equilibrium | None:
+        """The equilibrium, or None."""
+        return Equilibrium(self._tree) if self.outcome == "equilibrium" else None
+
+    @cached_property
+    def state(self) -> Equilibrium | None:
+        """The same as :attr:`equilibrium`."""
+        return self.equilibrium
+
+    def __repr__(self) -> str:
+        if self.equilibrium is None:
+            return super().__repr__()
+        return repr(self.equilibrium).replace("<Equilibrium", "<Solution: equilibrium", 1)
+
+
+class _First(Answer):
+    """When something leaves rolling, as a load grows or turns."""
+
+    @cached_property
+    def load(self) -> Array | None:
+        """The load there, N and N m, shape (d,)."""
+        return load_of(self._tree["load"]) if self.outcome == "at" else None
+
+    @cached_property
+    def leaving(self) -> tuple[Leaving, ...]:
+        """Which contacts leave, all at once; empty unless something does."""
+        return tuple(Leaving(tree) for tree in self._tree.get("leaving", ()))
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """Which joints and tendons of a hand give way there, and how, in words."""
+        return tuple(_drive(tree) for tree in self._tree.get("drives", ()))
+
+    @cached_property
+    def beyond(self) -> Beyond | None:
+        """What comes next; None unless something leaves."""
+        found = self._tree.get("beyond")
+        return None if found is None else Beyond(found)
+
+    def _who(self) -> str:
+        return ", ".join([*(f"{leaving.label} {leaving.how}" for leaving in self.leaving), *self.drives])
+
+
+class Onset(_First):
+    """The onset of sliding as a load grows.
+
+    The outcome is ``"at"`` (a factor), ``"never"``, ``"already_sliding"`` (at factor 0), ``"no_base"`` (no equilibrium at factor 0),
+    ``"gives_way"`` (nothing leaves, and nothing resists from a factor on) or ``"undecided"``.
+    """
+
+    @property
+    def factor(self) -> float | None:
+        """The factor of the direction, no unit; of what gives way the factor up to which it holds. None for all other outcomes."""
+        told = self._told
+        return told.factor if isinstance(told, Told) else optional_number(self._tree.get("factor"))
+
+    def __repr__(self) -> str:
+        if self.outcome == "at":
+            return f"<Onset at factor {self.factor:.12g}: {self._who()}>"
+        return super().__repr__()
+
+    def _title(self) -> str:
+        return f"Onset of sliding, factor {self.factor:.6g}" if self.outcome == "at" else super()._title()
+
+
+class TurnOnset(_First):
+    """The onset of sliding while a load turns; outcomes as of :class:`Onset`, with an angle for the factor."""
+
+    @property
+    def angle(self) -> float | None:
+        """How far the load has turned, rad; of what gives way the angle up to which it holds. None for all other outcomes."""
+        told = self._told
+        return told.factor if isinstance(told, Told) else optional_number(self._tree.get("angle"))
+
+    @property
+    def touches(self) -> tuple[Tree, ...]:
+        """Where edges are touched and not crossed: who, and the angle, rad."""
+        return tuple(self._tree["touches"])
+
+    def __repr__(self) -> str:
+        if self.outcome == "at":
+            return f"<TurnOnset at {self.angle:.12g} rad: {self._who()}>"
+        return super().__repr__()
+
+    def _title(self) -> str:
+        return f"Onset of sliding, turned by {self.angle:.6g} rad" if self.outcome == "at" else super()._title()
+
+
+class Event(View):
+    """Something changes on a load path."""
+
+    @property
+    def leg(self) -> int:
+        """The leg, from 0."""
+        return int(self._tree["leg"])
+
+    @property
+    def fraction(self) -> float:
+        """How much of the leg has been gone, from 0 to 1."""
+        return number(self._tree["fraction"])
+
+    @cached_property
+    def load(self) -> Array:
+        """The load there, N and N m, shape (d,)."""
+        return load_of(self._tree["load"])
+
+    @cached_property
+    def changes(self) -> tuple[Leaving, ...]:
+        """What changes, contact by contact."""
+        return tuple(Leaving(tree) for tree in self._tree["changes"])
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """Which joints and tendons of a hand change what they do, in words."""
+        return tuple(_drive(tree) for tree in self._tree.get("drives", ()))
+
+    @cached_property
+    def state(self) -> Equilibrium:
+        """The equilibrium there; its states are those before the event."""
+        return Equilibrium(self._tree["state"])
+
+    def __repr__(self) -> str:
+        who = ", ".join([*(f"{change.label} {change.how.replace('_', ' ')}" for change in self.changes), *self.drives])
+        return f"<Event on leg {self.leg} at {self.fraction:.6g}, load {short(self.load)}: {who}>"
+
+
+class Path(Answer):
+    """A load program followed to its end: ``"completed"``, ``"lost"`` (the equilibrium ends), ``"no_start"`` or ``"undecided"``."""
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """What happened on the way, in order."""
+        return tuple(Event(tree) for tree in self._tree["events"])
+
+    @cached_property
+    def energies(self) -> tuple[Mapping[str, float], ...]:
+        """Of every leg, J: load_work, finger_work, stored, dissipated; and the relative residual of their balance."""
+        return tuple({name: number(value) for name, value in tree.items()} for tree in self._tree["energies"])
+
+    @property
+    def step_error(self) -> float:
+        """Sum of the estimated relative errors of the steps along sliding arcs; 0 where every piece is straight."""
+        return number(self._tree["step_error"])
+
+    @property
+    def kind(self) -> str | None:
+        """Of a lost path what ends it: ``"fold"``, ``"corner"``, ``"asymptote"``, ``"gives_way"`` or ``"lets_go"``."""
+        found = self._tree.get("kind")
+        return None if found is None else str(found)
+
+    @cached_property
+    def load(self) -> Array | None:
+        """The load at which a lost path ends, N and N m, shape (d,)."""
+        found = self._tree.get("load")
+        return None if found is None else load_of(found)
+
+    @cached_property
+    def beyond(self) -> Beyond | None:
+        """Whether another equilibrium exists just beyond the end of a lost path."""
+        found = self._tree.get("beyond")
+        return None if found is None else Beyond(found)
+
+    def __repr__(self) -> str:
+        head = f"<Path {self.outcome.replace('_', ' ')}"
+        if self.outcome == "lost" and self.load is not None and self.beyond is not None:
+            head += f" at load {short(self.load)}: {self.kind}, beyond: {self.beyond.what.replace('_', ' ')}"
+        told = [f"  {event!r}" for event in self.events]
+        return "\n".join([head, *told]) + ">"
+
+
+def _drive(tree: Mapping[str, Any]) -> str:
+    kind = "joint" if "joint" in tree else "tendon"
+    return f"{tree.get('name') or f'{kind} {tree[kind]}'} {tree['what']}"

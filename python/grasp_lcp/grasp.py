@@ -1,0 +1,410 @@
+"""A grasp, made once and asked often."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _grasp_lcp
+from ._columns import columns, dumped, finite, floats, plain, wrench_json
+from .answers import Answer, Onset, Path, Solution, TurnOnset
+from .equilibrium import Equilibrium
+from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
+
+
+class Settings(TypedDict, total=False):
+    """Settings of all questions, as in scenes. In space ``cone`` is ``"round"``, or ``"polygon"`` for answers on the polygon itself."""
+
+    cone: str
+    polygon: Mapping[str, Any]
+    max_pivots: int
+    most_states: int
+    step_error: float
+    most_steps: int
+
+
+class Leg(TypedDict, total=False):
+    """One leg of a load program: what changes along it. What is not mentioned stays.
+
+    Loads are arrays of a force (N) or of a force and a moment (N m), commands one row a contact in its frame (m), commands of joints one
+    number a joint and then one a tendon (rad or m). A ``turn`` stands alone, with the words of :meth:`Grasp.turn`.
+    """
+
+    load_by: ArrayLike | Mapping[str, Any]
+    load_to: ArrayLike | Mapping[str, Any]
+    commands_by: ArrayLike
+    commands_to: ArrayLike
+    joints_by: ArrayLike
+    joints_to: ArrayLike
+    turn: Mapping[str, Any]
+
+
+class Grasp:
+    """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
+
+    Made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. There are n contacts of c axes and d
+    coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin in N, or
+    (d,), a force and a moment about the origin in N m.
+
+    Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
+    (n, t1, t2) in space with ``t2 = n x t1``. Units are SI in these docs; any consistent ones will do.
+    """
+
+    __slots__ = ("_held",)
+    _held: _grasp_lcp.Grasp
+
+    def __init__(self) -> None:
+        raise TypeError("Grasp: make one with Grasp.planar, Grasp.spatial, Grasp.from_dict or Grasp.from_json")
+
+    @classmethod
+    def _of(cls, held: _grasp_lcp.Grasp) -> Grasp:
+        grasp = object.__new__(cls)
+        grasp._held = held
+        return grasp
+
+    @classmethod
+    def planar(
+        cls,
+        points: ArrayLike,
+        normals: ArrayLike,
+        *,
+        friction: ArrayLike = 0.0,
+        series_stiffness: ArrayLike | None = None,
+        body_stiffness: ArrayLike | None = None,
+        finger_stiffness: ArrayLike | None = None,
+        command: ArrayLike | None = None,
+        command_world: ArrayLike | None = None,
+        pressed_with: ArrayLike | None = None,
+        clearance: ArrayLike | None = None,
+        tangents: ArrayLike | None = None,
+        hold: str | Sequence[str] = "unilateral",
+        names: Sequence[str | None] | None = None,
+        outline: ArrayLike | None = None,
+        settings: Settings | None = None,
+    ) -> Grasp:
+        """A grasp in the plane.
+
+        :param points: where fingers touch, m, shape (n, 2).
+        :param normals: directions into the object, of any length, shape (n, 2).
+        :param friction: coefficients μ >= 0, shape (n,) or one for all; ``inf`` never slides.
+        :param series_stiffness: body and finger springs in series, N/m: one number for all axes, or ``[normal, tangential]``, or rows of
+            them, shape (n, 2). Alone, or in its place the next two.
+        :param body_stiffness: springs of the object at the contacts, N/m, in the same ways; ``inf`` is rigid.
+        :param finger_stiffness: springs of the fingers, N/m, in the same ways.
+        :param command: displacements of the fingers' cores in the contact frames, m, shape (n, 2) or (2,); normal first, positive
+            pushes into the object.
+        :param command_world: the same displacements along the coordinate axes, in place of ``command``.
+        :param pressed_with: force of the squeeze in place of the normal command, N, shape (n,) or one for all.
+        :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
+        :param tangents: directions of the first tangent, shape (n, 2).
+        :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word or one a contact.
+        :param names: names of the contacts for messages and pictures.
+        :param outline: corners of the object, m, shape (k, 2); only drawn.
+        :param settings: for all questions.
+        :raises ValueError: naming the argument, its index, the value and what is allowed.
+        :raises TypeError: for what is no number.
+        """
+        return cls._made(
+            2, points, normals, friction, hold, names, outline, settings, series_stiffness=series_stiffness,
+            body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
+            command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
+        )  # fmt: skip
+
+    @classmethod
+    def spatial(
+        cls,
+        points: ArrayLike,
+        normals: ArrayLike,
+        *,
+        friction: ArrayLike = 0.0,
+        series_stiffness: ArrayLike | None = None,
+        body_stiffness: ArrayLike | None = None,
+        finger_stiffness: ArrayLike | None = None,
+        command: ArrayLike | None = None,
+        command_world: ArrayLike | None = None,
+        pressed_with: ArrayLike | None = None,
+        clearance: ArrayLike | None = None,
+        tangents: ArrayLike | None = None,
+        hold: str | Sequence[str] = "unilateral",
+        names: Sequence[str | None] | None = None,
+        outline: ArrayLike | None = None,
+        settings: Settings | None = None,
+    ) -> Grasp:
+        """A grasp in space. As :meth:`planar`, with 3 in place of 2.
+
+        Stiffnesses are one number, ``[normal, tangential]`` or ``[normal, first tangent, second tangent]``. Without ``tangents`` the first
+        tangent is the projection of the coordinate axis that is farthest from the normal.
+        """
+        return cls._made(
+            3, points, normals, friction, hold, names, outline, settings, series_stiffness=series_stiffness,
+            body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
+            command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
+        )  # fmt: skip
+
+    @classmethod
+    def _made(
+        cls,
+        axes: int,
+        points: ArrayLike,
+        normals: ArrayLike,
+        friction: ArrayLike,
+        hold: str | Sequence[str],
+        names: Sequence[str | None] | None,
+        outline: ArrayLike | None,
+        settings: Settings | None,
+        **others: ArrayLike | None,
+    ) -> Grasp:
+        leading, made = columns(axes, points, normals, friction, hold, **others)
+        if leading:
+            raise ValueError(f"points: {leading} grasps given, must be one, shape (n, {axes}); for many there is grasp_lcp.onsets")
+        contacts = made["points"].shape[1]
+        if names is not None and (isinstance(names, str) or len(names) != contacts):
+            raise ValueError(f"names: {len(names)} given, must be {contacts}, one a contact")
+        corners = None if outline is None else finite("outline", outline)
+        if corners is not None and (corners.ndim != 2 or corners.shape[1] != axes):
+            raise ValueError(f"outline: shape {corners.shape} given, must be (k, {axes})")
+        told = None if settings is None else dumped(settings)
+        return cls._of(_grasp_lcp.Grasp.of_columns(made, list(names or ()), corners, told))
+
+    @classmethod
+    def from_json(cls, text: str) -> Grasp:
+        """The grasp of a scene in JSON, hands with joints included. Its questions are left out; :func:`grasp_lcp.answers` answers them."""
+        return cls._of(_grasp_lcp.Grasp.of_json(text))
+
+    @classmethod
+    def from_dict(cls, scene: Mapping[str, Any]) -> Grasp:
+        """The grasp of a scene as a dictionary, see :meth:`from_json`."""
+        return cls.from_json(json.dumps(scene))
+
+    def to_json(self) -> str:
+        """The scene of this grasp in JSON; numbers come back to the bit."""
+        return self._held.json()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The scene of this grasp as a dictionary."""
+        scene: dict[str, Any] = json.loads(self.to_json())
+        return scene
+
+    def __len__(self) -> int:
+        """Number of contacts."""
+        return self._held.contacts
+
+    @property
+    def axes(self) -> int:
+        """Axes of a contact: 2 in the plane, 3 in space."""
+        return self._held.axes
+
+    def __repr__(self) -> str:
+        setup = self.to_dict()["planar" if self.axes == 2 else "spatial"]
+        contacts = [*setup.get("contacts", ()), *(c for finger in setup.get("fingers", ()) for c in finger["contacts"])]
+        told = ", ".join(str(contact.get("name", index)) for index, contact in enumerate(contacts[:8]))
+        more = ", ..." if len(contacts) > 8 else ""
+        held = " by a hand" if "fingers" in setup else ""
+        return f"<Grasp in {'the plane' if self.axes == 2 else 'space'}{held}, {len(contacts)} contacts: {told}{more}>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Grasp) and other.to_json() == self.to_json()
+
+    def __hash__(self) -> int:
+        return hash(self.to_json())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Grasp.from_json, (self.to_json(),))
+
+    def solve(self, load: ArrayLike) -> Solution:
+        """The equilibrium under a load, or the proof that there is none."""
+        return Solution(self._held.solve(load))
+
+    def onset(
+        self,
+        direction: ArrayLike,
+        base: ArrayLike | None = None,
+        *,
+        command_change: ArrayLike | None = None,
+        joint_change: ArrayLike | None = None,
+    ) -> Onset:
+        """At which factor of a direction the first contact leaves rolling, the load being ``base + factor * direction``.
+
+        :param direction: load that one unit of the factor adds, N and N m, shape (c,) or (d,).
+        :param base: load at factor 0; none unless said otherwise.
+        :param command_change: what one unit of the factor adds to the commands, contact frames, m, shape (n, c).
+        :param joint_change: what it adds to the commands of a hand, one a joint and then one a tendon, rad or m.
+        """
+        if command_change is None and joint_change is None:
+            return Onset(self._held.onset(direction, base))
+        commands = None if command_change is None else floats("command_change", command_change)
+        if commands is not None and commands.ndim != 2:
+            raise ValueError(f"command_change: shape {commands.shape} given, must be (n, {self.axes})")
+        joints = None if joint_change is None else finite("joint_change", joint_change).ravel().tolist()
+        return Onset(self._held.onset(direction, base, commands, joints))
+
+    def turn(
+        self,
+        *,
+        weight: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        at: ArrayLike | None = None,
+        axis: ArrayLike | None = None,
+        beside: ArrayLike | Mapping[str, Any] | None = None,
+        constant: ArrayLike | Mapping[str, Any] | None = None,
+        cosine: ArrayLike | Mapping[str, Any] | None = None,
+        sine: ArrayLike | Mapping[str, Any] | None = None,
+        angle: float | None = None,
+        reversed: bool = False,
+    ) -> TurnOnset:
+        """At which angle the first contact leaves rolling while a load turns.
+
+        Give a ``weight`` while the object is tilted with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. In the plane it
+        turns from x to y, in space about the axis by the right-hand rule.
+
+        :param weight: N, shape (c,), as it hangs before the tilt.
+        :param force: N, shape (c,), in place of the weight.
+        :param at: where it acts, m, shape (c,); the origin unless said otherwise.
+        :param axis: in space about which it turns, shape (3,).
+        :param beside: a load that stays.
+        :param constant, cosine, sine: loads, in place of all these: ``constant + cosine cos θ + sine sin θ``.
+        :param angle: how far it turns, rad; a full turn unless said otherwise.
+        :param reversed: the other way round.
+        """
+        return TurnOnset(self._held.turn(self._turn(locals())))
+
+    def _turn(self, words: Mapping[str, Any]) -> str:
+        """A turn in JSON from the words of :meth:`turn`."""
+        loads = ("beside", "constant", "cosine", "sine")
+        given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
+        written = {
+            name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()
+        }
+        return dumped(written)
+
+    def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:
+        """The load path of a program, from event to event, with slips remembered.
+
+        :param legs: each a :class:`Leg`, or the load that it goes to.
+        :param start: the load at the start; none unless said otherwise.
+        """
+        asked: dict[str, Any] = {"legs": [self._leg(index, leg) for index, leg in enumerate(legs)]}
+        if start is not None:
+            asked["start"] = wrench_json("start", start, self.axes)
+        return Path(self._held.ask(dumped({"follow": asked})))
+
+    def _leg(self, index: int, leg: ArrayLike | Leg) -> dict[str, Any]:
+        name = f"legs[{index}]"
+        if not isinstance(leg, Mapping):
+            return {"load_to": wrench_json(name, leg, self.axes)}
+        written = {}
+        for key, value in leg.items():
+            where = f"{name}[{key!r}]"
+            written[key] = wrench_json(where, value, self.axes) if key in ("load_by", "load_to") else plain(where, value)
+        return written
+
+    def equilibria(self, load: ArrayLike) -> list[Equilibrium]:
+        """All equilibria under a load, those with few contacts; on the round cone those that a polygon leads to."""
+        return [Equilibrium(tree) for tree in json.loads(self._held.equilibria(load))]
+
+    def quality(self, budget: float = 1.0, *, each: bool = False) -> Quality:
+        """What contacts *could* hold if they pressed as needed: force closure, form closure, and the measure ε of Ferrari and Canny.
+
+        :param budget: N that all normal forces may sum up to, or each may have with ``each``.
+        """
+        ball = WrenchBall.from_json(self._held.ball(budget, each))
+        return Quality(force_closure=self.force_closure(), form_closure=self.form_closure(), ball=ball)
+
+    def force_closure(self) -> Closure:
+        """Whether contact forces inside their cones could balance any load."""
+        return Closure.from_json(self._held.closure(True))
+
+    def form_closure(self) -> Closure:
+        """Whether normal forces alone could balance any load."""
+        return Closure.from_json(self._held.closure(False))
+
+    def load_limit(
+        self, direction: ArrayLike, base: ArrayLike | None = None, *, budget: float = 1.0, each: bool = True
+    ) -> LoadLimit:
+        """The largest factor for which *some* contact forces within a budget of normal forces balance ``base + factor * direction``.
+
+        :param budget: N that each normal force may have, or all together without ``each``.
+        """
+        return LoadLimit.from_json(self._held.load_limit(direction, base, budget, each))
+
+    def least_squeeze(
+        self,
+        loads: ArrayLike | None = None,
+        *,
+        any_force: float | None = None,
+        base: ArrayLike | None = None,
+        at: ArrayLike | None = None,
+        turn: Mapping[str, Any] | None = None,
+    ) -> LeastSqueeze:
+        """The least common factor of all commands with which everything rolls under each of a set of loads.
+
+        :param loads: shape (k, c) or (k, d), or one load, N and N m. Or in its place one of the next two.
+        :param any_force: size of a force of any direction, N, beside the load ``base`` and through the point ``at`` (m).
+        :param turn: a load that turns, with the words of :meth:`turn`.
+        """
+        if (loads is None) + (any_force is None) + (turn is None) != 2:
+            raise TypeError("least_squeeze: give one of loads, any_force and turn")
+        if any_force is not None:
+            return LeastSqueeze.from_json(self._held.least_squeeze_of_any_force(any_force, base, at))
+        if base is not None or at is not None:
+            raise TypeError("least_squeeze: base and at go with any_force alone")
+        if turn is not None:
+            return LeastSqueeze.from_json(self._held.least_squeeze_of_turn(self._turn(turn)))
+        rows = np.atleast_2d(floats("loads", loads if loads is not None else ()))
+        if rows.ndim != 2:
+            raise ValueError(f"loads: shape {rows.shape} given, must be (k, {self.axes}) or (k, {3 * (self.axes - 1)})")
+        return LeastSqueeze.from_json(self._held.least_squeeze(rows))
+
+    def weakest_direction(self, base: ArrayLike | None = None, at: ArrayLike | None = None) -> WeakestDirection:
+        """The direction in which the least force through a point makes a contact leave rolling, beside a base load.
+
+        :param base: N and N m, shape (c,) or (d,); none unless said otherwise.
+        :param at: m, shape (c,); the origin unless said otherwise.
+        """
+        return WeakestDirection.from_json(self._held.weakest_direction(base, at))
+
+    def _resting(self) -> Solution:
+        return self.solve(np.zeros(self.axes))
+
+    def _repr_svg_(self) -> str | None:
+        """The grasp as it is squeezed, without a load, for notebooks."""
+        return self._resting()._repr_svg_()
+
+    def _repr_html_(self) -> str | None:
+        """A spatial grasp as a page to turn, for notebooks."""
+        return self._resting()._repr_html_()
+
+
+_KINDS: dict[str, type[Answer]] = {"solve": Solution, "onset": Onset, "onset_of_turn": TurnOnset, "follow": Path}
+
+
+def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
+    """The answers to the questions of a scene, a text in JSON or a dictionary, in their order."""
+    text = scene if isinstance(scene, str) else json.dumps(scene)
+    told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text)))
+    return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
+
+
+def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """A load about the origin, shape (3,) in the plane and (6,) in space: a force (N), its moment if it acts elsewhere, and a moment (N m).
+
+    :param force: shape (2,) or (3,).
+    :param moment: one number in the plane, shape (3,) in space, beside that of the force.
+    :param at: the point that the force acts at, m, of the shape of the force.
+    """
+    pull = finite("force", force)
+    if pull.shape not in ((2,), (3,)):
+        raise ValueError(f"force: shape {pull.shape} given, must be (2,) or (3,)")
+    arm = np.zeros_like(pull) if at is None else finite("at", at)
+    if arm.shape != pull.shape:
+        raise ValueError(f"at: shape {arm.shape} given, must be {pull.shape}")
+    size = 1 if len(pull) == 2 else 3
+    turns = np.zeros(size) if moment is None else finite("moment", moment).reshape(-1)
+    if turns.shape != (size,):
+        raise ValueError(f"moment: shape {turns.shape} given, must be ({size},)")
+    of_force = [arm[0] * pull[1] - arm[1] * pull[0]] if size == 1 else np.cross(arm, pull)
+    return np.concatenate([pull, turns + of_force])

@@ -1,0 +1,162 @@
+//! Answers that are kept as the crate gave them, and written when someone reads them.
+
+use std::sync::Arc;
+
+use grasp_lcp::equilibrium::{Equilibrium, Outcome};
+use grasp_lcp::load_path::{Onset, TurnOnset};
+use pyo3::prelude::*;
+use serde::Serialize;
+
+use crate::errors::{refused, wrong};
+use crate::grasp::Kept;
+use crate::pictures::Drawn;
+
+/// What is answered from Python.
+#[derive(IntoPyObject)]
+pub(crate) enum Reply {
+    /// By a grasp without joints.
+    Told(Told),
+    /// By way of a scene, in JSON.
+    Written(String),
+}
+
+/// An answer as the crate gave it.
+pub(crate) enum Raw<const D: usize, const C: usize> {
+    Solved(Outcome<D, C>),
+    Onset(Onset<D, C>),
+    Turn(TurnOnset<D, C>),
+}
+
+/// What Python reads of an answer: two fields at once, the rest when it is written.
+trait Tells: Send + Sync {
+    fn outcome(&self) -> &'static str;
+    fn factor(&self) -> Option<f64>;
+    fn json(&self) -> PyResult<String>;
+    fn svg(&self, title: &str) -> PyResult<Option<String>>;
+    fn page(&self, title: &str) -> PyResult<Option<String>>;
+}
+
+struct Of<const D: usize, const C: usize> {
+    kept: Arc<Kept<D, C>>,
+    raw: Raw<D, C>,
+}
+
+/// An answer that is written when it is read; see `grasp_lcp.Answer`.
+#[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
+pub(crate) struct Told(Box<dyn Tells>);
+
+#[pymethods]
+impl Told {
+    #[getter]
+    fn outcome(&self) -> &'static str {
+        self.0.outcome()
+    }
+
+    #[getter]
+    fn factor(&self) -> Option<f64> {
+        self.0.factor()
+    }
+
+    fn json(&self) -> PyResult<String> {
+        self.0.json()
+    }
+
+    fn svg(&self, title: &str) -> PyResult<Option<String>> {
+        self.0.svg(title)
+    }
+
+    fn page(&self, title: &str) -> PyResult<Option<String>> {
+        self.0.page(title)
+    }
+}
+
+impl Reply {
+    pub(crate) fn told<const D: usize, const C: usize>(kept: Arc<Kept<D, C>>, raw: Raw<D, C>) -> Self
+    where
+        Kept<D, C>: Drawn<D, C>,
+    {
+        Self::Told(Told(Box::new(Of { kept, raw })))
+    }
+}
+
+/// The text of an answer in the format of scenes.
+pub(crate) fn json(answer: &impl Serialize) -> PyResult<String> {
+    serde_json::to_string(answer).map_err(wrong)
+}
+
+/// The word for an onset in the format of scenes.
+fn word<const D: usize, const C: usize>(onset: &Onset<D, C>) -> &'static str {
+    match onset {
+        Onset::At(_) => "at",
+        Onset::Never => "never",
+        Onset::AlreadySliding(_) => "already_sliding",
+        Onset::NoBase(_) => "no_base",
+        Onset::GivesWay { .. } => "gives_way",
+        _ => "undecided",
+    }
+}
+
+/// Where an onset comes, or up to where nothing leaves before all gives way.
+fn place<const D: usize, const C: usize>(onset: &Onset<D, C>) -> Option<f64> {
+    match onset {
+        Onset::GivesWay { factor, .. } => Some(*factor),
+        other => other.factor(),
+    }
+}
+
+impl<const D: usize, const C: usize> Of<D, C> {
+    fn onset(&self) -> Option<&Onset<D, C>> {
+        match &self.raw {
+            Raw::Solved(_) => None,
+            Raw::Onset(onset) => Some(onset),
+            Raw::Turn(turn) => Some(&turn.onset),
+        }
+    }
+
+    /// The equilibrium to draw, if there is one.
+    fn state(&self) -> PyResult<Option<Equilibrium<D, C>>> {
+        let grasp = self.kept.without_joints("pictures").map_err(refused)?;
+        Ok(match (&self.raw, self.onset()) {
+            (Raw::Solved(outcome), _) => outcome.equilibrium().cloned(),
+            (_, Some(Onset::At(event))) => grasp.state_at_onset(event),
+            (_, Some(Onset::AlreadySliding(state))) => Some((**state).clone()),
+            _ => None,
+        })
+    }
+}
+
+impl<const D: usize, const C: usize> Tells for Of<D, C>
+where
+    Kept<D, C>: Drawn<D, C>,
+{
+    fn outcome(&self) -> &'static str {
+        match &self.raw {
+            Raw::Solved(Outcome::Equilibrium(_)) => "equilibrium",
+            Raw::Solved(Outcome::NoEquilibrium(_)) => "no_equilibrium",
+            Raw::Solved(_) => "undecided",
+            Raw::Onset(onset) => word(onset),
+            Raw::Turn(turn) => word(&turn.onset),
+        }
+    }
+
+    fn factor(&self) -> Option<f64> {
+        self.onset().and_then(place)
+    }
+
+    fn json(&self) -> PyResult<String> {
+        let (grasp, setup) = (self.kept.without_joints("answers").map_err(refused)?, &self.kept.setup);
+        match &self.raw {
+            Raw::Solved(outcome) => json(&setup.tell_outcome(grasp, outcome).map_err(refused)?),
+            Raw::Onset(onset) => json(&setup.tell_onset(grasp, onset).map_err(refused)?),
+            Raw::Turn(turn) => json(&setup.tell_onset_of_turn(grasp, turn).map_err(refused)?),
+        }
+    }
+
+    fn svg(&self, title: &str) -> PyResult<Option<String>> {
+        self.state()?.map(|state| self.kept.svg(&state, title)).transpose()
+    }
+
+    fn page(&self, title: &str) -> PyResult<Option<String>> {
+        self.state()?.map_or(Ok(None), |state| self.kept.page(&state, title))
+    }
+}

@@ -1,0 +1,71 @@
+//! Malformed input, as an exception that names the argument.
+
+use std::fmt::Display;
+
+use grasp_lcp::{Error, Field};
+use pyo3::PyErr;
+use pyo3::exceptions::PyValueError;
+
+/// A `ValueError` with the argument, where in it, the value, and what is allowed.
+pub(crate) fn refused(error: Error) -> PyErr {
+    PyValueError::new_err(match error {
+        Error::Contact { contact, field, value, allowed } => {
+            let name = contact.name.map(|name| format!(" ({name})")).unwrap_or_default();
+            format!("{}[{}]{name} is {value}, must be {allowed}", argument(field), contact.index)
+        }
+        Error::Wrench { what, component, value } => {
+            format!("{}[{component}] is {value}, must be finite and at most 1e50 in size", named(what))
+        }
+        Error::Argument { what, value, allowed } => format!("{} is {value}, must be {allowed}", named(what)),
+        Error::Size { what, given, expected } => {
+            format!("{}: {given} rows given, must be {expected}, one a contact", named(what))
+        }
+        Error::JointCommands { what, given, expected } => {
+            format!("{}: {given} given, must be {expected}, one a joint and one a tendon", named(what))
+        }
+        Error::NothingChanges => {
+            "direction, command_change and joint_change are zero, one of them must change something"
+                .to_owned()
+        }
+        other => other.to_string(),
+    })
+}
+
+/// A `ValueError` with a message that says all.
+pub(crate) fn wrong(message: impl Display) -> PyErr {
+    PyValueError::new_err(message.to_string())
+}
+
+/// The argument that has this field of all contacts.
+fn argument(field: Field) -> &'static str {
+    match field {
+        Field::Point => "points",
+        Field::Normal => "normals",
+        Field::Tangent => "tangents",
+        Field::BodyStiffness => "body_stiffness",
+        Field::FingerStiffness => "finger_stiffness",
+        Field::SeriesStiffness => "series_stiffness",
+        Field::Friction => "friction",
+        Field::Command => "command",
+        Field::CommandChange => "command_change",
+        Field::Press => "pressed_with",
+        Field::Clearance => "clearance",
+        _ => "contact",
+    }
+}
+
+/// The argument that the crate calls so.
+fn named(what: &'static str) -> &'static str {
+    match what {
+        "load direction" => "direction",
+        "base load" => "base",
+        "command changes" => "command_change",
+        "changes of joint commands" => "joint_change",
+        "budget of normal forces" => "budget",
+        "size of the force" => "any_force",
+        "point of the force" => "at",
+        "size of the load direction" => "size of direction",
+        "number of loads" => "number of loads",
+        other => other,
+    }
+}

@@ -1,0 +1,360 @@
+//! A grasp, made once and asked often.
+
+use std::sync::Arc;
+
+use grasp_lcp::Error;
+use grasp_lcp::Settings;
+use grasp_lcp::grasp::Grasp as Built;
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::Turn;
+use grasp_lcp::scene::{Answer, Answers, Commands, Question, RampAsked, Scene, Setup, Space};
+use numpy::PyReadonlyArray2;
+use numpy::ndarray::ArrayView1;
+use pyo3::prelude::*;
+
+use crate::answers::{Raw, Reply, json};
+use crate::columns::{Columns, GivenColumns};
+use crate::errors::{refused, wrong};
+use crate::loads::wrench;
+use crate::pictures::Drawn;
+use crate::quality::Quality;
+
+/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it.
+pub(crate) struct Kept<const D: usize, const C: usize> {
+    pub(crate) setup: Setup<D, C>,
+    grasp: Option<Built<D, C>>,
+}
+
+/// The plane or space: what differs between them.
+pub(crate) trait Held: Send + Sync {
+    fn json(&self) -> PyResult<String>;
+    fn axes(&self) -> usize;
+    fn contacts(&self) -> usize;
+    fn solve(self: Arc<Self>, load: &Bound<'_, PyAny>) -> PyResult<Reply>;
+    fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply>;
+    fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply>;
+    fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String>;
+    fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
+}
+
+/// What an onset is asked along, as it was given.
+pub(crate) struct AskedRamp<'a, 'py> {
+    direction: &'a Bound<'py, PyAny>,
+    base: Option<&'a Bound<'py, PyAny>>,
+    command_change: Option<&'a PyReadonlyArray2<'py, f64>>,
+    joint_change: Option<Vec<f64>>,
+}
+
+impl<const D: usize, const C: usize> Kept<D, C> {
+    fn new(setup: Setup<D, C>) -> Result<Arc<Self>, Error> {
+        let grasp = if setup.is_held_by_a_hand() { None } else { Some(setup.grasp()?) };
+        Ok(Arc::new(Self { setup, grasp }))
+    }
+
+    /// The grasp, for questions that know no joints.
+    pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Built<D, C>, Error> {
+        self.grasp.as_ref().ok_or(Error::NotForHands { question })
+    }
+
+    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<RampAsked<D, C>> {
+        let mut ramp = RampAsked::along(wrench("direction", asked.direction)?);
+        if let Some(base) = asked.base {
+            ramp.base = wrench("base", base)?;
+        }
+        if let Some(change) = asked.command_change {
+            let change = change.as_array();
+            if change.ncols() != C {
+                let given = change.ncols();
+                return Err(wrong(format_args!("command_change: rows of {given} given, must be of {C}")));
+            }
+            let row = |i: usize| -> [f64; C] { std::array::from_fn(|k| change[[i, k]]) };
+            ramp.command_change = Some((0..change.nrows()).map(row).collect::<Commands<C>>());
+        }
+        ramp.joint_change.clone_from(&asked.joint_change);
+        Ok(ramp)
+    }
+}
+
+/// The scene that a setup is of, and the answers that belong to it.
+pub(crate) trait InSpace: Sized {
+    type Answer;
+    fn in_space(self) -> Space;
+    fn own(answers: Answers) -> Vec<Self::Answer>;
+}
+
+impl InSpace for Setup<3, 2> {
+    type Answer = Answer<3, 2>;
+    fn in_space(self) -> Space {
+        Space::Planar(self)
+    }
+    fn own(answers: Answers) -> Vec<Self::Answer> {
+        if let Answers::Planar(list) = answers { list } else { Vec::new() }
+    }
+}
+
+impl InSpace for Setup<6, 3> {
+    type Answer = Answer<6, 3>;
+    fn in_space(self) -> Space {
+        Space::Spatial(self)
+    }
+    fn own(answers: Answers) -> Vec<Self::Answer> {
+        if let Answers::Spatial(list) = answers { list } else { Vec::new() }
+    }
+}
+
+/// One question through the scene room, which knows grasps with and without joints; the answer in JSON.
+fn asked<const D: usize, const C: usize>(setup: &Setup<D, C>, question: Question<D, C>) -> PyResult<String>
+where
+    Setup<D, C>: InSpace<Answer = Answer<D, C>>,
+{
+    let scene = Scene::from(setup.clone().ask(question).in_space());
+    let answers = Setup::<D, C>::own(scene.answers().map_err(refused)?);
+    match answers.into_iter().next() {
+        Some(Answer::Solve(answer)) => json(&answer),
+        Some(Answer::Onset(answer)) => json(&answer),
+        Some(Answer::OnsetOfTurn(answer)) => json(&answer),
+        Some(Answer::Follow(answer)) => json(&answer),
+        _ => Err(wrong("question: is of a kind that is not answered here")),
+    }
+}
+
+impl<const D: usize, const C: usize> Held for Kept<D, C>
+where
+    Setup<D, C>: InSpace<Answer = Answer<D, C>>,
+    Self: Drawn<D, C>,
+{
+    fn json(&self) -> PyResult<String> {
+        json(&Scene::from(self.setup.clone().in_space()))
+    }
+
+    fn axes(&self) -> usize {
+        C
+    }
+
+    fn contacts(&self) -> usize {
+        self.setup.entries().count()
+    }
+
+    fn solve(self: Arc<Self>, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
+        let load: Wrench<D, C> = wrench("load", load)?;
+        let Some(grasp) = &self.grasp else {
+            return asked(&self.setup, Question::Solve { load }).map(Reply::Written);
+        };
+        let outcome = grasp.solve_with(&load, &self.setup.settings).map_err(refused)?;
+        Ok(Reply::told(self, Raw::Solved(outcome)))
+    }
+
+    fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {
+        let ramp = Self::ramp(ramp)?;
+        let Some(grasp) = &self.grasp else {
+            return asked(&self.setup, Question::Onset(ramp)).map(Reply::Written);
+        };
+        let ramp = self.setup.ramp(&ramp).map_err(refused)?;
+        let onset = grasp.onset_with(&ramp, &self.setup.settings).map_err(refused)?;
+        Ok(Reply::told(self, Raw::Onset(onset)))
+    }
+
+    fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply> {
+        let turn: Turn<D, C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
+        let Some(grasp) = &self.grasp else {
+            return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
+        };
+        let onset = grasp.onset_of_turn_with(&turn, &self.setup.settings).map_err(refused)?;
+        Ok(Reply::told(self, Raw::Turn(onset)))
+    }
+
+    fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String> {
+        let question = serde_json::from_str(question).map_err(|error| of_json("question", &error))?;
+        py.detach(|| asked(&self.setup, question))
+    }
+
+    fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
+        let load = wrench("load", load)?;
+        let grasp = self.without_joints("equilibria").map_err(refused)?;
+        let all = py.detach(|| grasp.equilibria_with(&load, &self.setup.settings)).map_err(refused)?;
+        let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
+        json(&told.map_err(refused)?)
+    }
+}
+
+/// What serde says of a part of a scene; where in the text, nobody has written.
+fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or(&message);
+    wrong(format_args!("{argument}: {message}"))
+}
+
+/// Contacts, or a hand, that hold an object; see `grasp_lcp.Grasp`.
+#[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
+pub(crate) struct Grasp {
+    held: Arc<dyn Asked>,
+}
+
+/// All that is asked of a grasp.
+pub(crate) trait Asked: Held + Quality {}
+impl<T: Held + Quality> Asked for T {}
+
+#[pymethods]
+impl Grasp {
+    /// The grasp of the contacts in the first row of some columns.
+    #[staticmethod]
+    fn of_columns(
+        columns: GivenColumns<'_>,
+        names: Vec<Option<String>>,
+        outline: Option<PyReadonlyArray2<'_, f64>>,
+        settings: Option<&str>,
+    ) -> PyResult<Self> {
+        let settings = settings.map_or(Ok(Settings::default()), serde_json::from_str);
+        let settings = settings.map_err(|error| of_json("settings", &error))?;
+        let beside = Beside { names, outline, settings };
+        let columns = columns.view();
+        Ok(Self {
+            held: if columns.axes() == 2 { beside.planar(&columns)? } else { beside.spatial(&columns)? },
+        })
+    }
+
+    /// The grasp of a scene; its questions are left out.
+    #[staticmethod]
+    fn of_json(text: &str) -> PyResult<Self> {
+        let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
+        Ok(Self {
+            held: match scene.space {
+                Space::Planar(setup) => Kept::new(alone(setup)).map_err(refused)?,
+                Space::Spatial(setup) => Kept::new(alone(setup)).map_err(refused)?,
+            },
+        })
+    }
+
+    fn json(&self) -> PyResult<String> {
+        self.held.json()
+    }
+
+    #[getter]
+    fn axes(&self) -> usize {
+        self.held.axes()
+    }
+
+    #[getter]
+    fn contacts(&self) -> usize {
+        self.held.contacts()
+    }
+
+    fn solve(&self, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
+        Arc::clone(&self.held).solve(load)
+    }
+
+    #[pyo3(signature = (direction, base=None, command_change=None, joint_change=None))]
+    fn onset<'py>(
+        &self,
+        direction: &Bound<'py, PyAny>,
+        base: Option<&Bound<'py, PyAny>>,
+        command_change: Option<PyReadonlyArray2<'py, f64>>,
+        joint_change: Option<Vec<f64>>,
+    ) -> PyResult<Reply> {
+        let command_change = command_change.as_ref();
+        Arc::clone(&self.held).onset(&AskedRamp { direction, base, command_change, joint_change })
+    }
+
+    fn turn(&self, turn: &str) -> PyResult<Reply> {
+        Arc::clone(&self.held).turn(turn)
+    }
+
+    fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String> {
+        self.held.ask(py, question)
+    }
+
+    fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
+        self.held.equilibria(py, load)
+    }
+
+    fn closure(&self, friction: bool) -> PyResult<String> {
+        self.held.closure(friction)
+    }
+
+    fn ball(&self, py: Python<'_>, budget: f64, each: bool) -> PyResult<String> {
+        self.held.ball(py, budget, each)
+    }
+
+    fn load_limit(
+        &self,
+        direction: &Bound<'_, PyAny>,
+        base: Option<&Bound<'_, PyAny>>,
+        budget: f64,
+        each: bool,
+    ) -> PyResult<String> {
+        self.held.load_limit(direction, base, budget, each)
+    }
+
+    fn least_squeeze(&self, loads: PyReadonlyArray2<'_, f64>) -> PyResult<String> {
+        self.held.least_squeeze_of_loads(loads)
+    }
+
+    fn least_squeeze_of_turn(&self, turn: &str) -> PyResult<String> {
+        self.held.least_squeeze_of_turn(turn)
+    }
+
+    fn least_squeeze_of_any_force(
+        &self,
+        size: f64,
+        base: Option<&Bound<'_, PyAny>>,
+        at: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<String> {
+        self.held.least_squeeze_of_any_force(size, base, at)
+    }
+
+    fn weakest_direction(
+        &self,
+        base: Option<&Bound<'_, PyAny>>,
+        at: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<String> {
+        self.held.weakest_direction(base, at)
+    }
+}
+
+/// A setup of which nothing is asked.
+fn alone<const D: usize, const C: usize>(mut setup: Setup<D, C>) -> Setup<D, C> {
+    setup.questions.clear();
+    setup
+}
+
+/// The answers to all questions of a scene, in JSON.
+#[pyfunction]
+pub(crate) fn answers_of_scene(py: Python<'_>, text: &str) -> PyResult<String> {
+    let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
+    json(&py.detach(|| scene.answers()).map_err(refused)?)
+}
+
+/// What a grasp has beside its contacts.
+struct Beside<'py> {
+    names: Vec<Option<String>>,
+    outline: Option<PyReadonlyArray2<'py, f64>>,
+    settings: Settings,
+}
+
+impl Beside<'_> {
+    fn planar(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
+        Ok(Kept::<3, 2>::new(self.setup(columns)).map_err(refused)?)
+    }
+
+    fn spatial(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
+        Ok(Kept::<6, 3>::new(self.setup(columns)).map_err(refused)?)
+    }
+
+    fn setup<const D: usize, const C: usize>(&self, columns: &Columns<'_>) -> Setup<D, C> {
+        let contact = |i: usize| {
+            let contact = columns.contact::<C>(0, i);
+            match self.names.get(i) {
+                Some(Some(name)) => contact.name(name),
+                _ => contact,
+            }
+        };
+        let contacts = (0..columns.contacts()).map(contact);
+        let mut setup = Setup::new(contacts.map(Into::into)).with_settings(self.settings);
+        if let Some(outline) = &self.outline {
+            let corners = outline.as_array();
+            let corner = |row: ArrayView1<'_, f64>| std::array::from_fn::<f64, C, _>(|k| row[k]).into();
+            setup.outline = corners.rows().into_iter().map(corner).collect();
+        }
+        setup
+    }
+}

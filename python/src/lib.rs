@@ -1,0 +1,36 @@
+//! What Python sees of grasp-lcp: the module `_grasp_lcp`, which the package `grasp_lcp` gives names, types and docs.
+//!
+//! Numbers come as arrays, answers go as JSON in the format of [`grasp_lcp::scene`]; what is read of them is decided in Python. Nothing
+//! here knows mechanics. Whatever is malformed is a `ValueError` or a `TypeError` that names the argument.
+
+use pyo3::prelude::*;
+
+mod answers;
+mod columns;
+mod equilibria;
+mod errors;
+mod friction;
+mod grasp;
+mod lcp;
+mod loads;
+mod onsets;
+mod pictures;
+mod quality;
+
+/// The native half of `grasp_lcp`.
+#[pymodule]
+mod _grasp_lcp {
+    #[pymodule_export]
+    use super::answers::Told;
+    #[pymodule_export]
+    #[pymodule_export]
+    use super::equilibria::equilibria_of_rows;
+    #[pymodule_export]
+    use super::friction::solve_friction;
+    #[pymodule_export]
+    use super::grasp::{Grasp, answers_of_scene};
+    #[pymodule_export]
+    use super::lcp::solve_lcp;
+    #[pymodule_export]
+    use super::onsets::onsets_of_rows;
+}

@@ -1,0 +1,67 @@
+//! Loads as Python gives them: an array, a list or a tuple of a force alone, or of a force and a moment.
+
+use grasp_lcp::grasp::Wrench;
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+use crate::errors::wrong;
+
+/// More numbers than any load has.
+const MOST: usize = 6;
+
+/// A load of `C` components of a force (N), or of all `D` with the moment about the origin (N m).
+pub(crate) fn wrench<const D: usize, const C: usize>(
+    argument: &str,
+    given: &Bound<'_, PyAny>,
+) -> PyResult<Wrench<D, C>> {
+    let (numbers, count) = few(argument, given)?;
+    if count != C && count != D {
+        let given = if count > MOST { format!("more than {MOST}") } else { count.to_string() };
+        return Err(wrong(format_args!(
+            "{argument}: {given} numbers given, must be {C} of a force or {D} of a force and a moment"
+        )));
+    }
+    Ok(Wrench::from_vector(std::array::from_fn(|k| if k < count { numbers[k] } else { 0.0 })))
+}
+
+/// A point of `C` coordinates, m.
+pub(crate) fn point<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; C]> {
+    let (numbers, count) = few(argument, given)?;
+    if count != C {
+        return Err(wrong(format_args!("{argument}: {count} numbers given, must be {C}")));
+    }
+    Ok(std::array::from_fn(|k| numbers[k]))
+}
+
+/// The first few numbers of what is given, and how many there are; one more than room stands for any number more.
+fn few(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<([f64; MOST], usize)> {
+    let mut numbers = [0.0; MOST];
+    if let Ok(array) = given.cast::<PyArray1<f64>>() {
+        let array = array.try_readonly().map_err(wrong)?;
+        let array = array.as_array();
+        numbers.iter_mut().zip(&array).for_each(|(to, from)| *to = *from);
+        return Ok((numbers, array.len().min(MOST + 1)));
+    }
+    let no_list = || {
+        let kind = given.get_type().name().map_or_else(|_| "this".to_owned(), |name| name.to_string());
+        PyTypeError::new_err(format!("{argument}: {kind} given, must be an array or a list of numbers"))
+    };
+    if given.is_instance_of::<PyString>() {
+        return Err(no_list());
+    }
+    let mut count = 0;
+    for item in given.try_iter().map_err(|_| no_list())? {
+        let item = item?;
+        if count == MOST {
+            return Ok((numbers, MOST + 1));
+        }
+        numbers[count] = item.extract().map_err(|_| {
+            let shown = item.repr().map_or_else(|_| "?".to_owned(), |text| text.to_string());
+            PyTypeError::new_err(format!("{argument}[{count}] is {shown}, must be a number"))
+        })?;
+        count += 1;
+    }
+    Ok((numbers, count))
+}
