@@ -224,9 +224,12 @@ class Onset(_First):
 
     @property
     def factor(self) -> float | None:
-        """The factor of the direction, no unit; of what gives way the factor up to which it holds. None for all other outcomes."""
+        """The factor up to which everything rolls, no unit: that of the event, or from which on nothing resists; ``inf`` for never.
+        None for all other outcomes."""
         told = self._told
-        return told.factor if isinstance(told, Told) else optional_number(self._tree.get("factor"))
+        if isinstance(told, Told):
+            return told.factor
+        return float("inf") if self.outcome == "never" else optional_number(self._tree.get("factor"))
 
     def __repr__(self) -> str:
         if self.outcome == "at":
@@ -242,9 +245,12 @@ class TurnOnset(_First):
 
     @property
     def angle(self) -> float | None:
-        """How far the load has turned, rad; of what gives way the angle up to which it holds. None for all other outcomes."""
+        """How far the load has turned, rad; of what gives way the angle up to which it holds. None for all other outcomes, never included:
+        of what lies beyond the last angle nothing is known."""
         told = self._told
-        return told.factor if isinstance(told, Told) else optional_number(self._tree.get("angle"))
+        if isinstance(told, Told):
+            return told.factor if told.outcome != "never" else None
+        return optional_number(self._tree.get("angle"))
 
     @property
     def touches(self) -> tuple[Tree, ...]:

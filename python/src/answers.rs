@@ -96,14 +96,6 @@ fn word<const D: usize, const C: usize>(onset: &Onset<D, C>) -> &'static str {
     }
 }
 
-/// Where an onset comes, or up to where nothing leaves before all gives way.
-fn place<const D: usize, const C: usize>(onset: &Onset<D, C>) -> Option<f64> {
-    match onset {
-        Onset::GivesWay { factor, .. } => Some(*factor),
-        other => other.factor(),
-    }
-}
-
 impl<const D: usize, const C: usize> Of<D, C> {
     fn onset(&self) -> Option<&Onset<D, C>> {
         match &self.raw {
@@ -140,7 +132,7 @@ where
     }
 
     fn factor(&self) -> Option<f64> {
-        self.onset().and_then(place)
+        self.onset().and_then(Onset::factor)
     }
 
     fn json(&self) -> PyResult<String> {

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use crate::errors::{refused, wrong};
-use crate::grasp::Kept;
+use crate::grasp::{Kept, of_json};
 use crate::loads::{point, wrench};
 
 type Given<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -95,8 +95,7 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
     }
 
     fn least_squeeze_of_turn(&self, turn: &str) -> PyResult<String> {
-        let turn: Turn<D, C> =
-            serde_json::from_str(turn).map_err(|error| wrong(format_args!("turn: {error}")))?;
+        let turn: Turn<D, C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
         self.least_squeeze(&Loads::Turn(turn))
     }
 
