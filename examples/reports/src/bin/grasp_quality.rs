@@ -1,7 +1,7 @@
 //! What a grasp planner believes beside what these fingers do: force closure, the measure of Ferrari and Canny, limit analysis; then the onset of
 //! sliding and the limit load of the same fingers as springs, squeezed as they are.
 //!
-//! `cargo run --release --example grasp_quality`
+//! `cargo run --release -p reports --bin grasp_quality`
 
 use std::hint::black_box;
 

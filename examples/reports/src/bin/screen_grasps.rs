@@ -1,6 +1,6 @@
 //! Which of a million grasps holds an object best, whichever way it is turned?
 //!
-//! `cargo run --release --example screen_grasps` samples three-finger grasps on a point cloud with normals, asks of each at which multiple of its weight the
+//! `cargo run --release -p reports --bin screen_grasps` samples three-finger grasps on a point cloud with normals, asks of each at which multiple of its weight the
 //! first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked with
 //! `Grasp::onset`, the throughput, and draws how the million are distributed.
 

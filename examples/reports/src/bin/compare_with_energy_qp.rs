@@ -1,7 +1,7 @@
 //! The paper's second example along its load, by complementarity and by the paper's own quadratic program: equal while
 //! everything rolls, and where the program goes on without an equilibrium.
 //!
-//! `cargo run --release --example compare_with_energy_qp`
+//! `cargo run --release -p reports --bin compare_with_energy_qp`
 
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, QpOutcome};

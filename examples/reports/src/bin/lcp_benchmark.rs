@@ -1,6 +1,6 @@
 //! How fast is the complementarity solver, and how exact?
 //!
-//! `cargo run --release --example lcp_benchmark` prints, for each family and size, the best time of several solves,
+//! `cargo run --release -p reports --bin lcp_benchmark` prints, for each family and size, the best time of several solves,
 //! the pivots, the largest scaled residual, and what it costs to verify the solution (a dash where that fails). With a directory as argument it also writes every problem there, as
 //! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]

@@ -1,7 +1,7 @@
 //! A finger drags a body round a corner: its sliding direction turns, and what it drags follows a tractrix. The load path on the round cone
 //! against paths on polygons: error and run time, beside the curve that Leibniz wrote down.
 //!
-//! `cargo run --release --example dragged_body`
+//! `cargo run --release -p reports --bin dragged_body`
 
 use std::error::Error;
 use std::time::Instant;

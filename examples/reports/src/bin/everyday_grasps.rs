@@ -3,7 +3,7 @@
 //! Three to twelve fingers in a ring, on two faces or over a ball, a growing weight, a push or a twist, with default settings. Loads are
 //! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze.
 //!
-//! `cargo run --release --example everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
+//! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Both printed tables of the paper, row by row: printed value, ours, difference; misprints marked with *.
 //!
-//! `cargo run --release --example paper_tables`
+//! `cargo run --release -p reports --bin paper_tables`
 
 use grasp_lcp::planar::{Equilibrium, Grasp, Outcome, Wrench};
 use support::paper::{

@@ -4,7 +4,7 @@
 //! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
 //! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
 //!
-//! `cargo run --release --example error_vs_runtime`
+//! `cargo run --release -p reports --bin error_vs_runtime`
 #![allow(unreachable_pub)]
 
 mod exact_rolling;

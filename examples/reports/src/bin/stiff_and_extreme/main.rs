@@ -1,6 +1,6 @@
 //! What becomes of an answer where stiffness, friction, squeeze, lengths or normals are extreme?
 //!
-//! `cargo run --release --example stiff_and_extreme` asks for one equilibrium a row, in the plane and in space, and compares it with exact
+//! `cargo run --release -p reports --bin stiff_and_extreme` asks for one equilibrium a row, in the plane and in space, and compares it with exact
 //! arithmetic: the contact states that came out are solved again with every number of the scene, and every contact frame as it was rounded, taken
 //! for what it is. A row shows
 //!

@@ -1,6 +1,6 @@
 //! How much squeeze carries a given load with a given reserve, and which parameter matters most?
 //!
-//! `cargo run --release --example squeeze_design`
+//! `cargo run --release -p reports --bin squeeze_design`
 
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Ramp, Turn, WeakestDirection, Wrench};

@@ -1,6 +1,6 @@
 //! How do the solvers scale, from a pinch to a hundred thousand contacts?
 //!
-//! `cargo run --release --example scaling` prints each figure, best of several runs, as ratios beside two others of the same run where those are
+//! `cargo run --release -p reports --bin scaling` prints each figure, best of several runs, as ratios beside two others of the same run where those are
 //! still affordable: what the crate does in general for a few contacts (the dense form for an equilibrium, `Grasp::onset`, `Grasp::follow`), and what one
 //! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). With
 //! `--features simd` batches use wider vectors.

@@ -7,12 +7,12 @@ use std::time::Instant;
 
 use crate::scene::Failure;
 
-const FEATURES: [&str; 5] = ["", "parallel", "plot", "serde", "simd"];
+const FEATURES: [&str; 7] = ["", "parallel", "plot", "serde", "json", "simd", "cli"];
 
 /// The cargo that runs this, in the folder of the crate.
 fn cargo() -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.current_dir(env!("CARGO_MANIFEST_DIR"));
+    command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     command
 }
 

@@ -1,7 +1,7 @@
 //! A bar between three pairs of fingers is pulled, released and pulled again until it is lost: every event with its exact
 //! load, the hysteresis loop, the energy balance.
 //!
-//! `cargo run --release --example load_cycle`
+//! `cargo run --release -p reports --bin load_cycle`
 
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Beyond, Change, Contact, Equilibrium, Grasp, Leg, LoadPath, PathEnd, Wrench};

@@ -1,7 +1,7 @@
 //! A card pinched by two soft fingertips: how far it turns about the line of the pinch, when the rims start to slide and
 //! when everything does, for four ways to spread the same springs over a tip.
 //!
-//! `cargo run --release --example soft_fingertips`
+//! `cargo run --release -p reports --bin soft_fingertips`
 
 use grasp_lcp::Error;
 use grasp_lcp::picture::{Chart, Stroke};

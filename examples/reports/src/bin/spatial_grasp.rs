@@ -2,7 +2,7 @@
 //! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed; a picture of it
 //! at its onset, and a page on which one can turn it.
 //!
-//! `cargo run --release --example spatial_grasp`
+//! `cargo run --release -p reports --bin spatial_grasp`
 
 use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};

@@ -1,6 +1,6 @@
 //! A rubber fingertip pressed and sheared: partial slip grows from the rim inwards, against Cattaneo and Mindlin.
 //!
-//! `cargo run --release --example patch` follows a pad of 10⁴ springs through a whole cycle of shear, every event exact.
+//! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear, every event exact.
 //!
 //! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov & Heß, 2015) replaces the half-space
 //! by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`: normal force, shear force, displacement and the radius of the stick

@@ -1,6 +1,6 @@
 //! When does the paper's two-finger grasp start to slide? Its table recomputed, the onset found directly, two pictures.
 //!
-//! `cargo run --release --example predict_sliding`
+//! `cargo run --release -p reports --bin predict_sliding`
 
 use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};

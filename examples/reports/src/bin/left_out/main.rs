@@ -3,7 +3,7 @@
 //! Each scene is solved by the crate and by the full kinematic formulation, which has a row for the gap and one for every facet of every contact, made
 //! and solved here from the grasp's data alone: forces must agree. Then follows what each cargo feature adds.
 //!
-//! `cargo run --release --example left_out`, and with `-- --compile` the compile times of the features, each in a fresh temporary folder.
+//! `cargo run --release -p reports --bin left_out`, and with `-- --compile` the compile times of the features, each in a fresh temporary folder.
 #![allow(unreachable_pub)]
 
 mod features;

@@ -1,7 +1,7 @@
 //! How far can a cup be tilted in the hand? The angle at which the first finger slides, for every direction in which the cup may be
 //! tilted; how much friction each finger uses on the way; what chords in place of the turn say; and what it costs to know.
 //!
-//! `cargo run --release --example tilted_cup`
+//! `cargo run --release -p reports --bin tilted_cup`
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,6 +1,6 @@
 //! Frictional contact problems (W, q, μ): the round cone beside polygons, error against run time.
 //!
-//! `cargo run --release --example friction_problems` prints, for random problems of several sizes, how far the forces of polygons miss Coulomb's law, how
+//! `cargo run --release -p reports --bin friction_problems` prints, for random problems of several sizes, how far the forces of polygons miss Coulomb's law, how
 //! far they are from those of the round cone, and the median times. With a file of a problem (n, then the rows of W, q and μ, as numbers) it
 //! solves that one: `-- problem.txt 3` for contacts in space, `2` in the plane.
 

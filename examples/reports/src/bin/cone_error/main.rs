@@ -7,7 +7,7 @@
 //!
 //! Last what the round cone costs beside a polygon, on random grasps with 3 to 20 contacts.
 //!
-//! `cargo run --release --example cone_error`
+//! `cargo run --release -p reports --bin cone_error`
 
 mod by_hand;
 mod round_cost;
