@@ -26,3 +26,5 @@ mod reply;
 pub use line::LONGEST_LINE;
 pub use lines::{BLOCK_BYTES, Tally, answer_lines, most_ahead};
 pub use options::StreamOptions;
+#[cfg(feature = "schema")]
+pub(crate) use reply::Reply;
