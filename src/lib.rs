@@ -75,6 +75,7 @@
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
 //! | `scene` | scenes and answers in any format of serde that describes itself (feature `serde`), JSON with messages that name the field (feature `json`) |
 //! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
+//! | `schema` | the JSON Schemas of scenes and answers (feature `schema`) |
 //!
 //! # Answers
 //!
@@ -111,6 +112,8 @@ pub mod planar;
 mod proofs;
 #[cfg(feature = "serde")]
 pub mod scene;
+#[cfg(feature = "schema")]
+pub mod schema;
 pub mod screening;
 mod search;
 pub mod spatial;

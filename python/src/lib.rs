@@ -23,7 +23,6 @@ mod _grasp_lcp {
     #[pymodule_export]
     use super::answers::Told;
     #[pymodule_export]
-    #[pymodule_export]
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]
     use super::friction::solve_friction;

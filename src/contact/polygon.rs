@@ -17,6 +17,7 @@ const ROUNDED_ZERO: f64 = 1e-15;
 /// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Fit {
     /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).

@@ -43,6 +43,7 @@ pub struct TendonAnswer {
 /// What the drive of a joint or of a tendon does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveState {
     /// It holds like a spring.

@@ -17,6 +17,7 @@ pub(crate) enum Axes {
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Hold {
     /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]

@@ -13,6 +13,7 @@
 /// | Hertz | √(1 - (r/R)²) | 3π/16 R | 2/5 R² | 1/4 R² |
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Pressure {
     /// The same everywhere: a flat punch on a bed of springs, a cup.

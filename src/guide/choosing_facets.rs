@@ -55,4 +55,4 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! What facets cost in time and error on real scenes: `cargo run --release --example cone_error`.
+//! What facets cost in time and error on real scenes: `cargo run --release -p reports --bin cone_error`.

@@ -141,6 +141,7 @@ pub struct Loss<const D: usize, const C: usize> {
 /// What ends an equilibrium as the load grows: all that can be said of the place alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossKind {
     /// The load has a smooth maximum along a sliding arc of the round cone: with these states the equilibrium goes on under less load only.

@@ -9,6 +9,7 @@ use super::turn_onset::TurnAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Answer<const D: usize, const C: usize> {

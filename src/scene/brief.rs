@@ -24,6 +24,7 @@ use crate::load_path::{Departure, DriveChange, Leaving, Onset, PathEnd};
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Brief {
     /// The name of the question in [the format](crate::scene).

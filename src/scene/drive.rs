@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::fields::found;
+use super::fields::AsFound;
 use super::place::Places;
 use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
 use crate::grasp::HandPart;
@@ -10,6 +10,7 @@ use crate::load_path::DriveChange;
 
 /// A joint or a tendon, as the scene knows it: `{"joint": 3, "name": "knuckle"}`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Part {
     /// Which: joints are counted from 0 finger by finger, a finger that presses with a force counts as one.
@@ -22,6 +23,7 @@ pub struct Part {
 
 /// One joint of an equilibrium; see [`JointAnswer`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct JointTold {
     /// Which joint.
@@ -30,24 +32,25 @@ pub struct JointTold {
     /// What its own drive does.
     pub state: DriveState,
     /// Displacement from the posture in which the contacts were given, rad or m.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub displacement: f64,
     /// Torque of all drives on it, N m or N.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub torque: f64,
     /// What its own drive exerts, N m or N.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub drive: f64,
     /// What is left of its limit, N m or N; "infinite" without one.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub margin: f64,
     /// How far its drive has given way beyond its spring, rad or m.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub yielded: f64,
 }
 
 /// One tendon of an equilibrium; see [`TendonAnswer`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TendonTold {
     /// Which tendon.
@@ -56,18 +59,19 @@ pub struct TendonTold {
     /// What its drive does.
     pub state: DriveState,
     /// Its tension, N.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub tension: f64,
     /// What is left of its limit, N; "infinite" without one.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub margin: f64,
     /// How far its drive has given way beyond its spring, m.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub yielded: f64,
 }
 
 /// A joint or a tendon that does something else from an event on.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct DriveTurn {
     /// Which joint or tendon.

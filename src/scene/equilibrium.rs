@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::drive::{JointTold, TendonTold};
-use super::fields::found;
+use super::fields::AsFound;
 use super::motion::Motion;
 use super::place::{Places, Touch};
 use crate::contact::PolygonCone;
@@ -12,6 +12,7 @@ use crate::grasp::{Grasp, Twist, Wrench, of_the_object};
 
 /// How a question for an equilibrium ends; see [`Outcome`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum SolveAnswer<const D: usize, const C: usize> {
@@ -28,6 +29,7 @@ pub enum SolveAnswer<const D: usize, const C: usize> {
 
 /// Why no equilibrium exists, and how that is known; see [`state::Proof`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "proof", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Proof<const D: usize, const C: usize> {
@@ -36,7 +38,7 @@ pub enum Proof<const D: usize, const C: usize> {
         /// The motion.
         motion: Motion<D, C>,
         /// Work of the load on it, positive, J.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<f64>")]
         work: f64,
     },
     /// No admissible contact force works against this unit motion, and the load drives it.
@@ -44,7 +46,7 @@ pub enum Proof<const D: usize, const C: usize> {
         /// The motion.
         motion: Motion<D, C>,
         /// Work of the load on it, positive, J.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<f64>")]
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly.
@@ -63,6 +65,7 @@ pub enum Proof<const D: usize, const C: usize> {
 
 /// An equilibrium; see [`state::Equilibrium`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Equilibrium<const D: usize, const C: usize> {
     /// The load it balances.
@@ -87,7 +90,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// By which rule it was found; there may be others.
     pub rule: Rung,
     /// Energy stored in the springs, J.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub stored_energy: f64,
     /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
     /// as one unit says [`state::Equilibrium::free_motions`].
@@ -98,7 +101,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub neutral_motions: Vec<Motion<D, C>>,
     /// The largest change of a contact force, N, from the answer of the polygon that the search
     /// started from, if it did.
-    #[serde(default, with = "found", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "AsFound::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pub change_from_polygon: Option<f64>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
@@ -106,6 +109,7 @@ pub struct Equilibrium<const D: usize, const C: usize> {
 
 /// The friction cone that an equilibrium is for; see [`state::Cone`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Cone {
@@ -119,22 +123,23 @@ pub enum Cone {
 
 /// Relative residuals, zero in exact arithmetic; see [`state::Residuals`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
     /// Of the balance of forces and moments.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub equilibrium: f64,
     /// Of the contact springs.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub springs: f64,
     /// Of the friction cone.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub cone: f64,
     /// Penetration.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub gap: f64,
     /// Of the products that must vanish.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub complementarity: f64,
 }
 
@@ -152,16 +157,17 @@ impl From<state::Residuals> for Residuals {
 
 /// How far an equilibrium is from the exact one; see [`state::Accuracy`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Accuracy {
     /// Estimated error of the contact forces, N.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub force: f64,
     /// Estimated error of the displacements at the contacts, m.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub displacement: f64,
     /// Relative change of the forces by a relative change of the data.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub condition: f64,
 }
 

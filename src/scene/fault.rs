@@ -10,6 +10,7 @@ use crate::error::Error;
 
 /// What is wrong with the text of a scene, or with what it asks.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Fault {
     /// No JSON at all, JSON that is no scene, or a scene that asks what cannot be asked.
@@ -26,6 +27,7 @@ pub struct Fault {
 
 /// What kind of fault it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum FaultKind {
@@ -39,6 +41,7 @@ pub enum FaultKind {
 
 /// A place in the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct At {
     /// From 1. It is not written: a scene of a stream stands on one line.
     #[serde(skip)]

@@ -1,5 +1,7 @@
 //! Fields that are numbers, rows of numbers or lists of rows: their form in a file, by
-//! `#[serde(with = "given")]` in questions and `#[serde(with = "found")]` in answers.
+//! `#[serde(with = "AsGiven::<T>")]` in questions and `AsFound` in answers.
+
+use std::marker::PhantomData;
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, DeserializeOwned, Deserializer};
@@ -55,26 +57,20 @@ impl<K, T: Numbers<K>> Numbers<K> for Vec<T> {
     }
 }
 
-macro_rules! fields_of {
-    ($kind:ident, $name:ident) => {
-        pub(super) mod $name {
-            use super::{Deserialize, Deserializer, Numbers, Serialize, Serializer, $kind};
+/// The written form of a field of type `T`, made of numbers of kind `K`.
+pub(super) struct As<K, T>(PhantomData<(K, T)>);
 
-            pub(in super::super) fn serialize<S: Serializer>(
-                value: &impl Numbers<$kind>,
-                serializer: S,
-            ) -> Result<S::Ok, S::Error> {
-                value.write().serialize(serializer)
-            }
+/// Of questions.
+pub(super) type AsGiven<T> = As<Given, T>;
+/// Of answers.
+pub(super) type AsFound<T> = As<Found, T>;
 
-            pub(in super::super) fn deserialize<'de, T: Numbers<$kind>, D: Deserializer<'de>>(
-                deserializer: D,
-            ) -> Result<T, D::Error> {
-                T::Written::deserialize(deserializer).map(T::read)
-            }
-        }
-    };
+impl<K, T: Numbers<K>> As<K, T> {
+    pub(super) fn serialize<S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        value.write().serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+        T::Written::deserialize(deserializer).map(T::read)
+    }
 }
-
-fields_of!(Given, given);
-fields_of!(Found, found);

@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
+use super::fields::AsGiven;
 use super::fingertip::{Carried, Fingertip, MovedBy};
 use super::matrix::Rows;
 use super::object;
@@ -115,15 +116,22 @@ impl<const C: usize> Finger<C> {
 }
 
 #[derive(serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
+    /// For the reader of the file.
     comment: Option<String>,
+    /// From the palm on.
     #[serde(default)]
     joints: Vec<Joint<C>>,
+    /// Rows of a symmetric matrix among its joints beside their own springs, N m/rad.
     stiffness_matrix: Option<Rows>,
+    /// Rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames, m/N.
     compliance: Option<Rows>,
-    #[serde(default, with = "super::fields::given")]
+    /// A force with which its only contact is pressed on, wherever that goes, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>")]
     presses_with: Option<f64>,
+    /// At least one; stiffness may be left out where there is a `compliance`.
     contacts: Vec<Carried<C>>,
 }
 
@@ -137,7 +145,7 @@ struct Out<'a, const C: usize> {
     stiffness_matrix: Option<Rows>,
     #[serde(skip_serializing_if = "Option::is_none")]
     compliance: Option<Rows>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "super::fields::given")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "AsGiven::<Option<f64>>")]
     presses_with: Option<f64>,
     contacts: &'a [Fingertip<C>],
 }
@@ -172,3 +180,6 @@ impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
         })
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Finger", Finger<C>, Written<C>, C);

@@ -4,12 +4,12 @@ use nalgebra::{DMatrix, SVector};
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::given;
+use super::fields::AsGiven;
 use super::matrix::Rows;
-use super::numbers::{Friction, Number, Spring};
+use super::numbers::{Friction, Given, Number, Spring};
 use super::object;
 use super::patch::Tip;
-use super::rows::Few;
+use super::rows::{Few, Row};
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Axes, Contact, Hold, Stiffness};
 
@@ -90,46 +90,65 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// As it stands in the file.
+/// A contact as it stands in a file.
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
+    /// What messages and answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<String>,
+    /// For the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
-    #[serde(with = "given")]
+    /// Where it touches, m.
+    #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
-    #[serde(with = "given")]
+    /// Direction into the object, of any length.
+    #[serde(with = "AsGiven::<SVector<f64, C>>")]
     normal: SVector<f64, C>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    tangent: Option<SVector<f64, C>>,
+    /// Direction of the first tangent; chosen from the normal if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tangent: Option<Row<Given, C>>,
+    /// The object's springs, N/m: normal and tangential; rigid if left out and the finger is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     body_stiffness: Option<Springs<C>>,
+    /// The finger's springs, N/m: normal and tangential; rigid if left out and the body is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
+    /// Both in series, N/m, in place of the two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
+    /// Coefficient of friction; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     friction: Option<Number<Friction>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    command: Option<SVector<f64, C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    command_world: Option<SVector<f64, C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    command: Option<Row<Given, C>>,
+    /// The command along the coordinate axes, in place of `command`, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    command_world: Option<Row<Given, C>>,
+    /// Force of the squeeze in place of the normal command, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pressed_with: Option<f64>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    /// Gap before anything moves, negative for an overlap, m; 0 if left out.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
+    /// What the contact can do; unilateral if left out.
     #[serde(default, skip_serializing_if = "is_unilateral")]
     hold: Hold,
+    /// The patch of a soft fingertip in place of the point.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     soft: Option<Tip>,
+    /// Which joints of its finger move it; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     moved_by: Option<WrittenMover>,
 }
 
 /// What moves a contact of a finger, if not all joints by what they are.
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "MovedBy"))]
 #[serde(rename_all = "snake_case")]
 enum WrittenMover {
     Link(usize),
@@ -142,7 +161,7 @@ fn is_unilateral(hold: &Hold) -> bool {
 }
 
 /// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
-struct Springs<const C: usize>(SVector<f64, C>);
+pub(super) struct Springs<const C: usize>(SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -180,14 +199,14 @@ impl<const C: usize> Serialize for Fingertip<C> {
         let said = |x: f64| x.to_bits() != 0;
         let command_along = |axes: Axes| {
             let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
-            (given && axes == contact.command_axes).then_some(contact.command)
+            (given && axes == contact.command_axes).then(|| Row::new(contact.command))
         };
         Written {
             name: contact.name.clone(),
             comment: self.comment.clone(),
             point: contact.point,
             normal: contact.normal,
-            tangent: contact.tangent,
+            tangent: contact.tangent.map(Row::new),
             body_stiffness: body,
             finger_stiffness: finger,
             series_stiffness: series,
@@ -238,12 +257,12 @@ impl<const C: usize> Fingertip<C> {
     fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
         let mut contact = Contact::new(written.point, written.normal);
         contact.name = written.name;
-        contact.tangent = written.tangent;
+        contact.tangent = written.tangent.map(|row| row.0);
         contact.stiffness = stiffness;
         contact.friction = written.friction.map_or(0.0, |mu| mu.0);
         contact = match (written.command, written.command_world) {
-            (Some(u), None) => contact.command(u),
-            (None, Some(u)) => contact.command_world(u),
+            (Some(u), None) => contact.command(u.0),
+            (None, Some(u)) => contact.command_world(u.0),
             (None, None) => contact,
             (Some(_), Some(_)) => {
                 return Err("command and command_world: a contact has one of them".to_owned());
@@ -301,3 +320,8 @@ impl<const C: usize> Written<C> {
         }
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Contact", Fingertip<C>, Written<C>, C);
+#[cfg(feature = "schema")]
+schema_as_written!("Contact", Carried<C>, Written<C>, C);

@@ -4,54 +4,75 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::given;
+use super::fields::AsGiven;
+use super::numbers::Given;
 use super::object;
+use super::rows::Row;
 use crate::grasp::{Joint, JointMotion, Limit, Tendon};
 
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct WrittenJoint<const C: usize> {
+    /// What answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<String>,
+    /// Where it turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     revolute: Option<Hinge<C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    prismatic: Option<SVector<f64, C>>,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// Along which direction it slides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    prismatic: Option<Row<Given, C>>,
+    /// Of its drive, N m/rad or N/m; without one what is given alone acts.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// Where its drive is told to go, rad or m; 0 if left out.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     command: f64,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// What acts besides, whatever the joint does, N m or N; 0 if left out.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     torque: f64,
+    /// What its drive exerts at most, N m or N; no limit if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     limit: Option<Limit>,
 }
 
 /// Where a revolute joint turns.
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Hinge<const C: usize> {
-    #[serde(with = "given")]
+    /// A point on its axis, m.
+    #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
-    axis: Option<SVector<f64, C>>,
+    /// In space the direction of its axis, right-handed; none in the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    axis: Option<Row<Given, C>>,
 }
 
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct WrittenTendon {
+    /// What answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<String>,
-    #[serde(with = "given")]
+    /// One for each joint of all fingers, m/rad or none.
+    #[serde(with = "AsGiven::<Vec<f64>>")]
     arms: Vec<f64>,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// Of its drive, N/m; without one what is given alone acts.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// Where its drive is told to go, m; 0 if left out.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     pull: f64,
-    #[serde(default, with = "given", skip_serializing_if = "is_absent")]
+    /// What acts besides, N; 0 if left out.
+    #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     tension: f64,
+    /// What its drive exerts at most, N; no limit if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     limit: Option<Limit>,
+    /// True for a rod or a differential, which pushes, too; else it pulls only.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pushes: bool,
 }
@@ -66,9 +87,9 @@ impl<const C: usize> Serialize for Joint<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (revolute, prismatic) = match &self.motion {
             JointMotion::Revolute { point, axis } => {
-                (Some(Hinge { point: *point, axis: (C == 3).then_some(*axis) }), None)
+                (Some(Hinge { point: *point, axis: (C == 3).then(|| Row::new(*axis)) }), None)
             }
-            JointMotion::Prismatic { direction } => (None, Some(*direction)),
+            JointMotion::Prismatic { direction } => (None, Some(Row::new(*direction))),
             JointMotion::Given => (None, None),
         };
         let Self { name, stiffness, command, torque, limit, .. } = self.clone();
@@ -81,9 +102,9 @@ impl<'de, const C: usize> Deserialize<'de> for Joint<C> {
         object::read(deserializer, "a joint", |written: WrittenJoint<C>| {
             let motion = match (written.revolute, written.prismatic) {
                 (None, None) => JointMotion::Given,
-                (None, Some(direction)) => JointMotion::Prismatic { direction },
+                (None, Some(direction)) => JointMotion::Prismatic { direction: direction.0 },
                 (Some(Hinge { point, axis }), None) => match (C, axis) {
-                    (3, Some(axis)) => JointMotion::Revolute { point, axis },
+                    (3, Some(axis)) => JointMotion::Revolute { point, axis: axis.0 },
                     (3, None) => return Err("missing field `axis` of a revolute joint in space".to_owned()),
                     (_, None) => JointMotion::Revolute { point, axis: SVector::zeros() },
                     (_, Some(_)) => {
@@ -113,3 +134,8 @@ impl<'de> Deserialize<'de> for Tendon {
         })
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Joint", Joint<C>, WrittenJoint<C>, C);
+#[cfg(feature = "schema")]
+schema_as_written!("Tendon", Tendon, WrittenTendon);

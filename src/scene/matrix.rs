@@ -7,6 +7,7 @@ use super::numbers::{Given, Number};
 
 /// The rows of a matrix.
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(transparent)]
 pub(super) struct Rows(Vec<Vec<Number<Given>>>);
 

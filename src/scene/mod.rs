@@ -12,6 +12,7 @@
 //! | field | value | if left out |
 //! |---|---|---|
 //! | `format` | `"grasp-lcp/1"` | an error |
+//! | `$schema` | where an editor finds the JSON Schema (feature `schema`); nothing here looks at it | none |
 //! | `id` | a text or a whole number; whoever answers repeats it | none |
 //! | `comment` | a text for the reader | none |
 //! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | a spatial one |
@@ -246,6 +247,10 @@
 //! A scene that can be read has numbers in range and lists of matching length. Messages name the
 //! contact's data, the value and what is allowed. `Scene::from_json` (feature `json`) adds line and column and the
 //! path of the field, `planar.contacts[1].friction`. What can be asked but is seldom meant is a [`Warning`].
+
+#[cfg(feature = "schema")]
+#[macro_use]
+mod schema;
 
 mod answer;
 mod asked;

@@ -15,20 +15,10 @@ use crate::error::{MODERATE, is_moderate};
 /// A kind of number: which words stand for numbers, and which numbers are refused.
 pub(super) trait Kind {
     const EXPECTED: &'static str;
-    fn of_word(_: &str) -> Option<f64> {
-        None
-    }
+    /// Numbers that are written as words.
+    const WORDS: &'static [(&'static str, f64)] = &[];
     fn allows(_: f64) -> bool {
         true
-    }
-    fn word(x: f64) -> &'static str {
-        if x.is_nan() {
-            "not a number"
-        } else if x > 0.0 {
-            "infinite"
-        } else {
-            "-infinite"
-        }
     }
 }
 
@@ -50,26 +40,26 @@ impl Kind for Given {
 
 impl Kind for Friction {
     const EXPECTED: &'static str = "a number or \"infinite\"";
-    fn of_word(word: &str) -> Option<f64> {
-        (word == "infinite").then_some(f64::INFINITY)
-    }
+    const WORDS: &'static [(&'static str, f64)] = &[("infinite", f64::INFINITY)];
 }
 
 impl Kind for Spring {
     const EXPECTED: &'static str = "a number or \"rigid\"";
-    fn of_word(word: &str) -> Option<f64> {
-        (word == "rigid").then_some(f64::INFINITY)
-    }
-    fn word(x: f64) -> &'static str {
-        if x == f64::INFINITY { "rigid" } else { Found::word(x) }
-    }
+    const WORDS: &'static [(&'static str, f64)] = &[("rigid", f64::INFINITY)];
 }
 
 impl Kind for Found {
     const EXPECTED: &'static str = "a number, \"infinite\", \"-infinite\" or \"not a number\"";
-    fn of_word(word: &str) -> Option<f64> {
-        [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].into_iter().find(|x| Self::word(*x) == word)
-    }
+    const WORDS: &'static [(&'static str, f64)] =
+        &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
+}
+
+/// The word for a number that is not finite, of its kind if that has one.
+fn word<K: Kind>(x: f64) -> &'static str {
+    let stands_for =
+        |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());
+    let mut words = K::WORDS.iter().chain(Found::WORDS);
+    words.find(stands_for).map_or("not a number", |(word, _)| word)
 }
 
 /// A number of a kind.
@@ -86,7 +76,7 @@ impl<K: Kind> Serialize for Number<K> {
         if self.0.is_finite() {
             serializer.serialize_f64(self.0)
         } else {
-            serializer.serialize_str(K::word(self.0))
+            serializer.serialize_str(word::<K>(self.0))
         }
     }
 }
@@ -125,6 +115,7 @@ impl<K: Kind> Visitor<'_> for NumberVisitor<K> {
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<f64, E> {
-        K::of_word(word).ok_or_else(|| E::invalid_value(Unexpected::Str(word), &self))
+        let known = K::WORDS.iter().find(|(known, _)| *known == word);
+        known.map(|(_, value)| *value).ok_or_else(|| E::invalid_value(Unexpected::Str(word), &self))
     }
 }

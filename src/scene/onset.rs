@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::DriveTurn;
 use super::equilibrium::{Equilibrium, Proof};
-use super::fields::found;
+use super::fields::AsFound;
 use super::motion::Motion;
 use super::place::{Doing, Place, Places};
 use crate::equilibrium::{Doubt, Rung, Settings};
@@ -14,6 +14,7 @@ use crate::load_path as path;
 
 /// When the first contact leaves rolling; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum OnsetAnswer<const D: usize, const C: usize> {
@@ -31,7 +32,7 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
     /// No contact leaves rolling, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<f64>")]
         factor: f64,
         /// Why it does not hold beyond.
         reason: Proof<D, C>,
@@ -45,10 +46,11 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
 
 /// The first contact leaves rolling; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Onset<const D: usize, const C: usize> {
     /// Load factor τ, no unit.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub factor: f64,
     /// The load there.
     pub load: Wrench<D, C>,
@@ -65,6 +67,7 @@ pub struct Onset<const D: usize, const C: usize> {
 
 /// A contact that leaves rolling.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
     /// Which contact.
@@ -77,13 +80,14 @@ pub struct Leaving<const C: usize> {
 
 /// How a contact leaves rolling.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "how", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Departure<const C: usize> {
     /// It slides.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// It opens.
@@ -92,6 +96,7 @@ pub enum Departure<const C: usize> {
 
 /// What comes after an onset or the end of a path; see [`path::Beyond`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "what", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Beyond<const D: usize, const C: usize> {
@@ -100,7 +105,7 @@ pub enum Beyond<const D: usize, const C: usize> {
         /// What every contact does next, in the order of [`Equilibrium::contacts`].
         states: Vec<Doing<C>>,
         /// Rates of the contact forces in the contact frames, N, contact by contact.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<Vec<SVector<f64, C>>>")]
         force_rates: Vec<SVector<f64, C>>,
         /// Rate of the object's motion, m and rad, and of the joints'.
         twist_rate: Motion<D, C>,

@@ -8,6 +8,7 @@ use crate::grasp::{Pressure, SoftFingertip};
 /// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane.
 /// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Tip {

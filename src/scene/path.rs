@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, SolveAnswer};
-use super::fields::found;
+use super::fields::AsFound;
 use super::motion::Motion;
 use super::onset::Beyond;
 use super::place::{Place, Places};
@@ -15,6 +15,7 @@ use crate::load_path as path;
 
 /// A load path that was followed to its end; see [`path::LoadPath`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PathAnswer<const D: usize, const C: usize> {
     /// How it ended.
@@ -26,12 +27,13 @@ pub struct PathAnswer<const D: usize, const C: usize> {
     pub energies: Vec<Energy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
     /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub step_error: f64,
 }
 
 /// How a load path ends; see [`path::PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum PathEnd<const D: usize, const C: usize> {
@@ -60,7 +62,7 @@ pub enum PathEnd<const D: usize, const C: usize> {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<f64>")]
         fraction: f64,
         /// Why.
         doubt: Doubt,
@@ -69,12 +71,13 @@ pub enum PathEnd<const D: usize, const C: usize> {
 
 /// Where an equilibrium cannot be continued; see [`path::Loss`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Loss<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D, C>,
@@ -92,12 +95,13 @@ pub struct Loss<const D: usize, const C: usize> {
 
 /// Something changes on a load path; see [`path::Event`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Event<const D: usize, const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<D, C>,
@@ -119,6 +123,7 @@ pub struct Event<const D: usize, const C: usize> {
 
 /// A contact that changes its state.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Change<const C: usize> {
     /// Which contact.
@@ -131,13 +136,14 @@ pub struct Change<const C: usize> {
 
 /// What a contact does from an event on; see [`path::Change`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "what", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Turn<const C: usize> {
     /// A rolling contact starts to slide.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact sticks.
@@ -145,13 +151,13 @@ pub enum Turn<const C: usize> {
     /// A sliding contact slides back.
     Reverses {
         /// Its new direction.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another edge of its cone (space).
     Turns {
         /// Its new direction.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A closed contact opens.
@@ -161,7 +167,7 @@ pub enum Turn<const C: usize> {
     /// An open contact closes and slides from the start.
     ClosesSliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
 }
@@ -182,23 +188,24 @@ impl<const C: usize> From<path::Change<C>> for Turn<C> {
 
 /// Energies of one leg, J; see [`path::Energy`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Energy {
     /// Work of the load on the object, `∫ W·dq`.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub load_work: f64,
     /// Work of the fingers' drives, `Σ ∫ F·du_f`.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub finger_work: f64,
     /// Change of the energy stored in the springs.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub stored: f64,
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub dissipated: f64,
     /// What does not balance, over the sum of the sizes of all contributions: zero in exact
     /// arithmetic.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub residual: f64,
 }
 

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::given;
+use super::fields::AsGiven;
 use super::object;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -12,13 +12,14 @@ use crate::load_path::Turn;
 
 /// One question, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const D: usize, const C: usize> {
     /// The equilibrium under a load; see [`Grasp::solve_with`](crate::grasp::Grasp::solve_with).
     Solve {
         /// The load; none unless said otherwise.
-        #[serde(default = "no_load")]
+        #[serde(default = "no_load::<D, C>")]
         load: Wrench<D, C>,
     },
     /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::grasp::Grasp::onset).
@@ -28,7 +29,7 @@ pub enum Question<const D: usize, const C: usize> {
     /// The load path of a program; see [`Grasp::follow_with`](crate::grasp::Grasp::follow_with).
     Follow {
         /// The load at the start; none unless said otherwise.
-        #[serde(default = "no_load")]
+        #[serde(default = "no_load::<D, C>")]
         start: Wrench<D, C>,
         /// The program.
         legs: Vec<Leg<D, C>>,
@@ -62,19 +63,20 @@ impl<const D: usize, const C: usize> Serialize for Question<D, C> {
 /// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ
 /// times their change; see [`Ramp`](crate::load_path::Ramp).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct RampAsked<const D: usize, const C: usize> {
     /// The load at factor 0; none unless said otherwise.
-    #[serde(default = "no_load")]
+    #[serde(default = "no_load::<D, C>")]
     pub base: Wrench<D, C>,
     /// What one unit of the factor adds to it; nothing unless said otherwise.
-    #[serde(default = "no_load")]
+    #[serde(default = "no_load::<D, C>")]
     pub direction: Wrench<D, C>,
     /// What one unit of the factor adds to the finger commands, if to them at all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
     /// What one unit of the factor adds to the commands of a hand, if to them at all: one for each joint and then each tendon.
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     pub joint_change: Option<Vec<f64>>,
 }
 
@@ -101,8 +103,11 @@ fn no_load<const D: usize, const C: usize>() -> Wrench<D, C> {
 /// assert_eq!(squeeze.0[2].as_slice(), [0.002, 0.0]);
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(transparent)]
-pub struct Commands<const C: usize>(#[serde(with = "given")] pub Vec<SVector<f64, C>>);
+pub struct Commands<const C: usize>(
+    #[serde(with = "AsGiven::<Vec<SVector<f64, C>>>")] pub Vec<SVector<f64, C>>,
+);
 
 impl<U: Into<[f64; C]>, const C: usize> FromIterator<U> for Commands<C> {
     fn from_iter<I: IntoIterator<Item = U>>(commands: I) -> Self {
@@ -176,20 +181,28 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 }
 
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenLeg<const D: usize, const C: usize> {
+    /// What the leg adds to the load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_by: Option<Wrench<D, C>>,
+    /// The load at its end, in place of `load_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_to: Option<Wrench<D, C>>,
+    /// What the leg adds to the commands: one row for each contact, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_by: Option<Commands<C>>,
+    /// The commands at its end, in place of `commands_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_to: Option<Commands<C>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    /// What the leg adds to commands of joints and then tendons, rad or m.
+    #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_by: Option<Vec<f64>>,
-    #[serde(default, with = "given", skip_serializing_if = "Option::is_none")]
+    /// These commands at its end, in place of `joints_by`.
+    #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
+    /// How the load turns along the leg, in place of all others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     turn: Option<Turn<D, C>>,
 }
@@ -253,3 +266,6 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
         })
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Leg", Leg<D, C>, WrittenLeg<D, C>, D, C);

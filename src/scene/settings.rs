@@ -25,9 +25,12 @@ impl<'de> Deserialize<'de> for PolygonCone {
 }
 
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenPolygon {
+    /// Number of facets.
     facets: usize,
+    /// How it lies at the round cone.
     fit: Fit,
 }
 
@@ -40,6 +43,7 @@ impl Default for WrittenPolygon {
 
 /// The cone that answers in space are for.
 #[derive(Clone, Copy, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 enum Cone {
     Round,
@@ -47,14 +51,22 @@ enum Cone {
 }
 
 #[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenSettings {
+    /// In space the friction cone that answers are for.
     cone: Cone,
+    /// The polygon in place of the round cone.
     polygon: PolygonCone,
+    /// Limit of pivots; by size if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     max_pivots: Option<usize>,
+    /// Most combinations of contact states to try.
     most_states: usize,
+    /// Error of one step along a sliding arc, relative.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1)))]
     step_error: f64,
+    /// Most steps along sliding arcs within a leg.
     most_steps: usize,
 }
 
@@ -98,3 +110,8 @@ impl<'de> Deserialize<'de> for Settings {
         })
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("PolygonCone", PolygonCone, WrittenPolygon);
+#[cfg(feature = "schema")]
+schema_as_written!("Settings", Settings, WrittenSettings);

@@ -3,11 +3,13 @@
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
-use super::fields::{found, given};
+use super::fields::AsFound;
 use super::finger::Finger;
 use super::fingertip::Fingertip;
+use super::numbers::Given;
 use super::object;
 use super::question::Question;
+use super::rows::Row;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Grasp, Hand, Tendon};
@@ -49,7 +51,7 @@ pub struct Setup<const D: usize, const C: usize> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
     /// Corners of the object in order, m. They are only drawn, by the caller.
-    #[serde(with = "found", skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "AsFound::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -65,18 +67,25 @@ fn is_default(settings: &Settings) -> bool {
 }
 
 #[derive(serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const D: usize, const C: usize> {
+    /// Contacts whose fingers have no joints.
     #[serde(default)]
     contacts: Vec<Fingertip<C>>,
+    /// Fingers with joints; their contacts are counted on behind those above.
     #[serde(default)]
     fingers: Vec<Finger<C>>,
+    /// Tendons over the joints of all fingers.
     #[serde(default)]
     tendons: Vec<Tendon>,
-    #[serde(default, with = "given")]
-    outline: Vec<SVector<f64, C>>,
+    /// Corners of the object in order, m; only drawn.
+    #[serde(default)]
+    outline: Vec<Row<Given, C>>,
+    /// What is asked, in order.
     #[serde(default)]
     questions: Vec<Question<D, C>>,
+    /// For all questions.
     #[serde(default)]
     settings: Settings,
 }
@@ -85,6 +94,7 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a setup", |written: Written<D, C>| {
             let Written { contacts, fingers, tendons, outline, questions, settings } = written;
+            let outline = outline.into_iter().map(|row| row.0).collect();
             let setup = Self { contacts, fingers, tendons, outline, questions, settings };
             if setup.entries().next().is_none() {
                 return Err(Error::EmptyGrasp.to_string());
@@ -229,3 +239,6 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         Error::Contact { contact, field, value, allowed }
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Setup", Setup<D, C>, Written<D, C>, D, C);

@@ -12,22 +12,40 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 use super::numbers::{Found, Given, Number};
 use super::object;
 use super::rows::Few;
+#[cfg(feature = "schema")]
+use super::rows::Row;
 use super::wrench::part;
 use crate::grasp::{Wrench, of_the_object};
 use crate::load_path::Turn;
 
 #[derive(serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenTurn<const D: usize, const C: usize> {
+    /// A weight, N, while the object is tilted with its grasp.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
+    /// A force that turns, N, in place of the weight.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
     force: Option<Few<Given, 3>>,
+    /// Where it acts, m; at the origin if left out.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
     at: Option<Few<Given, 3>>,
+    /// In space about which it turns, right-handed, of any length but zero; none in the plane.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
+    /// A wrench that stays.
     beside: Option<Wrench<D, C>>,
+    /// What stays of `constant + cosine cos θ + sine sin θ`, in place of weight and force.
     constant: Option<Wrench<D, C>>,
+    /// What goes with cos θ.
     cosine: Option<Wrench<D, C>>,
+    /// What goes with sin θ.
     sine: Option<Wrench<D, C>>,
+    /// How far it turns, rad; a full turn if left out.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle: Option<Number<Given>>,
+    /// The other way round.
     #[serde(default)]
     reversed: bool,
 }
@@ -111,3 +129,6 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Turn<D, C> {
         object::read(deserializer, "a turn", |written: WrittenTurn<D, C>| written.turn())
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Turn", Turn<D, C>, WrittenTurn<D, C>, D, C);

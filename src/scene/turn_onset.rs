@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, Proof};
-use super::fields::found;
+use super::fields::AsFound;
 use super::onset::{Beyond, Leaving, Onset, OnsetAnswer};
 use super::place::{Place, Places};
 use crate::equilibrium::{Doubt, Settings};
@@ -35,6 +35,7 @@ use crate::load_path as path;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnAnswer<const D: usize, const C: usize> {
     /// When the first contact leaves rolling.
@@ -46,6 +47,7 @@ pub struct TurnAnswer<const D: usize, const C: usize> {
 
 /// When the first contact leaves rolling while a load turns; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum TurnOnset<const D: usize, const C: usize> {
@@ -63,7 +65,7 @@ pub enum TurnOnset<const D: usize, const C: usize> {
     /// No contact leaves rolling, but from this angle on nothing resists the load.
     GivesWay {
         /// The angle up to which the grasp holds, rad.
-        #[serde(with = "found")]
+        #[serde(with = "AsFound::<f64>")]
         angle: f64,
         /// Why it does not hold beyond.
         reason: Proof<D, C>,
@@ -77,10 +79,11 @@ pub enum TurnOnset<const D: usize, const C: usize> {
 
 /// The first contact leaves rolling while a load turns; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnEvent<const D: usize, const C: usize> {
     /// How far the load has turned, rad.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub angle: f64,
     /// The load there.
     pub load: Wrench<D, C>,
@@ -97,18 +100,20 @@ pub struct TurnEvent<const D: usize, const C: usize> {
 
 /// An edge that is touched and not crossed while a load turns; see [`path::Touch`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
     /// What touches its edge.
     #[serde(flatten)]
     pub of: EdgeOf,
     /// Where, rad.
-    #[serde(with = "found")]
+    #[serde(with = "AsFound::<f64>")]
     pub angle: f64,
 }
 
 /// What has an edge to touch.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum EdgeOf {

@@ -38,6 +38,7 @@ pub enum Space {
 
 /// What a caller knows a scene by; answers repeat it.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "an id is a text or a whole number")]
 pub enum Id {
     /// A number.
@@ -48,6 +49,7 @@ pub enum Id {
 
 /// The answers to the questions of a scene, in their order. They are written as a list.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Answers {
     /// Of a scene in the plane.
@@ -117,7 +119,7 @@ impl From<&spatial::Grasp> for Scene {
 }
 
 /// The version, which is the only one there is.
-struct Format;
+pub(super) struct Format;
 
 impl Serialize for Format {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -149,12 +151,23 @@ struct Out<'a> {
 }
 
 #[derive(serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{ "required": ["planar"] }, { "required": ["spatial"] }])))]
 #[serde(deny_unknown_fields)]
 struct In {
+    /// Where an editor finds the schema; nothing here looks at it.
+    #[serde(default, rename = "$schema")]
+    _schema: Option<String>,
+    /// The version.
+    #[cfg_attr(feature = "schema", schemars(required))]
     format: Option<Format>,
+    /// What the answer repeats.
     id: Option<Id>,
+    /// For the reader of the file.
     comment: Option<String>,
+    /// The grasp, if it is in the plane.
     planar: Option<Setup<3, 2>>,
+    /// The grasp, if it is in space.
     spatial: Option<Setup<6, 3>>,
 }
 
@@ -167,7 +180,7 @@ impl Serialize for Scene {
 
 impl<'de> Deserialize<'de> for Scene {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a scene", |In { format, id, comment, planar, spatial }| {
+        object::read(deserializer, "a scene", |In { format, id, comment, planar, spatial, .. }| {
             if format.is_none() {
                 return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
             }
@@ -181,3 +194,6 @@ impl<'de> Deserialize<'de> for Scene {
         })
     }
 }
+
+#[cfg(feature = "schema")]
+schema_as_written!("Scene", Scene, In);

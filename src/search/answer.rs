@@ -7,6 +7,7 @@ use crate::contact::State;
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Rung {
     /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
@@ -31,6 +32,7 @@ pub enum Rung {
 /// Why nothing could be said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
     /// Lemke ended on rays that prove nothing, and not every combination of states could be tried: there are too many contacts for

@@ -16,13 +16,18 @@
 //!
 //! So a line is found again behind a pipe that splits its input, where numbers start anew in every part.
 //!
-//! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order.
+//! [`answer_line`] answers a single line where there are no threads, as in a web page.
+//! Of [`answer_lines`] one thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order.
 
 mod line;
 mod lines;
 mod options;
 mod reply;
+mod single;
 
 pub use line::LONGEST_LINE;
 pub use lines::{BLOCK_BYTES, Tally, answer_lines, most_ahead};
 pub use options::StreamOptions;
+#[cfg(feature = "schema")]
+pub(crate) use reply::Reply;
+pub use single::answer_line;

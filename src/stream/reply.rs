@@ -12,7 +12,8 @@ const BEGINNING: usize = 60;
 
 /// See [the stream](super).
 #[derive(Serialize)]
-pub(super) struct Reply {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Reply {
     line: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     id: Option<Id>,

@@ -2,6 +2,7 @@
 
 mod answers;
 mod mistakes;
+mod schema;
 mod stream;
 
 use std::io::Write;

@@ -144,7 +144,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"planar\"",
             "\"plane\"",
-            "unknown field `plane`, expected one of `format`, `id`, `comment`, `planar`, `spatial`",
+            "unknown field `plane`, expected one of `$schema`, `format`, `id`, `comment`, `planar`, `spatial`",
         ),
         (
             "\"solve\"",

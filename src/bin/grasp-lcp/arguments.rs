@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
@@ -112,6 +112,14 @@ pub(crate) enum Command {
         #[arg(long, default_value_t = 20_000)]
         most_steps: usize,
     },
+    /// The JSON Schema of scenes or of answers, for editors and for programs that write them.
+    ///
+    /// An editor completes a scene that begins with `"$schema": "scene.schema.json"`, the file that this writes.
+    Schema {
+        /// Of what.
+        #[arg(value_enum, default_value_t = SchemaOf::Scene)]
+        of: SchemaOf,
+    },
     /// Completions for a shell, to be put where it looks for them.
     Completions {
         /// The shell.
@@ -119,6 +127,17 @@ pub(crate) enum Command {
     },
     /// The manual page, in roff.
     Man,
+}
+
+/// What a schema is of.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// Of a scene.
+    Scene,
+    /// Of what `--json` prints: a list of answers.
+    Answers,
+    /// Of a line of `stream`.
+    Line,
 }
 
 /// Which scene, and how the answer is written.

@@ -14,9 +14,10 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::{CommandFactory, Parser};
+use grasp_lcp::schema::Schema;
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
-use arguments::{Arguments, Command};
+use arguments::{Arguments, Command, SchemaOf};
 use asking::Asked;
 use failure::Failure;
 use files::Pictures;
@@ -54,6 +55,14 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             (options.brief, options.most_points) = (brief, most_points);
             (options.most_states, options.most_steps) = (most_states, most_steps);
             stream(&options)?;
+        }
+        Command::Schema { of } => {
+            let schema = match of {
+                SchemaOf::Scene => Schema::Scene,
+                SchemaOf::Answers => Schema::Answers,
+                SchemaOf::Line => Schema::Reply,
+            };
+            writeln!(io::stdout(), "{:#}", schema.to_json())?;
         }
         Command::Completions { shell } => {
             clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut io::stdout());

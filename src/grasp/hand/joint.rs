@@ -18,6 +18,7 @@ pub(crate) enum JointMotion<const C: usize> {
 /// The most that the motor or the clutch of a joint carries, N m or N, and what happens there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Limit {
     /// A clutch, or friction in a gear: beyond this torque it slips, and keeps what it has slipped when the torque falls again.

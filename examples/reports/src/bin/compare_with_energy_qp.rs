@@ -1,0 +1,198 @@
+//! The paper's second example along its load, by complementarity and by the paper's own quadratic program: equal while
+//! everything rolls, and where the program goes on without an equilibrium.
+//!
+//! `cargo run --release -p reports --bin compare_with_energy_qp`
+
+use grasp_lcp::Settings;
+use grasp_lcp::energy::{Agreement, QpOutcome};
+use grasp_lcp::picture::{Chart, Stroke};
+use grasp_lcp::planar::{Grasp, Ramp, Wrench};
+use support::interior_point::{Oracle, interior_point};
+use support::minimum_power::minimum_power;
+use support::paper::{TWO_FINGER_TABLE, down, two_fingers, two_fingers_on_rests};
+
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
+
+fn main() -> Result<()> {
+    let grasp = two_fingers()?;
+    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?.factor().ok_or("has an onset")?;
+    along_the_load(&grasp, onset)?;
+    println!("\nThree laws of friction at W = 0.14 N (beyond W*)\n");
+    print!("{}", grasp.three_laws(&(down() * 0.14))?);
+    beyond_first_order(&grasp)?;
+    power()?;
+    picture(&grasp, onset)
+}
+
+fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
+    let settings = Settings::default();
+    println!("Finger 1 of the paper's second example under a growing load W along -y (N)\n");
+    println!("          complementarity       quadratic program     difference   the program");
+    println!("   W        F_n       F_t         F_n       F_t      (relative)   misses W by     verdict");
+    let (mut printed_off, mut interior_off) = (0.0_f64, 0.0_f64);
+    for row in TWO_FINGER_TABLE {
+        let load = down() * row[0];
+        let comparison = grasp.compare_with_minimum_energy(&load)?;
+        let minimum = comparison.minimum.minimum().ok_or("the program has a minimum")?;
+        print!("{:5.2}", row[0]);
+        match comparison.equilibrium.equilibrium() {
+            Some(state) => print!("   {:.6} {:9.6}", state.contacts[0].force[0], state.contacts[0].force[1]),
+            None => print!("   no equilibrium    "),
+        }
+        let force = minimum.contacts[0].force;
+        print!("    {:.6} {:9.6}", force[0], force[1]);
+        match comparison.difference {
+            Some(difference) => print!("     {:7.0e}   ", difference.relative()),
+            None => print!("        -      "),
+        }
+        println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
+
+        // The same program in all displacements, by Lemke's method and by an interior-point method.
+        let printed = grasp.printed_qp(&load, &settings.cone)?;
+        let QpOutcome::Minimum(lemke) = printed.program.solve()? else { return Err("no minimum".into()) };
+        let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
+            return Err("the interior-point method finds no minimum".into());
+        };
+        for (i, c) in minimum.contacts.iter().enumerate() {
+            printed_off = printed_off.max((printed.force(&lemke.x, i) - c.force).norm());
+            interior_off = interior_off.max((printed.force(&interior, i) - c.force).norm());
+        }
+    }
+    println!(
+        "\nThe program as printed (15 unknowns), largest difference of a force: {printed_off:.0e} N by Lemke's"
+    );
+    println!(
+        "method on its optimality conditions, below {:.0e} N by an interior-point method",
+        ceil(interior_off)
+    );
+    let ends = grasp.agreement_with_minimum_energy_with(&Ramp::load(Wrench::ZERO, down()), &settings)?;
+    let Agreement::UpTo { factor, .. } = ends else { return Err("the agreement ends".into()) };
+    println!("\nfirst friction constraint binds at W = {factor:.15}");
+    println!("onset of sliding, found directly   W* = {onset:.15}");
+    Ok(())
+}
+
+/// The next power of ten: digits below the tolerance of an iterative method are nobody's business.
+fn ceil(x: f64) -> f64 {
+    10f64.powf(x.log10().ceil())
+}
+
+fn beyond_first_order(grasp: &Grasp) -> Result<()> {
+    let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
+    let outcome = grasp.second_order_equilibrium(&load)?;
+    let state = outcome.equilibrium().ok_or("there is one")?;
+    let first = grasp.stability(&state.first_order);
+    println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
+    println!("  dropped term of equation 4.1 {:.1e} m", state.dropped_displacement);
+    println!(
+        "  that changes forces by       {:.1e} N, displacements by {:.1e} m",
+        state.force_left_out, state.displacement_left_out
+    );
+    println!("  turning stiffness: elastic   {:.4} N m", first.elastic[(2, 2)]);
+    println!("  geometric (arms turn)        {:.4} N m", first.geometric[(2, 2)]);
+    println!(
+        "  softest motion               {:.4} N/m, equilibrium {:?}",
+        first.least_curvature, first.verdict
+    );
+    Ok(())
+}
+
+/// The minimum power principle with given normal forces, beside Coulomb's law, on fingers that slide over an object that settles on
+/// soft rests.
+fn power() -> Result<()> {
+    println!(
+        "\nMinimum power principle, normal forces given: two sliding fingers and soft rests, W = 0.5 N\n"
+    );
+    println!(
+        "  normals    F_n of finger 1 (N)      the principle's F_t is off (N)     its cost, F_n varied,"
+    );
+    println!("             rolling    Coulomb       first       rounds to 1e-12        has the slope (N)");
+    for (slope, name) in [(0.0, "level"), (0.125, "slope 1/8")] {
+        let grasp = two_fingers_on_rests(slope)?;
+        let load = down() * 0.5;
+        let outcome = grasp.solve(&load)?;
+        let coulomb = outcome.equilibrium().ok_or("holds")?;
+        let stuck = Grasp::new(grasp.contacts().iter().enumerate().map(|(i, c)| {
+            let c = c.clone();
+            if i < 2 { c.friction(f64::INFINITY) } else { c }
+        }))?;
+        let rolling = stuck.solve(&load)?;
+        let rolling = rolling.equilibrium().ok_or("holds")?;
+        let mut normal: Vec<f64> = rolling.contacts.iter().map(|c| c.force[0]).collect();
+        let before = normal[0];
+        let (mut first, mut rounds) = (None, 0);
+        for round in 1..200 {
+            let answer = minimum_power(&grasp, &load, &normal).ok_or("a minimum")?;
+            let off = answer
+                .forces
+                .iter()
+                .zip(&coulomb.contacts)
+                .map(|(f, c)| (f[1] - c.force[1]).abs())
+                .fold(0.0, f64::max);
+            first.get_or_insert(off);
+            rounds = round;
+            if off <= 1e-12 {
+                break;
+            }
+            normal = answer.forces.iter().map(|f| f[0]).collect();
+        }
+        // d/dy of Σ μ F_n(y) |s| at Coulomb's equilibrium: what a cost with varying F_n would add to the balance.
+        let added: f64 = grasp
+            .contacts()
+            .iter()
+            .zip(grasp.frames())
+            .zip(&coulomb.contacts)
+            .map(|((contact, frame), c)| {
+                let k = contact.series_stiffness_of_axes()[0];
+                -contact.friction_coefficient() * k * frame[(1, 0)] * c.slip[1].abs()
+            })
+            .sum();
+        println!(
+            "  {name:9}  {before:.6}   {:.6}      {:.1e}     {rounds:3}                    {added:+.4}",
+            coulomb.contacts[0].force[0],
+            first.unwrap_or(f64::NAN)
+        );
+    }
+    println!(
+        "\n  Level fingers press equally wherever the object goes: the principle is Coulomb's law. On sloping"
+    );
+    println!("  ones it is so only with the normal forces of the answer, which have to be known before.");
+    Ok(())
+}
+
+/// What the fingers carry against what they have to.
+fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
+    let (mut coulomb, mut program, mut missing, mut associated) = (vec![], vec![], vec![], vec![]);
+    for step in 0..=32 {
+        let w = if step == 32 { onset } else { 0.005 * f64::from(step) };
+        let laws = grasp.three_laws(&(down() * w))?;
+        if let Some(state) = laws.comparison.equilibrium.equilibrium() {
+            coulomb.push((w, state.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
+        }
+        if let Some(minimum) = laws.comparison.minimum.minimum() {
+            program.push((w, minimum.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
+            missing.push((w, minimum.out_of_balance().0));
+        }
+        if let Some(rest) = laws.associated.rest() {
+            let up = rest.contacts.iter().zip(grasp.frames()).map(|(c, frame)| (frame * c.force)[1]);
+            associated.push((w, up.sum::<f64>()));
+        }
+    }
+    for series in [&mut coulomb, &mut program, &mut missing, &mut associated] {
+        series.sort_by(|a: &(f64, f64), b| a.0.total_cmp(&b.0));
+    }
+    let chart = Chart::new(
+        "The paper's second grasp: what the fingers carry of the load",
+        "load W (N)",
+        "upward force of both fingers (N)",
+    )
+    .series("Coulomb, complementarity", coulomb, Stroke::Line)
+    .series("minimum energy, quadratic program", program, Stroke::Dashed)
+    .series("associated friction", associated, Stroke::Circles)
+    .series("missing to equilibrium in the program", missing, Stroke::Line)
+    .mark(onset, "W* = √65/66")
+    .shade_from(onset, "no equilibrium");
+    println!();
+    support::save("compare_with_energy_qp.svg", &chart.to_svg()?)?;
+    Ok(())
+}

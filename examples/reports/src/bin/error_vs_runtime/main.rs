@@ -1,0 +1,27 @@
+//! What does an answer cost, and how far is it off? Each question is asked the crate's way and the ways one would ask it otherwise.
+//!
+//! Four parts, two charts each: the onset of sliding, the friction cone in space, the forces while everything rolls, and a load path. Errors
+//! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
+//! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
+//!
+//! `cargo run --release -p reports --bin error_vs_runtime`
+#![allow(unreachable_pub)]
+
+mod exact_rolling;
+
+mod cone;
+mod onset;
+mod path;
+mod report;
+mod rolling;
+
+use support::Failure;
+
+fn main() -> Result<(), Failure> {
+    let mut report = report::Report::default();
+    onset::measure(&mut report)?;
+    cone::measure(&mut report)?;
+    rolling::measure(&mut report)?;
+    path::measure(&mut report)?;
+    report.save("error_vs_runtime")
+}

@@ -1,0 +1,194 @@
+//! Everyday grasps in space far beyond the onset: how many equilibria and load paths are decided, and in what time.
+//!
+//! Three to twelve fingers in a ring, on two faces or over a ball, a growing weight, a push or a twist, with default settings. Loads are
+//! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze.
+//!
+//! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::time::Instant;
+
+use grasp_lcp::equilibrium::{Outcome, Proof};
+use grasp_lcp::load_path::LossKind;
+use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, PathEnd, Wrench};
+use support::numbers::Numbers;
+
+type Failure = Box<dyn std::error::Error>;
+
+const PARTS: [f64; 4] = [0.5, 1.15, 2.5, 6.0];
+
+/// A direction, all alike.
+fn direction(numbers: &mut Numbers) -> [f64; 3] {
+    loop {
+        let v = numbers.three();
+        let square: f64 = v.iter().map(|x| x * x).sum();
+        if (0.01..1.0).contains(&square) {
+            return v.map(|x| x / square.sqrt());
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Ring,
+    Faces,
+    Ball,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Load {
+    Weight,
+    Push,
+    Twist,
+}
+
+/// Fingers that press with 5 to 15 N.
+fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, grasp_lcp::Error> {
+    let contact = |i: usize| {
+        let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.signed()).sin_cos();
+        let mut near = |x: f64| 0.1 * numbers.signed() - x;
+        let (point, normal) = match place {
+            Place::Ring => {
+                let normal = [-cos, -sin, 2.0 * near(0.0)];
+                ([cos, sin, 3.0 * near(0.0)], normal)
+            }
+            Place::Faces => {
+                let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+                let normal = [near(0.0), near(0.0), -side];
+                ([8.0 * near(0.0), 8.0 * near(0.0), side], normal)
+            }
+            Place::Ball => {
+                let point = direction(numbers);
+                (point, point.map(|x| 0.1 * numbers.signed() - x))
+            }
+        };
+        let stiffness = 1000.0 * (0.3 * numbers.signed()).exp();
+        Contact::new(point, normal)
+            .series_stiffness(stiffness, stiffness * (0.75 + 0.15 * numbers.signed()))
+            .friction(0.45 + 0.15 * numbers.signed())
+            .command([0.01 + 0.005 * numbers.signed(), 0.0, 0.0])
+    };
+    Grasp::new((0..count).map(contact).collect::<Vec<_>>())
+}
+
+fn load(load: Load, numbers: &mut Numbers) -> Wrench {
+    match load {
+        Load::Weight => Wrench::force([0.0, 0.0, -100.0]),
+        Load::Push => Wrench::force(direction(numbers).map(|x| 100.0 * x)),
+        Load::Twist => Wrench::new([0.0, 0.0, -5.0], direction(numbers).map(|x| 70.0 * x)),
+    }
+}
+
+/// Times in ms, and how often each answer came.
+#[derive(Default)]
+struct Tally {
+    times: Vec<f64>,
+    answers: BTreeMap<&'static str, usize>,
+}
+
+impl Tally {
+    fn add(&mut self, answer: &'static str, start: Instant) {
+        self.times.push(1e3 * start.elapsed().as_secs_f64());
+        *self.answers.entry(answer).or_default() += 1;
+    }
+
+    fn print(&mut self, name: &str) {
+        self.times.sort_by(f64::total_cmp);
+        let last = self.times.len() - 1;
+        let time = |hundredths: usize| self.times[last * hundredths / 100];
+        let answers: Vec<_> =
+            self.answers.iter().map(|(answer, count)| format!("{count} {answer}")).collect();
+        println!(
+            "  {name:32} {:5}   {:8.3} {:8.2} {:8.1} ms   {}",
+            self.times.len(),
+            time(50),
+            time(99),
+            time(100),
+            answers.join(", ")
+        );
+    }
+}
+
+fn main() -> Result<(), Failure> {
+    let each = std::env::args().nth(1).map_or(Ok(4), |text| text.parse::<usize>())?;
+    let places = [Place::Ring, Place::Faces, Place::Ball];
+    let loads = [Load::Weight, Load::Push, Load::Twist];
+    let mut escape = f64::INFINITY;
+    println!("  equilibria                       loads     median     99 %  longest");
+    for count in [3, 4, 5, 6, 8, 12] {
+        let mut tallies = PARTS.map(|_| Tally::default());
+        let mut numbers = Numbers(count as u64);
+        for (place, kind) in places.into_iter().flat_map(|place| loads.map(|load| (place, load))) {
+            for _ in 0..each {
+                let grasp = grasp(place, count, &mut numbers)?;
+                let direction = load(kind, &mut numbers);
+                let onset = grasp.onset_of_sliding(&Wrench::ZERO, &direction)?;
+                let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
+                for (part, tally) in PARTS.into_iter().zip(&mut tallies) {
+                    let (load, start) = (direction * (part * onset), Instant::now());
+                    let outcome = grasp.solve(&load)?;
+                    let answer = match &outcome {
+                        Outcome::Equilibrium(_) => "held",
+                        Outcome::NoEquilibrium(_) => "none",
+                        _ => "undecided",
+                    };
+                    tally.add(answer, start);
+                    if let Outcome::NoEquilibrium(none) = &outcome
+                        && let Proof::EveryCaseContradicted { escape: this, .. } = none.proof
+                    {
+                        escape = escape.min(this);
+                    }
+                }
+            }
+        }
+        for (part, tally) in PARTS.iter().zip(&mut tallies) {
+            tally.print(&format!("{count} fingers, {part} times the onset"));
+        }
+    }
+    println!("  What could escape a proof would have to exceed the data {escape:.0e} times.\n");
+    println!("  load paths                       paths     median     99 %  longest");
+    let mut beyond = Tally::default();
+    for place in places {
+        for kind in loads {
+            let mut tally = Tally::default();
+            let mut numbers = Numbers(1);
+            for count in [3, 4, 5, 6].into_iter().flat_map(|count| std::iter::repeat_n(count, each)) {
+                let grasp = grasp(place, count, &mut numbers)?;
+                let leg = Leg::load_to(load(kind, &mut numbers));
+                let start = Instant::now();
+                let mut path = grasp.follow(&Wrench::ZERO, &[leg])?;
+                path.run();
+                let answer = match path.end() {
+                    Some(PathEnd::Completed) => "completed",
+                    Some(PathEnd::Lost(loss)) => how(loss.kind),
+                    Some(PathEnd::NoStart(_)) => "without a start",
+                    _ => "undecided",
+                };
+                tally.add(answer, start);
+                let start = Instant::now();
+                let answer = match path.beyond() {
+                    Some(Beyond::LimitLoad) => "limit loads",
+                    Some(Beyond::Snap) => "snaps",
+                    Some(_) => "not known",
+                    None => continue,
+                };
+                beyond.add(answer, start);
+            }
+            tally.print(&format!("{place:?}, {kind:?}"));
+        }
+    }
+    beyond.print("what lies beyond their ends");
+    Ok(())
+}
+
+/// How a path is lost.
+fn how(kind: LossKind) -> &'static str {
+    match kind {
+        LossKind::Fold => "folds",
+        LossKind::Corner => "corners",
+        LossKind::Asymptote => "asymptotes",
+        LossKind::GivesWay => "give way",
+        _ => "let go",
+    }
+}

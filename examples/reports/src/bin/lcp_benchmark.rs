@@ -1,0 +1,193 @@
+//! How fast is the complementarity solver, and how exact?
+//!
+//! `cargo run --release -p reports --bin lcp_benchmark` prints, for each family and size, the best time of several solves,
+//! the pivots, the largest scaled residual, and what it costs to verify the solution (a dash where that fails). With a directory as argument it also writes every problem there, as
+//! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers.
+#![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]
+
+use grasp_lcp::lcp::{Answer, Lcp, Series, Settings, Workspace};
+use nalgebra::{DMatrix, DVector};
+use std::hint::black_box;
+use std::path::PathBuf;
+use std::time::Instant;
+use support::splitmix::Random;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let directory = std::env::args().nth(1).map(PathBuf::from);
+    let mut bits = 0_u64;
+    println!(
+        "{:<26} {:>5} {:>12} {:>7} {:>10} {:>14}",
+        "family", "n", "time (µs)", "pivots", "residual", "verified (µs)"
+    );
+    for (family, make) in [
+        ("definite", definite as fn(usize, &mut Random) -> Lcp),
+        ("definite-uniform", definite_uniform),
+        ("semidefinite", semidefinite),
+        ("planar-contact", planar_contact),
+        ("obstacle", obstacle),
+    ] {
+        for n in [10, 50, 100, 200, 500] {
+            let problem = make(n, &mut Random(n as u64));
+            if let Some(directory) = &directory {
+                std::fs::write(directory.join(format!("{family}-{n}.txt")), problem.to_string())?;
+            }
+            let settings = Settings::default();
+            let mut workspace = Workspace::new();
+            let mut pivots = 0;
+            let mut residual = f64::NAN;
+            let time = best_time(|| {
+                if let Answer::Solved(solution) = workspace.solve(black_box(&problem), &settings) {
+                    pivots = solution.pivots;
+                    residual = solution.residuals.max();
+                }
+            });
+            let mut verified = "-".to_string();
+            if let Answer::Solved(solution) = workspace.solve(&problem, &settings) {
+                if problem.verify(solution.basis).is_some() {
+                    let time = best_time(|| {
+                        black_box(problem.verify(solution.basis));
+                    });
+                    verified = format!("{time:.2}");
+                }
+                bits = solution.z.iter().fold(bits, |bits, z| bits.rotate_left(7) ^ z.to_bits());
+            }
+            println!(
+                "{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}",
+                problem.len()
+            );
+        }
+    }
+    // The same with and without the feature `simd`.
+    println!("bits of all z: {bits:016x}");
+    neighbours()
+}
+
+/// The series of a definite M whose q moves just far enough to change the basis by one pair.
+fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
+    let n = 100;
+    let problem = definite(n, &mut Random(n as u64));
+    let direction = DVector::from_fn(n, |i, _| (i as f64).sin());
+    let path = grasp_lcp::lcp::Parametric::new(&problem, &direction, Settings::default())?;
+    let taus: Vec<f64> = path.take(2).map(|breakpoint| breakpoint.tau).collect();
+    let [first, second] = taus[..] else { return Err("two breakpoints expected".into()) };
+    let neighbour = problem.vector() + &direction * f64::midpoint(first, second);
+    let mut series = Series::new(problem.matrix().clone(), Settings::default())?;
+    let mut pivots = [0; 2];
+    let time = best_time(|| {
+        for (q, pivots) in [problem.vector(), &neighbour].into_iter().zip(&mut pivots) {
+            if let Ok(Answer::Solved(solution)) = series.solve(black_box(q)) {
+                *pivots = solution.pivots;
+            }
+        }
+    });
+    let mut workspace = Workspace::new();
+    let cold = best_time(|| {
+        black_box(workspace.solve(black_box(&problem), &Settings::default()));
+    });
+    let warm = time / 2.0;
+    println!(
+        "neighbouring basis, n = {n}: {warm:.2} µs with {} pivots, {:.3} of a cold solve",
+        pivots[1],
+        warm / cold
+    );
+    Ok(())
+}
+
+/// The best time of one call in microseconds, over about a third of a second.
+fn best_time(mut solve: impl FnMut()) -> f64 {
+    let begin = Instant::now();
+    let mut best = f64::INFINITY;
+    let mut calls = 0;
+    while calls < 5 || begin.elapsed().as_secs_f64() < 0.3 {
+        let start = Instant::now();
+        solve();
+        best = best.min(start.elapsed().as_secs_f64() * 1e6);
+        calls += 1;
+    }
+    best
+}
+
+fn lcp(m: DMatrix<f64>, q: DVector<f64>) -> Lcp {
+    Lcp::new(m, q).expect("the numbers are finite and the sizes match")
+}
+
+/// M = A Aᵀ + I, A and q normal.
+fn definite(n: usize, random: &mut Random) -> Lcp {
+    let a = DMatrix::from_fn(n, n, |_, _| random.normal());
+    let q = DVector::from_fn(n, |_, _| random.normal());
+    lcp(&a * a.transpose() + DMatrix::identity(n, n), q)
+}
+
+/// M = A Aᵀ + I, A uniform in [0, 1], q normal.
+fn definite_uniform(n: usize, random: &mut Random) -> Lcp {
+    let a = DMatrix::from_fn(n, n, |_, _| random.uniform());
+    let q = DVector::from_fn(n, |_, _| random.normal());
+    lcp(&a * a.transpose() + DMatrix::identity(n, n), q)
+}
+
+/// M = A Aᵀ of rank n/2, q = w − M z for random complementary z and w, so that there is a solution.
+fn semidefinite(n: usize, random: &mut Random) -> Lcp {
+    let a = DMatrix::from_fn(n, n / 2, |_, _| random.normal());
+    let m = &a * a.transpose();
+    let z = DVector::from_fn(n, |i, _| if i % 2 == 0 { random.uniform() } else { 0.0 });
+    let w = DVector::from_fn(n, |i, _| if i % 2 == 1 { random.uniform() } else { 0.0 });
+    lcp(m.clone(), w - m * z)
+}
+
+/// A rigid body on n/5 springs with Coulomb friction in the plane, the free twist eliminated by a soft ground: per
+/// contact a normal force, two friction directions, their slip and a second spring; copositive, not symmetric.
+fn planar_contact(n: usize, random: &mut Random) -> Lcp {
+    let contacts = n / 4;
+    let size = 4 * contacts;
+    let directions: Vec<[f64; 3]> = (0..contacts)
+        .flat_map(|_| {
+            let angle = std::f64::consts::TAU * random.uniform();
+            let (x, y) = (random.normal(), random.normal());
+            let (nx, ny) = (-angle.cos(), -angle.sin());
+            [[nx, ny, x * ny - y * nx], [ny, -nx, -x * nx - y * ny]]
+        })
+        .collect();
+    // Forces along a direction move the body by the compliance of the ground, and the contact by its own.
+    let compliance = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let mut m = DMatrix::zeros(size, size);
+    let mut q = DVector::zeros(size);
+    for i in 0..contacts {
+        for j in 0..contacts {
+            let (ni, ti) = (directions[2 * i], directions[2 * i + 1]);
+            let (nj, tj) = (directions[2 * j], directions[2 * j + 1]);
+            m[(4 * i, 4 * j)] = compliance(ni, nj);
+            for (a, sa) in [(1, 1.0), (2, -1.0)] {
+                m[(4 * i, 4 * j + a)] = sa * compliance(ni, tj);
+                m[(4 * i + a, 4 * j)] = sa * compliance(ti, nj);
+                for (b, sb) in [(1, 1.0), (2, -1.0)] {
+                    m[(4 * i + a, 4 * j + b)] = sa * sb * compliance(ti, tj);
+                }
+            }
+        }
+        for (a, sa) in [(1, 1.0), (2, -1.0)] {
+            for (b, sb) in [(1, 1.0), (2, -1.0)] {
+                m[(4 * i + a, 4 * i + b)] += 0.1 * sa * sb;
+            }
+            m[(4 * i + a, 4 * i + 3)] = 1.0;
+            m[(4 * i + 3, 4 * i + a)] = -1.0;
+            q[4 * i + a] = sa * random.normal();
+        }
+        m[(4 * i, 4 * i)] += 0.1;
+        m[(4 * i + 3, 4 * i)] = 0.2 + 0.6 * random.uniform();
+        q[4 * i] = random.normal() - 0.5;
+    }
+    lcp(m, q)
+}
+
+/// A string over a bump: the three-point Laplacian and an obstacle, the classical free-boundary problem.
+fn obstacle(n: usize, _: &mut Random) -> Lcp {
+    let h = 1.0 / (n as f64 + 1.0);
+    let m = DMatrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        0 => 2.0,
+        1 => -1.0,
+        _ => 0.0,
+    });
+    let bump = |i: usize| 0.5 - 8.0 * ((i as f64 + 1.0) * h - 0.45).powi(2);
+    let obstacle = DVector::from_fn(n, |i, _| bump(i));
+    lcp(m.clone(), m * obstacle + DVector::from_element(n, h * h))
+}

@@ -1,0 +1,25 @@
+//! How do the solvers scale, from a pinch to a hundred thousand contacts?
+//!
+//! `cargo run --release -p reports --bin scaling` prints each figure, best of several runs, as ratios beside two others of the same run where those are
+//! still affordable: what the crate does in general for a few contacts (the dense form for an equilibrium, `Grasp::onset`, `Grasp::follow`), and what one
+//! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). With
+//! `--features simd` batches use wider vectors.
+#![allow(clippy::doc_markdown, unreachable_pub)]
+
+mod equilibria;
+mod onsets;
+mod paths;
+mod report;
+mod today;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+fn main() -> Outcome {
+    report::head();
+    onsets::rows()?;
+    equilibria::few_contacts()?;
+    equilibria::patches()?;
+    paths::rows()?;
+    equilibria::growth()?;
+    equilibria::whole_solve()
+}

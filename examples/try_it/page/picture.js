@@ -1,0 +1,67 @@
+// Draws object, friction cones, forces, load and displacement. Handles, which are dragged, are drawn by `handles`.
+const picture = (() => {
+  // Parts of the object's size: the length of a friction cone, and the farthest that a displacement is drawn.
+  const CONE = 0.3, DISPLACED = 0.1;
+  // A friction coefficient that is drawn as a cone, at most.
+  const WIDEST = 50;
+
+  const drawCone = (place, { point, normal }, friction, state) => {
+    const tangent = [normal[1], -normal[0]], size = outline.length(normal), { line } = state.now;
+    const high = CONE * line.size, slope = Math.min(friction, WIDEST), side = high / Math.hypot(1, slope) / size;
+    const rim = [1, -1].map((way) => outline.add(outline.add(point, normal, side), tangent, way * slope * side));
+    return svg.polygon([point, ...rim].map(place.pixel), { class: "cone" });
+  };
+
+  const drawObject = (place, corners, className) => svg.polygon(corners.map(place.pixel), { class: className });
+
+  // To first order, magnified so that it is seen; returns the factor.
+  const displaced = (line, { translation, rotation }) => {
+    const motion = (p) => [translation[0] - rotation * p[1], translation[1] + rotation * p[0]];
+    const most = Math.max(...line.corners.map((p) => outline.length(motion(p))));
+    if (!(most > 0)) return null;
+    const factor = numbers.roundDown((DISPLACED * line.size) / most);
+    return { factor, corners: line.corners.map((p) => outline.add(p, motion(p), factor)) };
+  };
+
+  const drawLoad = (place, { force, moment, at }, scale) => {
+    const group = svg.element("g"), from = place.pixel(at), size = outline.length(force);
+    const way = place.along(force.map((f) => f / size)), far = place.width + place.height;
+    group.append(svg.line(outline.add(from, way, -far), outline.add(from, way, far), { class: "action" }));
+    group.append(svg.arrow(from, place.along(force, scale), "load"));
+    if (moment !== 0) group.append(svg.turn(from, 26, moment > 0, "load"));
+    return group;
+  };
+
+  // A round force as an arrow in the corner.
+  const drawScale = (place, scale) => {
+    const round = numbers.roundDown(90 / scale), [x, y] = [14, place.height - 14];
+    const group = svg.element("g", { class: "scale" });
+    group.append(svg.arrow([x, y], [round * scale, 0], "scale-arrow"));
+    group.append(svg.text([x, y - 10], numbers.text(round, "N")));
+    return group;
+  };
+
+  // Under `found.held` alone are there forces and a displacement to draw.
+  const draw = (group, place, found) => {
+    const { fingers, friction, load, line } = state.now;
+    const held = found.held ? found.held.contacts : [];
+    const scale = view.forceScale(place, [load.force, ...held.map(({ force }) => force)]);
+    const moved = found.held && displaced(line, found.held.twist);
+    const parts = [drawObject(place, line.corners, "object")];
+    fingers.forEach((finger, k) => {
+      const cone = drawCone(place, finger, friction, state);
+      cone.classList.add(held[k] ? held[k].state : "unknown");
+      parts.push(cone);
+    });
+    if (moved) parts.push(drawObject(place, moved.corners, "displaced"));
+    parts.push(drawLoad(place, load, scale));
+    held.forEach(({ force_world: force, state: what }, k) => {
+      parts.push(svg.arrow(place.pixel(fingers[k].point), place.along(force, scale), `force ${what}`));
+    });
+    if (scale > 0) parts.push(drawScale(place, scale));
+    group.replaceChildren(...parts);
+    return { scale, factor: moved ? moved.factor : null };
+  };
+
+  return { draw };
+})();

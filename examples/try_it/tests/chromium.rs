@@ -1,0 +1,161 @@
+//! The page in a browser: what it shows after drags is what the crate answers natively, to the bit.
+//!
+//! Skipped with a message where there is no Chromium or where the toolchain has no WebAssembly.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+use serde_json::Value;
+
+/// Added behind the page.
+const DRAGS: &str = include_str!("drags.js");
+/// Time of the browser's own clock, ms, in which module and drags are done; it runs ahead where there is nothing to wait for.
+const VIRTUAL_TIME: u32 = 60_000;
+
+/// The page, built as the README says; nothing where WebAssembly is missing.
+fn page() -> Option<String> {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("try_it.html");
+    let built = Command::new(env!("CARGO_BIN_EXE_try-it")).arg(&path).status().unwrap();
+    if built.code() == Some(2) {
+        println!("skipped: no WebAssembly");
+        return None;
+    }
+    assert!(built.success());
+    Some(fs::read_to_string(path).unwrap())
+}
+
+fn chromium() -> Option<PathBuf> {
+    let places: Vec<_> = env::split_paths(&env::var_os("PATH")?).collect();
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    names.iter().flat_map(|name| places.iter().map(move |place| place.join(name))).find(|path| path.is_file())
+}
+
+/// What the browser wrote down.
+fn records(chromium: &Path, page: &str) -> Value {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let path = directory.join("dragged.html");
+    fs::write(&path, page.replace("</body>", &format!("<script>{DRAGS}</script>\n</body>"))).unwrap();
+    let run = Command::new(chromium)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--window-size=1200,900", "--dump-dom"])
+        .arg(format!("--virtual-time-budget={VIRTUAL_TIME}"))
+        .arg(format!("--user-data-dir={}", directory.join("chromium").display()))
+        .arg(format!("file://{}", path.display()))
+        .output()
+        .unwrap();
+    let dom = String::from_utf8(run.stdout).unwrap();
+    let begin = "<script type=\"application/json\" id=\"records\">";
+    let told = dom.rsplit_once(begin).expect("the drags came to their end").1;
+    serde_json::from_str(told.split_once("</script>").unwrap().0).unwrap()
+}
+
+/// What the crate answers natively to the scene of a record.
+struct Native {
+    onset: Value,
+    solve: Value,
+    follow: Value,
+}
+
+fn native(record: &Value) -> Native {
+    let reply: Value =
+        serde_json::from_str(&try_it::reply(record["scene"].as_str().unwrap().as_bytes())).unwrap();
+    let answer = |k: usize, name: &str| reply["answers"][k][name].clone();
+    Native { onset: answer(0, "onset"), solve: answer(1, "solve"), follow: answer(2, "follow") }
+}
+
+/// The number that the page holds under a name, and nothing if it shows none.
+fn shown(record: &Value, what: &str) -> Option<f64> {
+    record["shown"][what]["value"].as_str().map(|text| text.parse().unwrap())
+}
+
+/// All numbers of one record, to the bit; returns how many.
+fn compare(record: &Value) -> usize {
+    let Native { onset, solve, follow } = native(record);
+    let mut expected = Vec::new();
+    if ["at", "gives_way"].contains(&onset["outcome"].as_str().unwrap()) {
+        expected.push(("onset".to_owned(), onset["factor"].as_f64().unwrap()));
+    }
+    if follow["outcome"] == "lost" {
+        expected.push(("limit".to_owned(), follow["fraction"].as_f64().unwrap() * 1000.0));
+    }
+    let no_contacts = Vec::new();
+    let contacts = solve["contacts"].as_array().unwrap_or(&no_contacts);
+    for (k, contact) in contacts.iter().enumerate() {
+        let open = contact["state"] == "separated";
+        expected.push((format!("normal-{k}"), contact["force"][0].as_f64().unwrap()));
+        expected.push((format!("tangential-{k}"), contact["force"][1].as_f64().unwrap()));
+        expected.push((format!("margin-{k}"), contact["margin"].as_f64().unwrap()));
+        let (name, way) = if open { ("gap", &contact["gap"]) } else { ("slip", &contact["slip"][1]) };
+        expected.push((format!("{name}-{k}"), way.as_f64().unwrap()));
+    }
+    if !contacts.is_empty() {
+        expected.push(("x".to_owned(), solve["twist"]["translation"][0].as_f64().unwrap()));
+        expected.push(("y".to_owned(), solve["twist"]["translation"][1].as_f64().unwrap()));
+        expected.push(("turn".to_owned(), solve["twist"]["rotation"].as_f64().unwrap()));
+    }
+    for (what, value) in &expected {
+        // A zero is written without its sign.
+        assert_eq!(shown(record, what).map(|x| x + 0.0), Some(value + 0.0), "{}: {what}", record["what"]);
+    }
+    assert_eq!(record["shown"].as_object().unwrap().len(), expected.len(), "{}", record["what"]);
+    let states: Vec<_> = contacts.iter().map(|contact| contact["state"].as_str().unwrap()).collect();
+    let told: Vec<_> =
+        record["states"].as_array().unwrap().iter().map(|state| state.as_str().unwrap()).collect();
+    let words = |state: &&str| match *state {
+        "rolling" => "sticks",
+        "sliding" => "slides",
+        "separated" => "open",
+        "frictionless" => "slides freely",
+        other => panic!("{other}"),
+    };
+    assert_eq!(told, states.iter().map(words).collect::<Vec<_>>(), "{}", record["what"]);
+    expected.len()
+}
+
+#[test]
+fn the_page_shows_what_the_crate_answers() {
+    let Some(chromium) = chromium() else {
+        println!("skipped: no Chromium");
+        return;
+    };
+    let Some(page) = page() else { return };
+    let dragged = records(&chromium, &page);
+    let records = dragged["records"].as_array().unwrap();
+    let of = |what: &str| records.iter().find(|record| record["what"] == what).unwrap();
+
+    let numbers: usize = records.iter().map(compare).sum();
+    println!("{} states of the page, {numbers} numbers equal to the bit", records.len());
+    println!("page of {:.2} MB", page.len() as f64 / 1e6);
+
+    // Closed forms: the paper's onset, and friction 0.5 under 8 N a side.
+    let paper = shown(of("paper_two_fingers"), "onset").unwrap() * 0.12;
+    assert!((paper - 65f64.sqrt() / 66.0).abs() < 1e-15, "{paper}");
+    let before = shown(of("box"), "onset").unwrap();
+    assert!((before * 4.905 - 8.0).abs() < 1e-14, "{before}");
+
+    // A finger that is dragged changes the scene and with it the onset; so does a load that is turned.
+    assert_ne!(shown(of("a finger dragged"), "onset"), Some(before));
+    let steps = [
+        "box",
+        "a finger dragged",
+        "a finger moved by a key",
+        "the load turned",
+        "the load moved",
+        "sliders",
+        "a finger more",
+    ];
+    for pair in steps.windows(2) {
+        assert_ne!(of(pair[0])["scene"], of(pair[1])["scene"], "{pair:?}");
+    }
+
+    // What has no equilibrium is told in words, without numbers or arrows of forces.
+    for what in ["no friction", "wedge"] {
+        let record = of(what);
+        assert_eq!(native(record).solve["outcome"], "no_equilibrium", "{what}");
+        assert_eq!(record["verdict"], "No equilibrium under this load.");
+        assert_eq!(record["arrows"], 0);
+        assert!(record["why"].as_str().unwrap().len() > 20, "{what}");
+        assert!(shown(record, "normal-0").is_none());
+    }
+    assert_eq!(native(of("the wedge with friction")).solve["outcome"], "equilibrium");
+}

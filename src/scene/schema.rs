@@ -1,0 +1,233 @@
+//! The JSON Schema of what derives none: numbers with their words, rows, wrenches, and what is checked as a whole once it is read.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde_json::Value;
+
+use super::fields::{As, Numbers};
+use super::fingertip::Springs;
+use super::numbers::{Found, Friction, Given, Kind, Number, Spring};
+use super::rows::Row;
+use super::written::{FORMAT, Format};
+use crate::error::LARGEST;
+use crate::grasp::{Twist, Wrench, of_the_object};
+
+/// The schema of a type is that of its written form.
+macro_rules! schema_as_written {
+    ($name:literal, $type:ty, $written:ty $(, $dimension:ident)*) => {
+        impl<$(const $dimension: usize),*> schemars::JsonSchema for $type {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                $name.into()
+            }
+            fn schema_id() -> std::borrow::Cow<'static, str> {
+                <$written>::schema_id()
+            }
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                <$written>::json_schema(generator)
+            }
+        }
+    };
+}
+
+/// Bounds of a kind of number beside its words.
+trait Bounded: Kind + 'static {
+    const NAME: &'static str;
+    fn bounds() -> Schema;
+}
+
+impl Bounded for Given {
+    const NAME: &'static str = "Given";
+    fn bounds() -> Schema {
+        json_schema!({ "minimum": -LARGEST, "maximum": LARGEST })
+    }
+}
+
+impl Bounded for Friction {
+    const NAME: &'static str = "Friction";
+    fn bounds() -> Schema {
+        json_schema!({ "minimum": 0 })
+    }
+}
+
+impl Bounded for Spring {
+    const NAME: &'static str = "Spring";
+    fn bounds() -> Schema {
+        json_schema!({ "exclusiveMinimum": 0 })
+    }
+}
+
+impl Bounded for Found {
+    const NAME: &'static str = "Found";
+    fn bounds() -> Schema {
+        json_schema!({})
+    }
+}
+
+impl<K: Bounded> JsonSchema for Number<K> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        K::NAME.into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        number::<K>()
+    }
+}
+
+/// A number within its bounds, or a word for one.
+fn number<K: Bounded>() -> Schema {
+    let mut number = K::bounds();
+    number.insert("type".to_owned(), "number".into());
+    if K::WORDS.is_empty() {
+        return number;
+    }
+    let words: Vec<&str> = K::WORDS.iter().map(|(word, _)| *word).collect();
+    json_schema!({ "anyOf": [number, { "enum": words }] })
+}
+
+/// A list whose length lies between two numbers.
+fn list<K: Bounded>(least: usize, most: usize) -> Schema {
+    json_schema!({ "type": "array", "items": number::<K>(), "minItems": least, "maxItems": most })
+}
+
+impl<K: Bounded, const C: usize> JsonSchema for Row<K, C> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("RowOf{C}{}", K::NAME).into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        list::<K>(C, C)
+    }
+}
+
+impl<K: Kind, T: Numbers<K>> JsonSchema for As<K, T>
+where
+    T::Written: JsonSchema,
+{
+    fn inline_schema() -> bool {
+        T::Written::inline_schema()
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        T::Written::schema_name()
+    }
+
+    fn schema_id() -> Cow<'static, str> {
+        T::Written::schema_id()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        T::Written::json_schema(generator)
+    }
+}
+
+/// A number, or a list of one: the moment in the plane. In space a list of three.
+fn angular<K: Bounded>(axes: usize) -> Schema {
+    let listed = list::<K>(axes, axes);
+    if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
+}
+
+/// A wrench or a twist: its linear part, its angular part and that of joints, which are all optional where they are read.
+fn by_parts<K: Bounded, const C: usize>(
+    generator: &SchemaGenerator,
+    [linear, turning]: [(&str, &str); 2],
+) -> Schema {
+    let joints = json_schema!({ "type": "array", "items": number::<K>() });
+    let first = told(generator, list::<K>(C, C), linear.1);
+    let second = told(generator, angular::<K>(of_the_object::<C>() - C), turning.1);
+    let joints =
+        told(generator, joints, "Of the joints of a hand; fewer than there are stand for the first.");
+    let required = if generator.contract().is_serialize() { vec![linear.0, turning.0] } else { Vec::new() };
+    json_schema!({
+        "type": "object",
+        "properties": { linear.0: first, turning.0: second, "joints": joints },
+        "required": required
+    })
+}
+
+/// A part with its description; where it is read it may be `null`.
+fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
+    let mut part = if generator.contract().is_serialize() {
+        part
+    } else {
+        json_schema!({ "anyOf": [part, { "type": "null" }] })
+    };
+    part.insert("description".to_owned(), description.into());
+    part
+}
+
+impl<const D: usize, const C: usize> JsonSchema for Wrench<D, C> {
+    fn schema_name() -> Cow<'static, str> {
+        "Wrench".into()
+    }
+
+    fn schema_id() -> Cow<'static, str> {
+        format!("wrench of {C} axes").into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let parts = [("force", "N."), ("moment", "About the origin, N m.")];
+        if generator.contract().is_serialize() {
+            return by_parts::<Found, C>(generator, parts);
+        }
+        let mut schema = by_parts::<Given, C>(generator, parts);
+        let at = list::<Given>(C, C);
+        let at = told(generator, at, "Where the force acts, m; at the origin if left out.");
+        if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
+            properties.insert("at".to_owned(), at.into());
+        }
+        schema.insert("additionalProperties".to_owned(), false.into());
+        schema
+    }
+}
+
+impl<const D: usize, const C: usize> JsonSchema for Twist<D, C> {
+    fn schema_name() -> Cow<'static, str> {
+        "Twist".into()
+    }
+
+    fn schema_id() -> Cow<'static, str> {
+        format!("twist of {C} axes").into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        by_parts::<Found, C>(generator, [("translation", "Of the origin, m."), ("rotation", "rad.")])
+    }
+}
+
+impl<const C: usize> JsonSchema for Springs<C> {
+    fn schema_name() -> Cow<'static, str> {
+        "Springs".into()
+    }
+
+    fn schema_id() -> Cow<'static, str> {
+        format!("springs of {C} axes").into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        // A word alone is all of them; two numbers are normal and tangential.
+        json_schema!({ "anyOf": [{ "const": "rigid" }, { "const": ["rigid"] }, list::<Spring>(2, C)] })
+    }
+}
+
+impl JsonSchema for Format {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Format".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "const": FORMAT })
+    }
+}

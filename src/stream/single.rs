@@ -1,0 +1,23 @@
+//! One line by itself, for callers that have no threads or no stream.
+
+use super::line::{LONGEST_LINE, Line};
+use super::options::StreamOptions;
+use super::reply::Reply;
+
+/// The line of output for one line of input, with number 1 and without its end: what [`answer_lines`](super::answer_lines) writes,
+/// on the thread of the caller. [`StreamOptions::threads`] means nothing here.
+///
+/// ```
+/// use grasp_lcp::stream::{StreamOptions, answer_line};
+///
+/// assert_eq!(answer_line(b"  ", &StreamOptions::default())?, r#"{"line":1,"blank":true}"#);
+/// assert!(answer_line(b"{}", &StreamOptions::default())?.contains(r#""error":{"kind":"scene""#));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+///
+/// # Errors
+/// What writing the answer in JSON fails with; a line that is no scene is answered by an error in it.
+pub fn answer_line(text: &[u8], options: &StreamOptions) -> serde_json::Result<String> {
+    let line = Line { number: 1, text: text.to_vec(), too_long: text.len() > LONGEST_LINE };
+    serde_json::to_string(&Reply::to(&line, options))
+}
