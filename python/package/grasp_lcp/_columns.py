@@ -24,7 +24,7 @@ def floats(name: str, given: ArrayLike) -> Array:
         kind = found.dtype if found.dtype.kind != "O" else type(given).__name__
         raise TypeError(f"{name}: {kind} given, must be numbers")
     if isinstance(given, np.ma.MaskedArray):
-        found = given.astype(np.float64).filled(np.nan)
+        found = np.ma.filled(given.astype(np.float64), np.nan)
     return np.require(found, dtype=np.float64, requirements=["A"])
 
 
@@ -80,8 +80,7 @@ def columns(
     """The leading shape of the grasps, and all columns broadcast to rows of grasps by contacts (by axes)."""
     given: dict[str, Array | None] = {"points": _vectors("points", points, axes)}
     if given["points"] is None or given["points"].ndim < 2:
-        shape = np.shape(points)
-        raise ValueError(f"points: shape {shape} given, must be (..., n, {axes})")
+        raise ValueError(f"points: shape {np.shape(points)} given, must be (..., n, {axes})")
     contacts = given["points"].shape[-2]
     given["normals"] = _vectors("normals", normals, axes)
     for name in ("series_stiffness", "body_stiffness", "finger_stiffness"):

@@ -76,7 +76,7 @@ class Onsets:
     @property
     def answered(self) -> NDArray[np.bool_]:
         """Where there is a factor, be it infinite."""
-        return self.status <= OnsetStatus.NEVER
+        return np.less_equal(self.status, OnsetStatus.NEVER)
 
     def count(self) -> dict[OnsetStatus, int]:
         """How many rows ended in each way."""

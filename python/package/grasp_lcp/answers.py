@@ -105,7 +105,7 @@ class Answer(View):
         self._told = told
 
     @cached_property
-    def _tree(self) -> Tree:  # type: ignore[override]
+    def _tree(self) -> Tree:
         told = self._told
         if isinstance(told, dict):
             return told
