@@ -56,7 +56,5 @@ for contact, datum in enumerate((1, 3, 5)):
 towards = triples * [-1.0, -1.0, 0.0]
 report(
     "spatial triples",
-    lambda: onsets(
-        triples, towards, [0.1, 0.2, -1.0], friction=friction, series_stiffness=[9e2, 6e2], command=[0.006, 0.0, 0.0]
-    ),
+    lambda: onsets(triples, towards, [0.1, 0.2, -1.0], friction=friction, series_stiffness=[9e2, 6e2], command=[0.006, 0.0, 0.0]),
 )

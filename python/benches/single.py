@@ -1,7 +1,7 @@
 """What a single call from Python costs over the call in Rust: the onset of a planar pair.
 
-    cargo run --release --package grasp-lcp-python --example rust_single
-    python python/benches/single.py
+cargo run --release --package grasp-lcp-python --example rust_single
+python python/benches/single.py
 """
 
 import timeit

@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::{Columns, GivenColumns};
-use crate::errors::wrong;
+use crate::errors::{has_nan, wrong};
 
 /// Grasps that a thread takes at once: work of a tenth of a millisecond and more, so that handing it out costs nothing.
 const CHUNK: usize = 64;
@@ -179,8 +179,5 @@ fn code_of<const C: usize>(state: &ContactState<C>) -> u8 {
 
 /// What is wrong with a row.
 fn status_of(error: &Error) -> Status {
-    match error {
-        Error::Contact { value, .. } | Error::Wrench { value, .. } if value.is_nan() => Status::NotANumber,
-        _ => Status::Malformed,
-    }
+    if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

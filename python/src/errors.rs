@@ -11,12 +11,18 @@ pub(crate) fn refused(error: Error) -> PyErr {
     PyValueError::new_err(match error {
         Error::Contact { contact, field, value, allowed } => {
             let name = contact.name.map(|name| format!(" ({name})")).unwrap_or_default();
-            format!("{}[{}]{name} is {value}, must be {allowed}", argument(field), contact.index)
+            format!("{}[{}]{name} is {}, must be {allowed}", argument(field), contact.index, shown(value))
         }
         Error::Wrench { what, component, value } => {
-            format!("{}[{component}] is {value}, must be finite and at most 1e50 in size", named(what))
+            format!(
+                "{}[{component}] is {}, must be finite and at most 1e50 in size",
+                named(what),
+                shown(value)
+            )
         }
-        Error::Argument { what, value, allowed } => format!("{} is {value}, must be {allowed}", named(what)),
+        Error::Argument { what, value, allowed } => {
+            format!("{} is {}, must be {allowed}", named(what), shown(value))
+        }
         Error::Size { what, given, expected } => {
             format!("{}: {given} rows given, must be {expected}, one a contact", named(what))
         }
@@ -34,6 +40,17 @@ pub(crate) fn refused(error: Error) -> PyErr {
 /// A `ValueError` with a message that says all.
 pub(crate) fn wrong(message: impl Display) -> PyErr {
     PyValueError::new_err(message.to_string())
+}
+
+/// Whether the number that is refused is NaN, which stands for data that are missing.
+pub(crate) fn has_nan(error: &Error) -> bool {
+    matches!(error, Error::Contact { value, .. } | Error::Wrench { value, .. } if value.is_nan())
+}
+
+/// A number for people: one of sixty digits by its exponent.
+fn shown(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The argument that has this field of all contacts.

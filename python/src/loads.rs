@@ -1,7 +1,7 @@
 //! Loads as Python gives them: an array, a list or a tuple of a force alone, or of a force and a moment.
 
 use grasp_lcp::grasp::Wrench;
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
@@ -43,6 +43,21 @@ fn few(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<([f64; MOST], usize
         let array = array.as_array();
         numbers.iter_mut().zip(&array).for_each(|(to, from)| *to = *from);
         return Ok((numbers, array.len().min(MOST + 1)));
+    }
+    if let Ok(array) = given.cast::<PyUntypedArray>() {
+        let (kind, shape) = (array.dtype().kind(), array.shape());
+        if !b"fiu".contains(&kind) {
+            let kind = array.dtype();
+            return Err(PyTypeError::new_err(format!(
+                "{argument}: an array of {kind} given, must be of numbers"
+            )));
+        }
+        if shape.len() != 1 {
+            return Err(wrong(format_args!(
+                "{argument}: an array of {} dimensions given, must have one",
+                shape.len()
+            )));
+        }
     }
     let no_list = || {
         let kind = given.get_type().name().map_or_else(|_| "this".to_owned(), |name| name.to_string());

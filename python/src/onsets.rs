@@ -12,7 +12,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::columns::{Columns, GivenColumns};
-use crate::errors::wrong;
+use crate::errors::{has_nan, wrong};
 
 /// Grasps that a thread takes at once: so many stay in its cache from being read to being screened.
 const CHUNK: usize = 2048;
@@ -91,7 +91,10 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
     ) -> Self {
         let load = |of: &ArrayView2<'_, f64>, p| Wrench::from_vector(std::array::from_fn(|k| of[[p, k]]));
         let loads: Vec<_> = (0..direction.nrows()).map(|p| [load(base, p), load(direction, p)]).collect();
-        let pull = |[base, direction]: &[_; 2]| Pull::new(base, direction).map_err(|error| status_of(&error));
+        let pull = |[base, direction]: &[_; 2]| match Pull::new(base, direction) {
+            Ok(_) if *direction == Wrench::ZERO => Err(Status::Malformed),
+            pull => pull.map_err(|error| status_of(&error)),
+        };
         let pulls = loads.iter().map(pull).collect();
         Self { columns, loads, pulls, own, complete }
     }
@@ -213,6 +216,10 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
             if !wanted(found.status[place]) {
                 continue;
             }
+            if let Err(status) = &self.pulls[load] {
+                found.status[place] = *status as u8;
+                continue;
+            }
             let [base, direction] = self.loads[load];
             let onset = grasp.as_ref().map_err(status_of).and_then(|grasp| {
                 grasp.onset(&Ramp::load(base, direction)).map_err(|error| status_of(&error))
@@ -274,8 +281,5 @@ impl Found {
 
 /// What is wrong with a row.
 fn status_of(error: &Error) -> Status {
-    match error {
-        Error::Contact { value, .. } | Error::Wrench { value, .. } if value.is_nan() => Status::NotANumber,
-        _ => Status::Malformed,
-    }
+    if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

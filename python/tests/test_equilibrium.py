@@ -15,9 +15,7 @@ def jars() -> list[tuple[np.ndarray, np.ndarray, Grasp, np.ndarray]]:
     for contacts in (3, 4, 5):
         for _ in range(8):
             points, normals = jar(rng, contacts)
-            grasp = Grasp.spatial(
-                points, normals, series_stiffness=[900, 600], friction=MU, command=[SQUEEZE, 0, 0]
-            )
+            grasp = Grasp.spatial(points, normals, series_stiffness=[900, 600], friction=MU, command=[SQUEEZE, 0, 0])
             made.append((points, normals, grasp, np.concatenate([rng.normal(0, 6, 3), rng.normal(0, 0.05, 3)])))
     return made
 
@@ -52,7 +50,7 @@ def test_forces_balance_and_obey_the_law() -> None:
 def test_beyond_the_limit_there_is_a_proof() -> None:
     answer = pinch().solve([0, -8.1])
     assert answer.outcome == "no_equilibrium" and answer.equilibrium is None
-    assert answer.proof is not None and "every_state_tried" == answer.proof.kind
+    assert answer.proof is not None and answer.proof.kind == "every_state_tried"
     weightless = Grasp.planar([[0, 0]], [[0, 1]], series_stiffness=1e3).solve([0, 1])
     assert weightless.proof is not None and weightless.proof.motion is not None
     assert weightless.proof.motion @ [0, 1, 0] > 0

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from grasps import jar, pinch, rolling_forces
+from grasps import Array, jar, pinch, rolling_forces
 
 from grasp_lcp import Grasp
 
@@ -45,13 +45,13 @@ def test_random_jars_against_bisection() -> None:
         commands = np.tile([0.006, 0, 0], (3, 1))
         direction = np.concatenate([rng.normal(size=3), np.zeros(3)])
 
-        def margin(factor: float) -> float:
-            f = rolling_forces(points, normals, springs, commands, factor * direction)
+        asked = points, normals, springs, commands, direction
+
+        def margin(factor: float, asked: tuple[Array, ...] = asked) -> float:
+            f = rolling_forces(*asked[:4], factor * asked[4])
             return float(np.min(mu * f[:, 0] - np.linalg.norm(f[:, 1:], axis=1)))
 
-        onset = Grasp.spatial(
-            points, normals, series_stiffness=[900, 600], friction=mu, command=[0.006, 0, 0]
-        ).onset(direction)
+        onset = Grasp.spatial(points, normals, series_stiffness=[900, 600], friction=mu, command=[0.006, 0, 0]).onset(direction)
         if margin(0.0) <= 0:
             assert onset.outcome != "at" or onset.factor == 0
             continue

@@ -47,9 +47,7 @@ def test_force_closure_and_limits_are_those_of_linear_programs() -> None:
         else:
             assert found.motion is not None and (generators.T @ found.motion >= -1e-9).all()
         load = np.r_[rng.normal(size=2), 0.02 * rng.normal()]
-        limit = linprog(
-            np.r_[0 * ones, -1], A_ub=[np.r_[ones, 0]], b_ub=[10], A_eq=np.c_[generators, load], b_eq=np.zeros(3)
-        )
+        limit = linprog(np.r_[0 * ones, -1], A_ub=[np.r_[ones, 0]], b_ub=[10], A_eq=np.c_[generators, load], b_eq=np.zeros(3))
         answer = grasp.load_limit(load, budget=10, each=False)
         assert answer.at_least == pytest.approx(-limit.fun, rel=1e-6, abs=1e-9)
     print(counts)

@@ -85,7 +85,7 @@ impl Fault {
         let message = inner.to_string();
         let position = format!(" at line {line} column {column}");
         let message = message.strip_suffix(&position).unwrap_or(&message).to_owned();
-        let field = Some(error.path().to_string()).filter(|path| path != ".");
+        let field = Some(error.path().to_string()).filter(|path| path != "." && path != "?");
         let kind = if inner.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
         Self { kind, message, field, at }
     }

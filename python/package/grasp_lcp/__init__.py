@@ -14,13 +14,42 @@ that names the argument.
 
 from . import friction, lcp
 from .answers import Answer, Beyond, Event, Leaving, Onset, Path, Proof, Solution, TurnOnset
-from .batch import ContactState, Equilibria, OnsetStatus, Onsets, SolveStatus, onsets, solve_batch
+from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium
 from .grasp import Grasp, Leg, Settings, answers, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
 __all__ = [
-    "Answer", "Beyond", "Closure", "Contact", "ContactState", "Drive", "Equilibria", "Equilibrium", "Event", "Grasp", "Leaving",
-    "LeastSqueeze", "Leg", "LoadLimit", "Onset", "OnsetStatus", "Onsets", "Path", "Proof", "Quality", "Settings", "Solution", "SolveStatus",
-    "TurnOnset", "WeakestDirection", "WrenchBall", "answers", "friction", "lcp", "onsets", "solve_batch", "wrench",
+    "Answer",
+    "Beyond",
+    "Closure",
+    "Contact",
+    "ContactState",
+    "Drive",
+    "Equilibria",
+    "Equilibrium",
+    "Event",
+    "Grasp",
+    "LeastSqueeze",
+    "Leaving",
+    "Leg",
+    "LoadLimit",
+    "Onset",
+    "OnsetStatus",
+    "Onsets",
+    "Path",
+    "Proof",
+    "Quality",
+    "Settings",
+    "Solution",
+    "SolveStatus",
+    "TurnOnset",
+    "WeakestDirection",
+    "WrenchBall",
+    "answers",
+    "friction",
+    "lcp",
+    "onsets",
+    "solve_batch",
+    "wrench",
 ]  # fmt: skip

@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 
 from ._views import Array
 
+STIFFNESSES = ("series_stiffness", "body_stiffness", "finger_stiffness")
+
 HOLDS = {"unilateral": 0, "kept_closed": 1, "bonded": 2}
 
 
@@ -21,11 +23,17 @@ def floats(name: str, given: ArrayLike) -> Array:
     except ValueError:
         raise ValueError(f"{name}: rows of different lengths given, must be an array") from None
     if found.dtype.kind not in "fiu":
-        kind = found.dtype if found.dtype.kind != "O" else type(given).__name__
-        raise TypeError(f"{name}: {kind} given, must be numbers")
+        raise TypeError(f"{name}: {_kind(found)} given, must be numbers")
     if isinstance(given, np.ma.MaskedArray):
         found = np.ma.filled(given.astype(np.float64), np.nan)
     return np.require(found, dtype=np.float64, requirements=["A"])
+
+
+def _kind(found: np.ndarray[Any, Any]) -> str:
+    """What is given in place of numbers, for people."""
+    if found.dtype.kind == "O":
+        return repr(next((item for item in found.flat if not isinstance(item, (int, float))), None))
+    return {"U": "text", "S": "bytes", "c": "complex numbers", "b": "booleans"}.get(found.dtype.kind, str(found.dtype))
 
 
 def finite(name: str, given: ArrayLike) -> Array:
@@ -37,6 +45,14 @@ def finite(name: str, given: ArrayLike) -> Array:
         where = f"[{place}]" if place else ""
         raise ValueError(f"{name}{where} is {found[tuple(bad[0])]}, must be finite")
     return found
+
+
+def listed(name: str, given: Any, what: str) -> list[Any]:
+    """What can be gone through."""
+    try:
+        return list(given)
+    except TypeError:
+        raise TypeError(f"{name}: {given!r} given, must be {what}") from None
 
 
 def _stiffness(name: str, given: ArrayLike, axes: int) -> Array:
@@ -60,11 +76,13 @@ def _vectors(name: str, given: ArrayLike, axes: int) -> Array:
 
 
 def _holds(given: str | Sequence[str], contacts: int) -> np.ndarray[Any, np.dtype[np.uint8]]:
-    words = [given] * contacts if isinstance(given, str) else list(given)
+    if isinstance(given, str):
+        given = [given] * contacts
+    words = listed("hold", given, "a word, or one for each contact")
     if len(words) != contacts:
         raise ValueError(f"hold: {len(words)} given, must be one word, or {contacts}, one a contact")
     for index, word in enumerate(words):
-        if word not in HOLDS:
+        if not isinstance(word, str) or word not in HOLDS:
             raise ValueError(f"hold[{index}] is {word!r}, must be one of {', '.join(HOLDS)}")
     return np.array([HOLDS[word] for word in words], dtype=np.uint8)
 
@@ -83,12 +101,14 @@ def columns(
         raise ValueError(f"points: shape {np.shape(points)} given, must be (..., n, {axes})")
     contacts = given["points"].shape[-2]
     given["normals"] = _vectors("normals", normals, axes)
-    for name in ("series_stiffness", "body_stiffness", "finger_stiffness"):
+    for name in STIFFNESSES:
         value = others.get(name)
         given[name] = None if value is None else _stiffness(name, value, axes)
     for name in ("tangents", "command", "command_world"):
         value = others.get(name)
         given[name] = None if value is None else _vectors(name, value, axes)
+    if all(given[name] is None for name in STIFFNESSES):
+        raise ValueError("series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness")
     if given["series_stiffness"] is not None and (given["body_stiffness"] is not None or given["finger_stiffness"] is not None):
         raise ValueError("series_stiffness: given beside body_stiffness or finger_stiffness, must be alone")
     if given["command"] is not None and given["command_world"] is not None:
@@ -137,9 +157,7 @@ def wrench_json(name: str, given: Any, axes: int) -> Any:
     numbers = finite(name, given)
     coordinates = 3 * (axes - 1)
     if numbers.shape not in ((axes,), (coordinates,)):
-        raise ValueError(
-            f"{name}: shape {numbers.shape} given, must be ({axes},) of a force or ({coordinates},) of a force and a moment"
-        )
+        raise ValueError(f"{name}: shape {numbers.shape} given, must be ({axes},) of a force or ({coordinates},) of a force and a moment")
     force, moment = numbers[:axes].tolist(), numbers[axes:].tolist()
     if not moment:
         return {"force": force}

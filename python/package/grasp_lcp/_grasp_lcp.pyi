@@ -18,9 +18,7 @@ class Told:
 
 class Grasp:
     @staticmethod
-    def of_columns(
-        columns: dict[str, Any], names: list[str | None], outline: _Floats | None, settings: str | None
-    ) -> Grasp: ...
+    def of_columns(columns: dict[str, Any], names: list[str | None], outline: _Floats | None, settings: str | None) -> Grasp: ...
     @staticmethod
     def of_json(text: str) -> Grasp: ...
     @property

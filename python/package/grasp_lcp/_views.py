@@ -106,7 +106,7 @@ class View:
         return type(other) is type(self) and isinstance(other, View) and other._tree == self._tree
 
     def __hash__(self) -> int:
-        return hash((type(self), self.to_json()))
+        return hash((type(self), json.dumps(self._tree, sort_keys=True)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_restored, (type(self), self.to_json()))

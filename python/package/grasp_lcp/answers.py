@@ -328,6 +328,17 @@ class Path(Answer):
         found = self._tree.get("kind")
         return None if found is None else str(found)
 
+    @property
+    def leg(self) -> int | None:
+        """The leg on which a path ends early, from 0."""
+        found = self._tree.get("leg")
+        return None if found is None else int(found)
+
+    @property
+    def fraction(self) -> float | None:
+        """How much of that leg it has gone, from 0 to 1."""
+        return optional_number(self._tree.get("fraction"))
+
     @cached_property
     def load(self) -> Array | None:
         """The load at which a lost path ends, N and N m, shape (d,)."""

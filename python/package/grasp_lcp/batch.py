@@ -35,7 +35,7 @@ class OnsetStatus(IntEnum):
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
-    """A number of the row is out of range; :class:`Grasp` says which."""
+    """A number of the row is out of range, or its direction zero; :class:`Grasp` says which."""
 
 
 class SolveStatus(IntEnum):
@@ -76,7 +76,7 @@ class Onsets:
     @property
     def answered(self) -> NDArray[np.bool_]:
         """Where there is a factor, be it infinite."""
-        return np.less_equal(self.status, OnsetStatus.NEVER)
+        return self.status <= OnsetStatus.NEVER
 
     def count(self) -> dict[OnsetStatus, int]:
         """How many rows ended in each way."""
@@ -112,7 +112,7 @@ class Equilibria:
     @property
     def answered(self) -> NDArray[np.bool_]:
         """Where there is an equilibrium."""
-        return self.status == SolveStatus.EQUILIBRIUM
+        return np.equal(self.status, SolveStatus.EQUILIBRIUM)
 
     def count(self) -> dict[SolveStatus, int]:
         """How many rows ended in each way."""
@@ -148,9 +148,7 @@ def _loads(name: str, given: ArrayLike, axes: int) -> Array:
     raise ValueError(f"{name}: shape {found.shape} given, must end in {axes} of a force or {coordinates} of a force and a moment")
 
 
-def _paired(
-    grasps: tuple[int, ...], made: dict[str, Any], loads: Array
-) -> tuple[tuple[int, ...], dict[str, Any], Array, bool]:
+def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tuple[tuple[int, ...], dict[str, Any], Array, bool]:
     """How grasps and loads go together: all loads for each grasp where their axes stand apart, else each row its own."""
     leading = loads.shape[:-1]
     try:
@@ -194,11 +192,12 @@ def onsets(
     """At which factor of a direction the first contact of each of many grasps leaves rolling; see :meth:`Grasp.onset`.
 
     The shape of the batch is that of ``points.shape[:-2]`` and ``direction.shape[:-1]`` broadcast together, as all other arguments are:
-    points of shape (B, n, c) with a direction of shape (c,) are B questions, with directions of shape (B, c) one for each grasp; points of shape
-    (B, 1, n, c) with directions of shape (S, c) are B S questions, all directions for each grasp, which is the fastest way to ask them.
+    points of shape (B, n, c) with a direction of shape (c,) are B questions, with directions of shape (B, c) one for each grasp;
+    points of shape (B, 1, n, c) with directions of shape (S, c) are B S questions, all directions for each grasp, which is the fastest
+    way to ask them.
 
-    Grasps of two to five contacts are screened, several in each vector register; each answer has the bits of the crate's batch, whatever the
-    number of threads. Rows that are malformed or have NaN say so in their status and stop nothing.
+    Grasps of two to five contacts are screened, several in each vector register; each answer has the bits of the crate's batch, whatever
+    the number of threads. Rows that are malformed or have NaN say so in their status and stop nothing.
 
     :param points: m, shape (..., n, 2) or (..., n, 3).
     :param direction: N and N m, shape (..., c) or (..., d).
@@ -241,7 +240,10 @@ def solve_batch(
     tangents: ArrayLike | None = None,
     hold: str | Sequence[str] = "unilateral",
 ) -> Equilibria:
-    """The equilibria of many grasps under many loads; see :meth:`Grasp.solve`, whose bits each row has, and :func:`onsets` for the shapes."""
+    """The equilibria of many grasps under many loads; see :meth:`Grasp.solve`, whose bits each row has.
+
+    The shapes are those of :func:`onsets`, with a load in place of a direction.
+    """
     axes = _axes(points)
     leading, made = columns(
         axes, points, normals, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,

@@ -181,7 +181,7 @@ class Equilibrium(View):
 
     @cached_property
     def residuals(self) -> dict[str, float]:
-        """How well it satisfies the conditions, relative, recomputed from the question: equilibrium, springs, cone, gap, complementarity."""
+        """How far each condition is missed, relative: equilibrium, springs, cone, gap, complementarity. Recomputed from the question."""
         return {name: number(value) for name, value in self._tree["residuals"].items()}
 
     @property
@@ -222,9 +222,6 @@ class Equilibrium(View):
 
     def __repr__(self) -> str:
         head = f"<Equilibrium: the object moves by {short(self.twist)} m and rad, residual {self.residual:.1e}"
-        told = [
-            f"  {touch.label} {touch.state}, force {short(touch.force)} N, margin {touch.margin:.6g} N"
-            for touch in self.contacts
-        ]
+        told = [f"  {touch.label} {touch.state}, force {short(touch.force)} N, margin {touch.margin:.6g} N" for touch in self.contacts]
         told += [f"  {drive.label} {drive.state}, {drive.torque:.6g}" for drive in (*self.joints, *self.tendons)]
         return "\n".join([head, *told]) + ">"

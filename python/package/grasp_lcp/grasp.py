@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
-from ._columns import columns, dumped, finite, floats, plain, wrench_json
+from ._columns import columns, dumped, finite, floats, listed, plain, wrench_json
 from .answers import Answer, Onset, Path, Solution, TurnOnset
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
@@ -46,9 +46,9 @@ class Leg(TypedDict, total=False):
 class Grasp:
     """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
 
-    Made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. There are n contacts of c axes and d
-    coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin in N, or
-    (d,), a force and a moment about the origin in N m.
+    Made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. There are n contacts of c axes and
+    d coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin in N,
+    or (d,), a force and a moment about the origin in N m.
 
     Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
     (n, t1, t2) in space with ``t2 = n x t1``. Units are SI in these docs; any consistent ones will do.
@@ -162,13 +162,17 @@ class Grasp:
         if leading:
             raise ValueError(f"points: {leading} grasps given, must be one, shape (n, {axes}); for many there is grasp_lcp.onsets")
         contacts = made["points"].shape[1]
-        if names is not None and (isinstance(names, str) or len(names) != contacts):
-            raise ValueError(f"names: {len(names)} given, must be {contacts}, one a contact")
+        told_names = [] if names is None else [names] if isinstance(names, str) else listed("names", names, "one name a contact")
+        if names is not None and len(told_names) != contacts:
+            raise ValueError(f"names: {len(told_names)} given, must be {contacts}, one a contact")
+        for index, one in enumerate(told_names):
+            if one is not None and not isinstance(one, str):
+                raise TypeError(f"names[{index}]: {one!r} given, must be text or None")
         corners = None if outline is None else finite("outline", outline)
         if corners is not None and (corners.ndim != 2 or corners.shape[1] != axes):
             raise ValueError(f"outline: shape {corners.shape} given, must be (k, {axes})")
         told = None if settings is None else dumped(settings)
-        return cls._of(_grasp_lcp.Grasp.of_columns(made, list(names or ()), corners, told))
+        return cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
 
     @classmethod
     def from_json(cls, text: str) -> Grasp:
@@ -276,9 +280,7 @@ class Grasp:
         """A turn in JSON from the words of :meth:`turn`."""
         loads = ("beside", "constant", "cosine", "sine")
         given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
-        written = {
-            name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()
-        }
+        written = {name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()}
         return dumped(written)
 
     def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:
@@ -287,7 +289,9 @@ class Grasp:
         :param legs: each a :class:`Leg`, or the load that it goes to.
         :param start: the load at the start; none unless said otherwise.
         """
-        asked: dict[str, Any] = {"legs": [self._leg(index, leg) for index, leg in enumerate(legs)]}
+        asked: dict[str, Any] = {
+            "legs": [self._leg(index, leg) for index, leg in enumerate(listed("legs", legs, "a list of loads or legs"))]
+        }
         if start is not None:
             asked["start"] = wrench_json("start", start, self.axes)
         return Path(self._held.ask(dumped({"follow": asked})))
@@ -298,6 +302,8 @@ class Grasp:
             return {"load_to": wrench_json(name, leg, self.axes)}
         written = {}
         for key, value in leg.items():
+            if key not in Leg.__annotations__:
+                raise ValueError(f"{name}: {key!r} given, must be one of {', '.join(Leg.__annotations__)}")
             where = f"{name}[{key!r}]"
             written[key] = wrench_json(where, value, self.axes) if key in ("load_by", "load_to") else plain(where, value)
         return written
@@ -322,9 +328,7 @@ class Grasp:
         """Whether normal forces alone could balance any load."""
         return Closure.from_json(self._held.closure(False))
 
-    def load_limit(
-        self, direction: ArrayLike, base: ArrayLike | None = None, *, budget: float = 1.0, each: bool = True
-    ) -> LoadLimit:
+    def load_limit(self, direction: ArrayLike, base: ArrayLike | None = None, *, budget: float = 1.0, each: bool = True) -> LoadLimit:
         """The largest factor for which *some* contact forces within a budget of normal forces balance ``base + factor * direction``.
 
         :param budget: N that each normal force may have, or all together without ``each``.

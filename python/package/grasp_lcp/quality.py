@@ -38,7 +38,7 @@ class _Told(View):
 
 
 class Closure(_Told):
-    """Whether contact forces could balance any load: ``"closed"``, ``"open"`` (with a motion that no force works against) or ``"boundary"``."""
+    """Whether contact forces could balance any load: ``"closed"``, ``"open"`` (a motion that no force works against) or ``"boundary"``."""
 
     @property
     def closed(self) -> bool:

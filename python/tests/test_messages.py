@@ -1,0 +1,190 @@
+"""Wrong input: what is refused, by which exception, in which words."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from grasps import pinch
+
+from grasp_lcp import Grasp, answers, friction, lcp, onsets, solve_batch, wrench
+
+POINTS, NORMALS = [[-1, 0], [1, 0]], [[1, 0], [-1, 0]]
+IN_SPACE = ([[-1, 0, 0], [1, 0, 0]], [[1, 0, 0], [-1, 0, 0]])
+
+
+def planar(points: Any = POINTS, normals: Any = NORMALS, **others: Any) -> Grasp:
+    return Grasp.planar(points, normals, **({"series_stiffness": 1e3} | others))
+
+
+def spatial(**others: Any) -> Grasp:
+    return Grasp.spatial(*IN_SPACE, **({"series_stiffness": 1e3, "friction": 0.5, "pressed_with": 8.0} | others))
+
+
+CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
+    # The grasp.
+    (lambda: Grasp(), TypeError, "Grasp: make one with Grasp.planar, Grasp.spatial, Grasp.from_dict or Grasp.from_json"),
+    (lambda: planar("points"), TypeError, "points: text given, must be numbers"),
+    (lambda: planar([[-1, 0], [1, 1j]]), TypeError, "points: complex numbers given, must be numbers"),
+    (lambda: planar([[-1, 0], [1, None]]), TypeError, "points: None given, must be numbers"),
+    (lambda: planar([[-1, 0], [1]]), ValueError, "points: rows of different lengths given, must be an array"),
+    (lambda: planar([-1, 0]), ValueError, "points: shape (2,) given, must be (..., n, 2)"),
+    (lambda: planar(IN_SPACE[0]), ValueError, "points: shape (2, 3) given, must end in 2"),
+    (lambda: planar([POINTS]), ValueError, "points: (1,) grasps given, must be one, shape (n, 2); for many there is grasp_lcp.onsets"),
+    (lambda: planar([[-1, 0], [np.nan, 0]]), ValueError, "points[1] is NaN, must be finite and at most 1e50 in size"),
+    (lambda: planar(normals=[[1, 0], [0, 0]]), ValueError, "normals[1] is 0, must be of positive, finite length"),
+    (lambda: planar(normals=np.eye(3)[:, :2]), ValueError, "normals: shape (3,) given for contacts of shape (2,), must broadcast to it"),
+    (lambda: planar(tangents=NORMALS), ValueError, "tangents[0] is 1, must be finite and not along the normal"),
+    (lambda: planar(friction=-0.5), ValueError, "friction[0] is -0.5, must be from 0 to 1e50, or infinite"),
+    (lambda: planar(friction=[0.5, np.nan]), ValueError, "friction[1] is NaN, must be from 0 to 1e50, or infinite"),
+    (
+        lambda: Grasp.planar(POINTS, NORMALS),
+        ValueError,
+        "series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness",
+    ),
+    (lambda: planar(series_stiffness=-1), ValueError, "series_stiffness[0] is -1, must be positive and finite"),
+    (
+        lambda: planar(series_stiffness=[1, 2, 3]),
+        ValueError,
+        "series_stiffness: shape (3,) given, must be one number or end in 2, normal first",
+    ),
+    (
+        lambda: planar(body_stiffness=1e3),
+        ValueError,
+        "series_stiffness: given beside body_stiffness or finger_stiffness, must be alone",
+    ),
+    (
+        lambda: Grasp.planar(POINTS, NORMALS, body_stiffness=np.inf),
+        ValueError,
+        "series_stiffness[0] is inf, must be from 1e-50 to 1e50 (give a stiffness, and leave at most one side rigid)",
+    ),
+    (lambda: planar(command=0.1), ValueError, "command: shape () given, must end in 2"),
+    (lambda: planar(command=[1, 0], command_world=[1, 0]), ValueError, "command_world: given beside command, must be alone"),
+    (lambda: planar(pressed_with=-3), ValueError, "pressed_with[0] is -3, must be from 0 to 1e50"),
+    (lambda: planar(clearance=1e60), ValueError, "clearance[0] is 1e60, must be finite and at most 1e50 in size"),
+    (lambda: planar(hold="glued"), ValueError, "hold[0] is 'glued', must be one of unilateral, kept_closed, bonded"),
+    (lambda: planar(hold=3), TypeError, "hold: 3 given, must be a word, or one for each contact"),
+    (lambda: planar(hold=["bonded"]), ValueError, "hold: 1 given, must be one word, or 2, one a contact"),
+    (lambda: planar(names=["left"]), ValueError, "names: 1 given, must be 2, one a contact"),
+    (lambda: planar(names="left"), ValueError, "names: 1 given, must be 2, one a contact"),
+    (lambda: planar(names=["left", 3]), TypeError, "names[1]: 3 given, must be text or None"),
+    (lambda: planar(outline=[[0, np.inf]]), ValueError, "outline[0, 1] is inf, must be finite"),
+    (
+        lambda: planar(settings={"cones": "round"}),
+        ValueError,
+        "settings: unknown field `cones`, expected one of `cone`, `polygon`, `max_pivots`, `most_states`, `step_error`, `most_steps`",
+    ),
+    # Loads.
+    (lambda: pinch().solve(None), TypeError, "load: NoneType given, must be an array or a list of numbers"),
+    (lambda: pinch().solve("down"), TypeError, "load: str given, must be an array or a list of numbers"),
+    (lambda: pinch().solve([0, "down"]), TypeError, "load[1] is 'down', must be a number"),
+    (lambda: pinch().solve([0]), ValueError, "load: 1 numbers given, must be 2 of a force or 3 of a force and a moment"),
+    (lambda: pinch().solve(range(9)), ValueError, "load: more than 6 numbers given, must be 2 of a force or 3 of a force and a moment"),
+    (lambda: pinch().solve(np.zeros((1, 2))), ValueError, "load: an array of 2 dimensions given, must have one"),
+    (lambda: pinch().solve(np.zeros(2, complex)), TypeError, "load: an array of complex128 given, must be of numbers"),
+    (lambda: pinch().solve([0, np.nan]), ValueError, "load[1] is NaN, must be finite and at most 1e50 in size"),
+    (lambda: pinch().solve([0, 1e60]), ValueError, "load[1] is 1e60, must be finite and at most 1e50 in size"),
+    # Questions.
+    (
+        lambda: pinch().onset([0, 0]),
+        ValueError,
+        "direction, command_change and joint_change are zero, one of them must change something",
+    ),
+    (lambda: pinch().onset([0, 1], [np.inf, 0]), ValueError, "base[0] is inf, must be finite and at most 1e50 in size"),
+    (
+        lambda: pinch().onset([0, 1], command_change=[[1, 2]]),
+        ValueError,
+        "command_change: 1 rows given, must be 2, one a contact",
+    ),
+    (
+        lambda: pinch().onset([0, 1], joint_change=[1]),
+        ValueError,
+        "joint_change: 1 given, must be 0, one a joint and one a tendon",
+    ),
+    (lambda: pinch().turn(), ValueError, "turn: nothing turns: give weight, or force, or cosine and sine"),
+    (lambda: pinch().turn(weight=[0, np.nan]), ValueError, "weight[1] is nan, must be finite"),
+    (
+        lambda: pinch().turn(weight=[0, -1], angle=-1),
+        ValueError,
+        "turn: angle of the turn is -1, must be more than 0 and at most 1e6",
+    ),
+    (
+        lambda: spatial().turn(weight=[0, 0, -1], axis=[0, 0, 0]),
+        ValueError,
+        "turn: length of the axis is 0, must be more than 0 and at most 1e50",
+    ),
+    (lambda: pinch().follow(3), TypeError, "legs: 3 given, must be a list of loads or legs"),  # type: ignore[arg-type]
+    (
+        lambda: pinch().follow([{"load": [0, -1]}]),  # type: ignore[list-item]
+        ValueError,
+        "legs[0]: 'load' given, must be one of load_by, load_to, commands_by, commands_to, joints_by, joints_to, turn",
+    ),
+    (
+        lambda: pinch().follow([[0, -1], [0, -1, 0, 0]]),
+        ValueError,
+        "legs[1]: shape (4,) given, must be (2,) of a force or (3,) of a force and a moment",
+    ),
+    (lambda: pinch().quality(budget=-1), ValueError, "budget is -1, must be more than 0 and at most 1e50"),
+    (lambda: pinch().load_limit([0, 0]), ValueError, "size of direction is 0, must be more than 0"),
+    (lambda: pinch().least_squeeze(), TypeError, "least_squeeze: give one of loads, any_force and turn"),
+    (lambda: pinch().least_squeeze(any_force=-1), ValueError, "any_force is -1, must be zero, or more and at most 1e50"),
+    (lambda: pinch().weakest_direction(at=[0, 0, 0]), ValueError, "at: 3 numbers given, must be 2"),
+    # Scenes.
+    (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: EOF while parsing an object"),
+    (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "line 1, column 25: missing field `planar` or `spatial`"),
+    # Batches: what is wrong with all rows at once.
+    (lambda: onsets([1, 2], NORMALS, [0, 1]), ValueError, "points: shape (2,) given, must be (..., n, 2) or (..., n, 3)"),
+    (
+        lambda: onsets(POINTS, NORMALS, [0, 1]),
+        ValueError,
+        "series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness",
+    ),
+    (
+        lambda: onsets(POINTS, NORMALS, [0, 1, 2, 3], series_stiffness=1),
+        ValueError,
+        "direction: shape (4,) given, must end in 2 of a force or 3 of a force and a moment",
+    ),
+    (
+        lambda: onsets([POINTS] * 3, NORMALS, np.ones((2, 2)), series_stiffness=1),
+        ValueError,
+        "direction or load: shape (2,) of loads given for grasps of shape (3,), must broadcast to it",
+    ),
+    (
+        lambda: onsets(POINTS, NORMALS, np.ones((3, 2)), np.ones((4, 2)), series_stiffness=1),
+        ValueError,
+        "base: shape (4, 3) given for direction of shape (3, 3), must broadcast to it",
+    ),
+    (lambda: solve_batch(POINTS, NORMALS, [0, 1], series_stiffness=1, friction="low"), TypeError, "friction: text given, must be numbers"),
+    # Problems by themselves.
+    (lambda: lcp.solve([[1, 2]], [1]), ValueError, "M: 1 x 2 given, must be square"),
+    (lambda: lcp.solve([1], [1]), ValueError, "M: shape (1,) given, must have 2 dimensions"),
+    (lambda: lcp.solve([[1]], [1, 2]), ValueError, "q: 2 numbers given, must be 1"),
+    (lambda: lcp.solve([[np.nan]], [1]), ValueError, "M[0, 0] is NaN, must be finite"),
+    (lambda: friction.solve([[1]], [1], [0.5]), ValueError, "q: 1 numbers given, must be 2 or 3 for each of the 1 in mu"),
+    (
+        lambda: friction.solve(np.eye(3), [1, 2, 3], [-0.5]),
+        ValueError,
+        "mu[0] is -0.5, must be finite and not negative",
+    ),
+    (lambda: wrench([0, 1], at=[0, 0, 0]), ValueError, "at: shape (3,) given, must be (2,)"),
+]
+
+
+@pytest.mark.parametrize("call, kind, message", CASES, ids=[message[:40] for _, _, message in CASES])
+def test_what_is_wrong_is_named(call: Callable[[], object], kind: type[Exception], message: str) -> None:
+    with pytest.raises(kind) as raised:
+        call()
+    assert type(raised.value) is kind and str(raised.value) == message
+
+
+def test_no_equilibrium_is_an_answer() -> None:
+    assert pinch().solve([0, -100]).outcome == "no_equilibrium"
+    assert pinch(friction=0.0).onset([0, -1]).outcome != "at"
+
+
+def test_a_direction_of_zero_is_malformed_in_its_row() -> None:
+    for contacts in (POINTS, POINTS * 3):
+        normals = NORMALS * (len(contacts) // 2)
+        given = {"series_stiffness": 1e3, "friction": 0.5, "pressed_with": 8.0}
+        found = onsets([contacts] * 2, normals, [[0, -1], [0, 0]], complete=True, **given)  # type: ignore[arg-type]
+        assert found.answered.tolist() == [True, False] and found.status[1] == 8
