@@ -1,7 +1,9 @@
 """What a single call from Python costs over the call in Rust: the onset of a planar pair.
 
-cargo run --release --package grasp-lcp-python --example rust_single
-python python/benches/single.py
+    cargo run --release --package grasp-lcp-python --example rust_single
+    python python/benches/single.py
+
+prints the best of several repeats; the difference is what Python adds.
 """
 
 import timeit

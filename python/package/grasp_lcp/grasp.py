@@ -47,8 +47,8 @@ class Grasp:
     """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
 
     Made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. There are n contacts of c axes and
-    d coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin in N,
-    or (d,), a force and a moment about the origin in N m.
+    d coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin
+    in N, or (d,), a force and a moment about the origin in N m.
 
     Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
     (n, t1, t2) in space with ``t2 = n x t1``. Units are SI in these docs; any consistent ones will do.
