@@ -1,4 +1,4 @@
-"""The contacts of a MuJoCo scene against statics by hand and against MuJoCo's own forces; its creep against an equilibrium that rests."""
+"""The contacts of simulated scenes against statics by hand and the simulators' own forces; their creep against an equilibrium that rests."""
 
 from __future__ import annotations
 
@@ -167,3 +167,34 @@ def test_the_example_runs_and_draws(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert any(line[:2] == ["3.000", "0.50"] and line[-4] == "rests," for line in lines)
     assert any(line[:2] == ["6.600", "1.10"] and line[-2:] == ["no", "equilibrium"] for line in lines)
     assert "<svg" in picture.read_text() and picture.stat().st_size > 5000
+
+
+def test_drake_s_contacts_slide_where_its_jar_does(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pydrake")
+    drake = _example("drake_contacts")
+    for solver in ("sap", "similar"):
+        scene = drake.Scene(solver)
+        held = scene.touches()
+        assert [touch.finger for touch in held] == ["finger0", "finger1", "finger2"]
+        for k, touch in enumerate(held):
+            assert touch.normal @ -touch.point > 0.9 * np.linalg.norm(touch.point)
+            # The finger stands still: its actuator pushes as much as the contact.
+            travelled = scene.plant.GetJointByName(f"press{k}").get_translation(scene.context)
+            assert touch.press == pytest.approx(drake.GAIN * (drake.TRAVEL - travelled), rel=1e-6)
+        grasp = drake.grasp_of(held)
+        onset = grasp.onset([0, 0, -1]).factor
+        assert uneven(held) < 1e-6
+        assert onset == pytest.approx(sum(t.friction * t.press for t in held), rel=uneven(held) + 1e-12)
+        scene.load(0.9 * onset)
+        state = grasp.solve([0, 0, -0.9 * onset]).equilibrium
+        assert state is not None and state.residual < 1e-12
+        # The fingertips have sunk as the springs of the grasp say.
+        assert scene.heights()[1] == pytest.approx(state.twist[2], rel=1e-3)
+        below = scene.slip()
+        beyond = drake.Scene(solver)
+        beyond.load(1.05 * onset)
+        assert 0 < 20 * below < beyond.slip()
+        assert grasp.solve([0, 0, -1.05 * onset]).outcome == "no_equilibrium"
+    drake.main(["sap"], [0.5])
+    told = capsys.readouterr().out.splitlines()[-1].split()
+    assert told[0] == "sap" and told[1] == told[2] and float(told[3]) > 0
