@@ -48,9 +48,7 @@ def vectors(column: Any) -> Array:
         rows = column.flatten().to_numpy(zero_copy_only=False)
     else:
         rows = np.full((len(column), size), np.nan)
-        rows[fits.to_numpy(zero_copy_only=False)] = (
-            column.filter(fits).flatten().to_numpy(zero_copy_only=False).reshape(-1, size)
-        )
+        rows[fits.to_numpy(zero_copy_only=False)] = column.filter(fits).flatten().to_numpy(zero_copy_only=False).reshape(-1, size)
     return np.reshape(rows, (-1, FINGERS, 3))
 
 

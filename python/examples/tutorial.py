@@ -110,7 +110,13 @@ print(f"{len(thumb)} antipodal pairs of {len(surface)} points, {len(points)} can
 def grasp_of(candidate: int, **more: Any) -> Grasp:
     """A candidate as a grasp."""
     return Grasp.spatial(
-        points[candidate], normals[candidate], friction=FRICTION, pressed_with=pressed, names=["thumb", "index", "middle"], **SPRINGS, **more
+        points[candidate],
+        normals[candidate],
+        friction=FRICTION,
+        pressed_with=pressed,
+        names=["thumb", "index", "middle"],
+        **SPRINGS,
+        **more,
     )
 
 
@@ -208,7 +214,9 @@ left.clabel(left.contour(azimuths, elevations, held, levels=levels, colors="whit
 towards = grasp_of(best).weakest_direction().direction
 assert towards is not None
 left.plot(np.degrees(np.arctan2(towards[1], towards[0])), np.degrees(np.arcsin(towards[2])), "r*", markersize=12)
-left.set(title="What it holds in every direction; the weakest is the star", xlabel="azimuth of the load, degrees", ylabel="elevation, degrees")
+left.set(
+    title="What it holds in every direction; the weakest is the star", xlabel="azimuth of the load, degrees", ylabel="elevation, degrees"
+)
 right.scatter(epsilons, worst[:200], s=8)
 right.set(title="200 candidates", xlabel="ε, N", ylabel="onset of a weight, worst direction, N")
 figure.savefig(output / "tutorial_onsets.png", dpi=110)
@@ -299,7 +307,6 @@ tilted = np.array([0.3, 0.2, -0.9])
 sample = np.flatnonzero(worst > 0.1)[:100]
 reference = np.array([in_fifty_digits(k, tilted) for k in sample])
 rows: list[tuple[str, float, Array]] = []
-
 
 
 def one_by_one(made: list[Grasp]) -> Array:

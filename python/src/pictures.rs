@@ -40,7 +40,7 @@ impl Drawn<6, 3> for Kept<6, 3> {
 impl Kept<6, 3> {
     fn with_state(&self, state: &Equilibrium<6, 3>, title: &str) -> PyResult<SpatialPage> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
-        let mut page = SpatialPage::new(grasp, title).frame(title, state);
+        let mut page = SpatialPage::new(grasp, "Forces on the object").frame(title, state);
         if !self.setup.outline.is_empty() {
             page = page.outline(self.setup.outline.iter().map(|corner| <[f64; 3]>::from(*corner)));
         }

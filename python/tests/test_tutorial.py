@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -98,7 +99,7 @@ def test_errors_are_those_of_the_text(ran: tuple[Path, str]) -> None:
     assert errors["Grasp.onset, one by one"][1] < 1e-12
     assert errors["numpy and scipy's bisection"][1] < 1e-9
     medians = [errors[f"polygon of {facets} facets"][0] for facets in (4, 8, 16, 32)]
-    for coarse, fine in zip(medians, medians[1:], strict=False):
+    for coarse, fine in pairwise(medians):
         # Twice the facets miss a circle by a quarter.
         assert 2 < coarse / fine < 8
     assert 1e-3 < medians[-1] < 1e-2

@@ -32,6 +32,9 @@ impl<const D: usize, const C: usize> fmt::Display for Equilibrium<D, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let moved = row(self.twist.as_vector().as_slice());
         write!(f, "the object moves by {moved} m and rad, residual {:.0e}", self.residuals.worst())?;
+        if self.is_beyond_small_motions() {
+            f.write_str("; far beyond the small motions that this is good for")?;
+        }
         for (number, contact) in self.contacts.iter().enumerate() {
             let (force, margin) = (row(contact.force.as_slice()), contact.margin);
             write!(

@@ -19,6 +19,7 @@ mod overlap_and_world_commands;
 mod pinch;
 mod properties_law;
 mod round_cone;
+mod small_motions;
 mod soft_fingertip;
 mod soft_fingertip_torsion;
 mod valid;

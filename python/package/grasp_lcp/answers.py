@@ -225,7 +225,7 @@ class Onset(_First):
     @property
     def factor(self) -> float | None:
         """The factor up to which everything rolls, no unit: that of the event, or from which on nothing resists; ``inf`` for never.
-        None for all other outcomes."""
+        None for all other outcomes: look at :attr:`outcome` first."""
         told = self._told
         if isinstance(told, Told):
             return told.factor

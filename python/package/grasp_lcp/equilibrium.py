@@ -220,8 +220,20 @@ class Equilibrium(View):
         """Pivots of Lemke's method."""
         return int(self._tree["pivots"])
 
+    @property
+    def is_beyond_small_motions(self) -> bool:
+        """Whether the object turns by more than 0.5 rad.
+
+        Contact points and normals stay where they are in all that is computed here: such an answer solves the question as it was put, and says
+        little about the object.
+        """
+        rotation = self.twist[2 if len(self.twist) == 3 else 3 :]
+        return float(np.linalg.norm(rotation)) > 0.5
+
     def __repr__(self) -> str:
         head = f"<Equilibrium: the object moves by {short(self.twist)} m and rad, residual {self.residual:.1e}"
+        if self.is_beyond_small_motions:
+            head += "; far beyond the small motions that this is good for"
         told = [f"  {touch.label} {touch.state}, force {short(touch.force)} N, margin {touch.margin:.6g} N" for touch in self.contacts]
         told += [f"  {drive.label} {drive.state}, {drive.torque:.6g}" for drive in (*self.joints, *self.tendons)]
         return "\n".join([head, *told]) + ">"

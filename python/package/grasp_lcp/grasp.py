@@ -98,7 +98,8 @@ class Grasp:
         :param command: displacements of the fingers' cores in the contact frames, m, shape (n, 2) or (2,); normal first, positive
             pushes into the object.
         :param command_world: the same displacements along the coordinate axes, in place of ``command``.
-        :param pressed_with: force of the squeeze in place of the normal command, N, shape (n,) or one for all.
+        :param pressed_with: force of the squeeze in place of the normal command, N, shape (n,) or one for all. Fingers hold the positions that
+            give these forces on an object that stays; if the forces do not balance it moves until they do.
         :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
         :param tangents: directions of the first tangent, shape (n, 2).
         :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word or one a contact.
@@ -314,6 +315,8 @@ class Grasp:
 
     def quality(self, budget: float = 1.0, *, each: bool = False) -> Quality:
         """What contacts *could* hold if they pressed as needed: force closure, form closure, and the measure ε of Ferrari and Canny.
+
+        ε takes moments about the centroid of the contacts: beside it ask :meth:`weakest_direction` with ``at`` that centroid.
 
         :param budget: N that all normal forces may sum up to, or each may have with ``each``.
         """
