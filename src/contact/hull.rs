@@ -25,8 +25,9 @@ use super::tangential::tangential_norm;
 const PIECE: f64 = FRAC_PI_8;
 /// Directions of slip on an arc are spanned by its ends and by points so far apart: less than a half turn.
 const SPAN: f64 = 0.6 * PI;
-/// Arcs are not divided below this angle: directions as close as that are one to rounding of what follows from them.
-const NARROWEST: f64 = 1e-6;
+/// Arcs are not divided below this angle. An object that wedges goes as far as its taper is flat: where fingers are symmetric but for 1e-8 of their
+/// normals, directions of slip matter to that angle; below it the distance that contradicts is rounding.
+const NARROWEST: f64 = 1e-8;
 /// Wider arcs are halved; on narrower ones the friction force and the slip say where to divide.
 const WIDE: f64 = 1.1 * PI;
 /// No part of an arc is narrower than this part of it.

@@ -15,6 +15,7 @@ mod frames;
 mod frictionless_sliding;
 mod invariance;
 mod near_the_trial;
+mod nearly_symmetric;
 mod overlap_and_world_commands;
 mod pinch;
 mod properties_law;
