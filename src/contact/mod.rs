@@ -11,6 +11,7 @@
 //! | `law` | which of its conditions count: at rest, in rates, on an edge |
 //! | `answer` | stretch → state and force |
 //! | `springs` | in a known state: left and right factors |
+//! | `straight_stretch` | its force after a stretch that went straight, with the slip that turned on the way |
 //! | `tangent` | how its force changes with its stretch |
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `hull` | where only part of its state is known: all that its law allows |
@@ -35,6 +36,7 @@ mod slide;
 mod springs;
 mod stand;
 mod state;
+mod straight_stretch;
 mod tangent;
 mod tangential;
 mod tolerances;

@@ -21,7 +21,7 @@ use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 /// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
 /// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | onset and limit load side by side | [`reserve`](Self::reserve) |
-/// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch) |
+/// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze suffices | [`least_squeeze`](Self::least_squeeze) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`onset_gradients`](Self::onset_gradients), [`sensitivity`](Self::sensitivity), [`response`](Self::response) |

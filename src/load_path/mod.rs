@@ -1,5 +1,5 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory,
-//! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`]).
+//! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`], [`SteppedPath`]).
 //!
 //! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
 //! at which a condition of rolling is used up, found from two linear solves and no stepping:
@@ -64,6 +64,7 @@ mod response;
 mod segment;
 mod sensitivity;
 mod standing;
+mod stepped;
 mod straight;
 mod stretch;
 mod told_apart;
@@ -92,5 +93,6 @@ pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
+pub use stepped::{Step, SteppedPath};
 pub use turn::{Touch, Turn};
 pub use turn_questions::TurnOnset;

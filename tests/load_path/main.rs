@@ -24,6 +24,7 @@ mod round_cone;
 mod sliding_arcs;
 mod small_steps;
 mod start_at_rest;
+mod stepped;
 mod story;
 mod turning;
 mod wedged;

@@ -19,8 +19,8 @@ const MOST_STALLS: usize = 64;
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Follows a load program from the equilibrium under `start` with the finger commands of the
     /// grasp, for any number of contacts. An event costs about as much as the contacts that it
-    /// concerns. In space on the default polygonal cone, 8 facets inside the round one. See
-    /// [`PatchPath`].
+    /// concerns. In space on the default polygonal cone, 8 facets inside the round one; for the round one
+    /// there is [`Self::follow_in_steps`]. See [`PatchPath`].
     ///
     /// # Errors
     /// As for [`Self::follow`].

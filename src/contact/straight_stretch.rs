@@ -1,0 +1,118 @@
+//! From a stretch that goes straight from where it was to the force at its end, exactly: the slip that turns on the way included.
+//!
+//! On the round cone, with the traction rate `d = k_t v_t'` and the radius `r = μ F_n`, both straight in the way τ from 0 to 1, a sliding
+//! contact has its friction force at the angle ψ from d, and
+//!
+//! ```text
+//! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
+//! ```
+//!
+//! It slides on to the end once it slides, since |d| cos ψ grows and r' stays. The return map of [`LocalLaw::answer`] takes the whole way at
+//! its end instead, which is right to first order only. See for the same closed form with a constant radius R. D. Krieg and D. B. Krieg,
+//! Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+
+use nalgebra::SVector;
+
+use super::answer::Answer;
+use super::law::LocalLaw;
+use super::slide::Slide;
+use super::state::Mode;
+use super::tangential::{cross, tangential, tangential_norm};
+
+/// A traction this near to its limit, as a part of it, is on the cone: what a step leaves is rounding of it.
+const ON_THE_CONE: f64 = 1e-12;
+/// Logarithms of radii that differ by less than this part are their first terms.
+const ALIKE: f64 = 1e-7;
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// State and force where the stretch has gone straight from `before`, at rest and on its law there, to `stretch`. The slip until then
+    /// is what the springs do not explain, [`Compliance::slip`](super::Compliance::slip). With two tangential stiffnesses, in the plane
+    /// and where nothing can slide as [`Self::answer`] has it.
+    pub(crate) fn answer_after(&self, before: &SVector<f64, C>, stretch: &SVector<f64, C>) -> Answer<C> {
+        if C == 2 || !self.is_round() || !self.springs.is_isotropic() || self.friction.is_frictionless() {
+            return self.answer(stretch, 0.0);
+        }
+        let [from, to] = [before, stretch].map(|v| self.springs.force(v));
+        if to[0] <= 0.0 && self.may_open() {
+            return Answer::open();
+        }
+        let rate = to - from;
+        let limit = |tau: f64| self.friction.limit(from[0] + rate[0] * tau);
+        if from[0] <= 0.0 {
+            // It closes on the way: from the apex on the traction grows in one direction.
+            let rest = (to[0] / rate[0]).clamp(0.0, 1.0);
+            let (drawn, most) = (tangential_norm(&rate) * rest, limit(1.0));
+            return if drawn > most {
+                self.sliding_at(to[0], &rate, most, 1.0)
+            } else {
+                let mut force = rate * rest;
+                force[0] = to[0];
+                Answer { state: Mode::Rolling, force }
+            };
+        }
+        match self.leaves_rolling(&from, &rate) {
+            None => Answer { state: Mode::Rolling, force: to },
+            Some(tau) => self.slid_on(&(from + rate * tau), &rate, 1.0 - tau),
+        }
+    }
+
+    /// Where on the way a traction reaches its limit, or stands there and is drawn across.
+    fn leaves_rolling(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>) -> Option<f64> {
+        let (t, d) = (tangential(from), tangential(rate));
+        let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
+        let size = t.norm();
+        if size >= r * (1.0 - ON_THE_CONE) && t.dot(&d) > growth * size {
+            return Some(0.0);
+        }
+        // |t + τ d|² = (r + τ r')², with what is inside negative now.
+        let (a, b) = (d.norm_squared() - growth * growth, t.dot(&d) - r * growth);
+        let c = ((size - r) * (size + r)).min(0.0);
+        let root = b * b - a * c;
+        if root < 0.0 {
+            return None;
+        }
+        let under = b + root.sqrt();
+        let tau = if c == 0.0 && b <= 0.0 { -2.0 * b / a } else { -c / under };
+        (tau > 0.0 && tau < 1.0).then_some(tau)
+    }
+
+    /// A contact that slides from a force on its cone for a part of the way.
+    fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> Answer<C> {
+        let normal = from[0] + rate[0] * rest;
+        let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
+        let (t, d) = (tangential(from), tangential(rate));
+        let (size, pull) = (t.norm(), d.norm());
+        // ∫dτ/r over what is left of the way.
+        let x = (r1 - r0) / r0;
+        let per_radius = rest / r0 * if x.abs() < ALIKE { 1.0 - 0.5 * x } else { x.ln_1p() / x };
+        if pull == 0.0 || size == 0.0 {
+            let direction = if size == 0.0 { d } else { t };
+            return self.sliding_at(normal, &direction, r1, r1 * per_radius);
+        }
+        // tan(ψ/2) from d to the friction force.
+        let half = cross(&d, &t) / (size * pull + d.dot(&t)) * (-pull * per_radius).exp();
+        let square = half * half;
+        if !square.is_finite() {
+            return self.sliding_at(normal, &-d, r1, r1 * per_radius);
+        }
+        let (cos, sin) = ((1.0 - square) / (1.0 + square), 2.0 * half / (1.0 + square));
+        let mut direction = SVector::zeros();
+        direction[1] = cos * d[1] - sin * d[C - 1];
+        direction[C - 1] = sin * d[1] + cos * d[C - 1];
+        self.sliding_at(normal, &direction, r1, r1 * per_radius)
+    }
+
+    /// A contact that slides along a direction in the end. Its springs across hold by this part: softened by the slip.
+    fn sliding_at(&self, normal: f64, direction: &SVector<f64, C>, r: f64, holds: f64) -> Answer<C> {
+        if tangential_norm(direction) == 0.0 {
+            let mut force = SVector::zeros();
+            force[0] = normal;
+            return Answer { state: Mode::Rolling, force };
+        }
+        let lambda = self.springs.give_along(1, 1.0 / holds.clamp(ON_THE_CONE, 1.0) - 1.0);
+        let slide = Slide::new(direction, lambda);
+        let mut force = slide.direction * r;
+        force[0] = normal;
+        Answer { state: Mode::Round(slide), force }
+    }
+}

@@ -1,0 +1,217 @@
+//! The path itself: what it stands on, and how it starts.
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::SVector;
+
+use super::one_step::Standing;
+use crate::contact::Polygon;
+use crate::equilibrium::Cone;
+use crate::error::Error;
+use crate::grasp::{Grasp, Wrench};
+use crate::load_path::course::Course;
+use crate::load_path::event::PathEnd;
+use crate::load_path::leg::{Leg, Program};
+use crate::object::{Load, Problem};
+use crate::search::{Found, Settings, Settled, settle};
+
+/// The first step of a path, as a part of its leg.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// A load program being followed in steps: an iterator over them, so that the caller may look at each and stop at any. Made by
+/// [`Grasp::follow_in_steps`]; when the iterator has ended, [`end`](Self::end) says how the path did.
+///
+/// The law is that of [`LoadPath`](crate::load_path::LoadPath), on the round cone, with slip memory: contacts stick, slide in directions that turn, open
+/// and close again. Their events are not told one by one; [`state`](Self::state) tells the equilibrium where the path stands.
+#[derive(Debug)]
+pub struct SteppedPath<'g, const D: usize, const C: usize> {
+    pub(super) grasp: &'g Grasp<D, C>,
+    pub(super) settings: Settings,
+    pub(super) program: Program<D, C>,
+    /// The problem that is being looked at; loads and drives are put in for each step.
+    pub(super) problem: Problem<'g, D, C>,
+    /// Commands less clearances at the beginning of the leg, and what they change by.
+    pub(super) drives: [Vec<SVector<f64, C>>; 2],
+    pub(super) course: Course<SVector<f64, D>>,
+    /// `None` if there is no equilibrium to start from.
+    pub(super) standing: Option<Standing<D, C>>,
+    /// The motion of the object for one unit of the fraction, from the last step of the leg.
+    pub(super) rate: Option<SVector<f64, D>>,
+    /// The part of the leg that the next step tries.
+    pub(super) step: f64,
+    /// The most that a step of the leg may be: a load that comes round looks as if it had stayed.
+    pub(super) longest: f64,
+    /// Whether the last step was refused: the next one is no longer than the one that was made in its place.
+    pub(super) refused: bool,
+    /// Steps tried on the leg.
+    pub(super) tried: usize,
+    /// What was asked for.
+    pub(super) error: f64,
+    /// The sum of those of steps along which contacts keep their states, and the largest of the others.
+    pub(super) step_error: f64,
+    pub(super) change_error: f64,
+    pub(super) end: Option<PathEnd<D, C>>,
+}
+
+/// One step of a [`SteppedPath`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Step<const D: usize, const C: usize> {
+    /// The leg, from 0.
+    pub leg: usize,
+    /// How much of the leg has been gone at its end, up to 1.
+    pub fraction: f64,
+    /// The load there.
+    pub load: Wrench<D, C>,
+    /// How many contacts slide there.
+    pub sliding: usize,
+    /// How many are open.
+    pub open: usize,
+    /// The estimated error of the forces that this step has made, over the largest force.
+    pub error: f64,
+}
+
+impl<const D: usize, const C: usize> Grasp<D, C> {
+    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
+    /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may make, such as 1e-6. A step costs
+    /// a few passes over all contacts; steps are as long as the square root of the error. See [`SteppedPath`].
+    ///
+    /// In the plane nothing turns, and [`Self::follow_patch`] tells every event exactly.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A ring of a hundred springs that press with 1 N each on a body; it is twisted by 60 N m of 100 · 0.5 N · 1 m at most … and let go.
+    /// let contact = |i: i32| {
+    ///     let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 100.0).sin_cos();
+    ///     Contact::new([cos, sin, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e3, 8e2).friction(0.5)
+    /// };
+    /// let ring = Grasp::new((0..100).map(contact))?;
+    /// let pressed = |shear: f64, torsion: f64| Wrench::new([shear, 0.0, -100.0], [0.0, 0.0, torsion]);
+    /// let legs = [Leg::load_to(pressed(20.0, 30.0)), Leg::load_to(pressed(0.0, 0.0))];
+    /// let mut path = grasp_path(&ring, &legs)?;
+    /// # fn grasp_path<'g>(ring: &'g Grasp, legs: &[Leg]) -> Result<grasp_lcp::load_path::SteppedPath<'g, 6, 3>, grasp_lcp::Error> {
+    /// #     ring.follow_in_steps(&Wrench::new([0.0, 0.0, -100.0], [0.0; 3]), legs, 1e-6)
+    /// # }
+    /// assert!(path.by_ref().any(|step| step.sliding > 0));
+    /// assert!(matches!(path.end(), Some(grasp_lcp::load_path::PathEnd::Completed)));
+    /// // What has slipped stays slipped.
+    /// let left = path.state().expect("completed");
+    /// assert!(left.twist.rotation()[2] > 1e-6 && left.residuals.worst() < 1e-10);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
+    pub fn follow_in_steps(
+        &self,
+        start: &Wrench<D, C>,
+        legs: &[Leg<D, C>],
+        error: f64,
+    ) -> Result<SteppedPath<'_, D, C>, Error> {
+        self.follow_in_steps_with(start, legs, error, &Settings::default())
+    }
+
+    /// [`Self::follow_in_steps`] with other [`Settings`]: [`Settings::most_steps`] bounds the steps of a leg.
+    ///
+    /// # Errors
+    /// As for [`Self::follow_in_steps`].
+    pub fn follow_in_steps_with(
+        &self,
+        start: &Wrench<D, C>,
+        legs: &[Leg<D, C>],
+        error: f64,
+        settings: &Settings,
+    ) -> Result<SteppedPath<'_, D, C>, Error> {
+        self.refuse_hands("follow_in_steps")?;
+        if !(1e-9..=1.0).contains(&error) {
+            return Err(Error::Argument { what: "error of a leg", value: error, allowed: "from 1e-9 to 1" });
+        }
+        let settings = Settings { round: true, ..*settings };
+        let wrench = self.load_alone(start, "start load")?;
+        let polygon = Polygon::shared(&settings.cone);
+        let problem = self.problem(polygon, true, self.drives(), &Load::from(&wrench));
+        let mut program = Program::new(self, *start);
+        program.extend(self, legs)?;
+        let (settled, effort) = settle(&problem, &settings);
+        let (standing, end) = match settled {
+            Settled::Found(found, _) => (Some(at_start(&problem, found)), None),
+            lost => {
+                let outcome = self.outcome(&problem, start, lost, &effort, Cone::of::<C>(&settings));
+                (None, Some(PathEnd::NoStart(Box::new(outcome))))
+            }
+        };
+        let (drives, course) = (program.drives(self), program.inside_course(self));
+        let (grasp, rate) = (self, None);
+        let (step, tried, step_error) = (FIRST_STEP, 0, 0.0);
+        let mut path = SteppedPath {
+            grasp,
+            settings,
+            program,
+            problem,
+            drives,
+            course,
+            standing,
+            rate,
+            step,
+            tried,
+            error,
+            longest: 1.0,
+            refused: false,
+            step_error,
+            change_error: 0.0,
+            end,
+        };
+        if path.end.is_none() {
+            path.begin_leg();
+        }
+        Ok(path)
+    }
+}
+
+/// What an equilibrium is to a path: its slips are memory.
+fn at_start<const D: usize, const C: usize>(
+    problem: &Problem<'_, D, C>,
+    found: Found<D, C>,
+) -> Standing<D, C> {
+    let slip = |(i, state): (usize, &crate::contact::State<C>)| {
+        let springs = &problem.sites[i].springs;
+        if state.is_rolling() || !springs.resists_tangentially() {
+            return SVector::zeros();
+        }
+        springs.slip(&problem.stretch(i, &found.twist), &found.forces[i])
+    };
+    let slips = found.states.iter().enumerate().map(slip).collect();
+    Standing { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
+}
+
+impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
+    /// How the path has ended; `None` while it has not.
+    #[must_use]
+    pub fn end(&self) -> Option<&PathEnd<D, C>> {
+        self.end.as_ref()
+    }
+
+    /// Estimated error of the forces, over the largest one: the sum of those of all steps, and the largest of where contacts have changed
+    /// their states.
+    #[must_use]
+    pub fn step_error(&self) -> f64 {
+        self.step_error + self.change_error
+    }
+
+    /// Sets out on the present leg, or completes the path.
+    pub(super) fn begin_leg(&mut self) {
+        if !self.program.begin_leg() {
+            self.end = Some(PathEnd::Completed);
+            return;
+        }
+        (self.drives, self.course) =
+            (self.program.drives(self.grasp), self.program.inside_course(self.grasp));
+        (self.rate, self.step, self.tried) = (None, FIRST_STEP, 0);
+        self.longest =
+            if let Course::Turn { angle, .. } = &self.course { FRAC_PI_2 / angle.abs() } else { 1.0 };
+        if let Some(standing) = &mut self.standing {
+            standing.fraction = 0.0;
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Steps as long as the error asked for allows.
+
+use nalgebra::SVector;
+
+use super::one_step::{Standing, one_step};
+use super::stepped_path::{Step, SteppedPath};
+use crate::grasp::Site;
+use crate::load_path::event::PathEnd;
+use crate::search::Doubt;
+
+/// Two halves of a step err by a third of what they differ from the whole: a step of length h errs by h³, and there are 1/h of them.
+const OF_THE_DIFFERENCE: f64 = 1.0 / 3.0;
+/// An error below this part of the largest force is rounding.
+const ROUNDING: f64 = 1e-13;
+/// A step is followed by one that is this many times as long at least, and at most.
+const SLOWER: f64 = 0.2;
+const FASTER: f64 = 2.0;
+/// The next step is as long as would make this part of the error allowed.
+const CAREFUL: f64 = 0.7;
+/// A step where there is no equilibrium is followed by one this many times as long.
+const NOWHERE: f64 = 0.25;
+/// Shorter parts of a leg than this are not tried: the path has an end there.
+const SHORTEST: f64 = 1e-12;
+/// Where a contact changes its state halves and whole may err alike, by what the object is off the straight way in the middle. It happens to a
+/// contact a few times a leg: each time this part of the error is allowed.
+const AT_A_CHANGE: f64 = 0.3;
+/// A step is a jump if the object is farther than this part of it from its middle halfway …
+const LEAP: f64 = 0.25;
+/// … and if springs would feel the step by more than this part of the largest force.
+const FELT: f64 = 0.05;
+
+/// What a step makes wrong, over the largest force.
+#[derive(Debug, Clone, Copy)]
+struct StepError {
+    /// Where contacts keep their states.
+    smooth: f64,
+    /// Where they change them.
+    change: f64,
+}
+
+impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
+    type Item = Step<D, C>;
+
+    fn next(&mut self) -> Option<Step<D, C>> {
+        while self.end.is_none() {
+            let from = self.standing.take()?;
+            if self.tried == self.settings.most_steps {
+                return self.give_up(from, Doubt::OutOfSteps);
+            }
+            self.tried += 1;
+            let rest = 1.0 - from.fraction;
+            let step = self.step.min(self.longest);
+            let length = if step > 0.9 * rest { rest } else { step };
+            let Some((to, error)) = self.twice(&from, length) else {
+                if length * NOWHERE < SHORTEST {
+                    return self.give_up(from, Doubt::OnTheBoundary);
+                }
+                (self.step, self.standing) = (length * NOWHERE, Some(from));
+                continue;
+            };
+            let parts = [
+                error.smooth / (self.error * length).max(ROUNDING),
+                error.change / (self.error * AT_A_CHANGE).max(ROUNDING),
+            ];
+            let part = parts[0].max(parts[1]);
+            let fastest = if self.refused { 1.0 } else { FASTER };
+            self.refused = part > 1.0;
+            self.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
+            if part > 1.0 {
+                if self.step < SHORTEST {
+                    return self.give_up(from, Doubt::OnTheBoundary);
+                }
+                self.standing = Some(from);
+                continue;
+            }
+            self.rate = Some((to.twist - from.twist) / length);
+            return Some(self.arrive(to, error));
+        }
+        None
+    }
+}
+
+impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
+    /// A step in two halves, with its estimated error; `None` where one of them finds no equilibrium, or only one
+    /// elsewhere.
+    fn twice(&mut self, from: &Standing<D, C>, length: f64) -> Option<(Standing<D, C>, StepError)> {
+        let rate = self.rate.unwrap_or_else(SVector::zeros);
+        let near = |at: &Standing<D, C>, rate: &SVector<f64, D>, length: f64| at.twist + rate * length;
+        let middle = self.go(from, 0.5 * length, near(from, &rate, 0.5 * length))?;
+        let rate = (middle.twist - from.twist) / (0.5 * length);
+        let to = self.go(&middle, 0.5 * length, near(&middle, &rate, 0.5 * length))?;
+        let largest = to.largest_force().max(from.largest_force());
+        let sites = self.problem.sites;
+        let pull =
+            |site: &Site<D, C>, motion: &SVector<f64, D>| site.springs.force(&site.map.tr_mul(motion)).norm();
+        let felt = |motion: &SVector<f64, D>| sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max);
+        let off = middle.twist - (from.twist + to.twist) * 0.5;
+        let way = felt(&(to.twist - from.twist));
+        if way > FELT * largest && felt(&off) > LEAP * way {
+            return None;
+        }
+        if largest == 0.0 {
+            return Some((to, StepError { smooth: 0.0, change: 0.0 }));
+        }
+        let local = |i: usize| self.problem.local(i);
+        let changes = |i: usize, pull: f64| {
+            let [a, b, c] = [from, &middle, &to];
+            if !a.states[i].is_kind_of(&b.states[i]) || !b.states[i].is_kind_of(&c.states[i]) {
+                return true;
+            }
+            // Rolls at all three, but as near to its edge as the way is off a straight one.
+            let margin = |at: &Standing<D, C>| local(i).margin(&at.forces[i]);
+            local(i).may_slide()
+                && b.states[i].is_rolling()
+                && margin(a).min(margin(b)).min(margin(c)) < pull * local(i).cone().round_weight()
+        };
+        let change_of = |i: usize| {
+            let pull = pull(&sites[i], &off);
+            if changes(i, pull) { pull } else { 0.0 }
+        };
+        let change = (0..sites.len()).map(change_of).fold(0.0, f64::max) / largest;
+        if change > AT_A_CHANGE * self.error {
+            return Some((to, StepError { smooth: 0.0, change }));
+        }
+        let at_once = self.go(from, length, to.twist)?;
+        let smooth = OF_THE_DIFFERENCE * to.apart(&at_once) / largest;
+        (smooth.is_finite() && change.is_finite()).then_some((to, StepError { smooth, change }))
+    }
+
+    /// One step of a length.
+    fn go(&mut self, from: &Standing<D, C>, length: f64, near: SVector<f64, D>) -> Option<Standing<D, C>> {
+        let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
+        let Self { problem, drives: [base, change], course, .. } = self;
+        let mut before = Vec::with_capacity(base.len());
+        for (i, site) in problem.sites.iter().enumerate() {
+            let drive = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
+            before.push(site.stretch(&drive(from.fraction), &from.twist));
+            problem.drives[i] = drive(fraction);
+        }
+        (problem.wrench, problem.wrench_rest) = (course.at(fraction), SVector::zeros());
+        one_step(from, &before, problem, (fraction, near))
+    }
+
+    fn arrive(&mut self, to: Standing<D, C>, error: StepError) -> Step<D, C> {
+        let (leg, fraction) = (self.program.leg, to.fraction);
+        let step = Step {
+            leg,
+            fraction,
+            load: self.program.load_at(fraction),
+            sliding: to.states.iter().filter(|state| state.slides()).count(),
+            open: to.states.iter().filter(|state| state.is_open()).count(),
+            error: error.smooth.max(error.change),
+        };
+        self.step_error += error.smooth;
+        self.change_error = self.change_error.max(error.change);
+        self.standing = Some(to);
+        if fraction >= 1.0 {
+            self.program.leg += 1;
+            self.begin_leg();
+        }
+        step
+    }
+
+    fn give_up(&mut self, at: Standing<D, C>, doubt: Doubt) -> Option<Step<D, C>> {
+        let (leg, fraction) = (self.program.leg, at.fraction);
+        self.standing = Some(at);
+        self.end = Some(PathEnd::Undecided { leg, fraction, doubt });
+        None
+    }
+}

@@ -1,0 +1,199 @@
+//! Paths in steps end where paths from event to event end, within the error that was asked for; thousands of contacts where closed forms say.
+
+use std::f64::consts::TAU;
+
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::spatial::{Contact, Grasp, Leg, Turn, Wrench};
+use grasp_lcp::{Error, Settings};
+use nalgebra::SVector;
+use support::numbers::Numbers;
+
+/// Feet of a table on uneven springs and a floor that is not quite even.
+fn table(feet: usize, numbers: &mut Numbers) -> Result<Grasp, Error> {
+    let foot = |i: usize| {
+        let (sin, cos) = (TAU * i as f64 / feet as f64 + 0.4 * numbers.signed()).sin_cos();
+        let k = 1000.0 * (1.0 + 0.3 * numbers.signed());
+        let normal = [0.1 * numbers.signed(), 0.1 * numbers.signed(), 1.0];
+        Contact::new([cos, sin, 0.0], normal)
+            .series_stiffness(k, 0.8 * k)
+            .friction(0.5 + 0.2 * numbers.signed())
+    };
+    Grasp::new((0..feet).map(foot).collect::<Vec<_>>())
+}
+
+/// The table's weight, and a pull along the floor and about the vertical.
+fn pulled([x, y]: [f64; 2], moment: f64) -> Wrench {
+    Wrench::new([x, y, -10.0], [0.0, 0.0, moment])
+}
+
+/// Sheared and twisted by turns, sheared around, and let go.
+fn program(numbers: &mut Numbers) -> Vec<Leg> {
+    let mut pull = |size: f64| {
+        let shear = [0, 1].map(|_| size * numbers.signed());
+        Leg::load_to(pulled(shear, size * numbers.signed()))
+    };
+    let around = Turn::new(Wrench::ZERO, Wrench::force([3.0, 0.0, 0.0]), Wrench::force([0.0, 3.0, 0.0]));
+    vec![pull(2.5), pull(2.5), Leg::load_to(pulled([3.0, 0.0], 0.0)), Leg::turn(&around), pull(0.0)]
+}
+
+fn largest<'f>(forces: impl Iterator<Item = &'f SVector<f64, 3>>) -> f64 {
+    forces.map(|force| force.norm()).fold(0.0, f64::max)
+}
+
+#[test]
+fn they_end_where_paths_from_event_to_event_end() -> Result<(), Error> {
+    for error in [1e-3, 1e-5, 1e-7] {
+        let mut numbers = Numbers(29);
+        let (mut worst, mut steps, mut slid, mut compared) = (0.0_f64, 0, 0, 0);
+        for scene in 0..30 {
+            let table = table(3 + scene % 4, &mut numbers)?;
+            let legs = program(&mut numbers);
+            let start = pulled([0.0; 2], 0.0);
+            let mut exact = table.follow(&start, &legs)?;
+            let events = exact.run().len();
+            let mut path = table.follow_in_steps(&start, &legs, error)?;
+            steps += path.by_ref().count();
+            let Some(PathEnd::Completed) = exact.end() else {
+                assert!(!matches!(path.end(), Some(PathEnd::Completed)), "scene {scene}");
+                continue;
+            };
+            assert!(matches!(path.end(), Some(PathEnd::Completed)), "scene {scene}");
+            let state = exact.state_at(legs.len() - 1, 1.0).expect("completed");
+            let differences: Vec<_> = state
+                .contacts
+                .iter()
+                .zip(path.forces())
+                .map(|(contact, force)| contact.force - force)
+                .collect();
+            let off = largest(differences.iter()) / largest(path.forces().iter());
+            assert!(
+                off <= path.step_error() + 1e-9,
+                "scene {scene}: {off:e}, {:e} estimated",
+                path.step_error()
+            );
+            assert!(path.state().expect("completed").residuals.worst() < 1e-11);
+            worst = worst.max(off);
+            slid += usize::from(events > 0);
+            compared += 1;
+        }
+        println!(
+            "error {error:e}: {worst:e} at worst of {compared} paths, {slid} of them with slip, in {steps} steps"
+        );
+        assert!(worst <= error && compared >= 20 && slid >= 15);
+    }
+    Ok(())
+}
+
+/// A disc of springs under Hertz's pressure, 10 N in all, on the floor of a body. Radii and normal forces beside it.
+fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
+    let area = |i: usize| (i as f64 + 0.5) / count as f64;
+    let whole: f64 = (0..count).map(|i| (1.0 - area(i)).sqrt()).sum();
+    let rings: Vec<_> = (0..count).map(|i| [area(i).sqrt(), 10.0 * (1.0 - area(i)).sqrt() / whole]).collect();
+    let spring = |(i, [r, press]): (usize, &[f64; 2])| {
+        let (sin, cos) = (2.399_963_229_728_653 * i as f64).sin_cos();
+        Contact::new([r * cos, r * sin, 0.0], [0.0, 0.0, 1.0])
+            .series_stiffness(1000.0 / count as f64, 800.0 / count as f64)
+            .friction(0.5)
+            .pressed_with(*press)
+    };
+    Ok((Grasp::new(rings.iter().enumerate().map(spring).collect::<Vec<_>>())?, rings))
+}
+
+#[test]
+fn torsion_slides_ring_by_ring() -> Result<(), Error> {
+    // M(θ) = Σ r min(k r θ, μ F_n), and on the way back by twice the half, Masing's rule.
+    let (grasp, rings) = disc(400)?;
+    let moment =
+        |turn: f64| -> f64 { rings.iter().map(|[r, press]| r * (2.0 * r * turn).min(0.5 * press)).sum() };
+    let legs = [2.0, -0.5].map(|moment| Leg::load_to(pulled([0.0; 2], moment)));
+    let mut path = grasp.follow_in_steps(&pulled([0.0; 2], 0.0), &legs, 1e-6)?;
+    let (mut there, mut compared) = (0.0, 0);
+    while let Some(step) = path.next() {
+        let turn = path.state().expect("on the way").twist.rotation()[2];
+        let exact = if step.leg == 0 { moment(turn) } else { 2.0 - 2.0 * moment(0.5 * (there - turn)) };
+        let told = step.load.moment()[2];
+        // A millionth of the largest force for each of 400 springs, at arms up to 1 m.
+        assert!(
+            (told - exact).abs() < 400.0 * 1e-6 * largest(path.forces().iter()),
+            "{told} at {turn}: {exact}"
+        );
+        if step.leg == 0 {
+            there = turn;
+        }
+        compared += 1;
+    }
+    println!("{compared} steps");
+    assert!(matches!(path.end(), Some(PathEnd::Completed)) && compared > 20);
+    Ok(())
+}
+
+#[test]
+fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
+    // Springs around a jar, each pressed with 1 N, μ = 0.5: they slide at n/2 N, all at once.
+    for count in [64, 1024] {
+        let spring = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
+            Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0])
+                .series_stiffness(1e3, 8e2)
+                .friction(0.5)
+                .pressed_with(1.0)
+        };
+        let ring = Grasp::new((0..count).map(spring))?;
+        let limit = 0.5 * count as f64;
+        let legs = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
+        let mut path = ring.follow_in_steps(&Wrench::ZERO, &legs, 1e-6)?;
+        let steps = path.by_ref().count();
+        let held = path.end().and_then(PathEnd::fraction).expect("not beyond the limit");
+        println!("{count} springs: {steps} steps, held to {held}");
+        assert!(matches!(path.end(), Some(PathEnd::Undecided { .. })));
+        assert!((held - 0.8).abs() < 1e-9);
+        assert!((path.state().expect("there").load.resultant()[2] + limit).abs() < 1e-6 * limit);
+    }
+    Ok(())
+}
+
+#[test]
+fn steps_are_bounded_and_can_be_looked_at_one_by_one() -> Result<(), Error> {
+    let (grasp, _) = disc(50)?;
+    let legs = [Leg::load_to(pulled([2.0, 0.0], 1.0))];
+    let start = pulled([0.0; 2], 0.0);
+    let few = Settings::default().with_most_steps(5);
+    let mut path = grasp.follow_in_steps_with(&start, &legs, 1e-8, &few)?;
+    let steps: Vec<_> = path.by_ref().collect();
+    assert!(
+        steps.len() <= 5
+            && matches!(path.end(), Some(PathEnd::Undecided { fraction, .. }) if *fraction < 1.0)
+    );
+    assert_eq!(path.end().and_then(PathEnd::fraction), Some(steps.last().map_or(0.0, |step| step.fraction)));
+    let mut path = grasp.follow_in_steps(&start, &legs, 1e-4)?;
+    let mut before = 0.0;
+    while let Some(step) = path.next() {
+        let state = path.state().expect("on the way");
+        assert!(step.fraction > before && step.leg == 0);
+        assert_eq!(
+            (step.load, step.sliding),
+            (
+                state.load,
+                state.contacts.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count()
+            )
+        );
+        before = step.fraction;
+    }
+    assert_eq!(before, 1.0);
+    Ok(())
+}
+
+#[test]
+fn bad_input_is_named() -> Result<(), Error> {
+    let (grasp, _) = disc(5)?;
+    for error in [0.0, -1.0, 2.0, f64::NAN] {
+        let told = grasp.follow_in_steps(&Wrench::ZERO, &[], error).unwrap_err().to_string();
+        assert_eq!(told, format!("error of a leg is {error}, must be from 1e-9 to 1"));
+    }
+    let none = grasp.follow_in_steps(&Wrench::force([0.0, 0.0, 1e3]), &[], 1e-3)?;
+    assert!(
+        matches!(none.end(), Some(PathEnd::NoStart(_))) && none.state().is_none() && none.forces().is_empty()
+    );
+    Ok(())
+}
