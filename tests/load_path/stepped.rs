@@ -38,7 +38,7 @@ fn program(numbers: &mut Numbers) -> Vec<Leg> {
 }
 
 fn largest<'f>(forces: impl Iterator<Item = &'f SVector<f64, 3>>) -> f64 {
-    forces.map(|force| force.norm()).fold(0.0, f64::max)
+    forces.map(SVector::norm).fold(0.0, f64::max)
 }
 
 #[test]
