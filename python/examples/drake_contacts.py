@@ -10,7 +10,6 @@ force on body B and its normal from B to A: the normal is turned round where the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,7 @@ from pydrake.multibody.plant import AddMultibodyPlant, CalcContactFrictionFromSu
 from pydrake.multibody.tree import PrismaticSpring
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
+from touch import Touch
 
 from grasp_lcp import Grasp
 
@@ -53,23 +53,6 @@ SCENE = """
   <actuator>{actuators}</actuator>
 </mujoco>"""
 ACTUATOR = '<position name="press{k}" joint="press{k}" kp="{gain}"/>'
-
-
-@dataclass(frozen=True)
-class Touch:
-    """A contact as grasp-lcp counts it, SI units: point relative to the object's centre of mass, normal and force into the object."""
-
-    finger: str
-    point: Array
-    normal: Array
-    friction: float
-    force: Array
-    depth: float
-
-    @property
-    def press(self) -> float:
-        """The normal force, N."""
-        return float(self.normal @ self.force)
 
 
 class Scene:

@@ -24,6 +24,7 @@ import mujoco  # type: ignore[import-untyped]
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
+from touch import Touch
 
 from grasp_lcp import Grasp, Solution
 
@@ -61,23 +62,6 @@ SCENE = """
   </worldbody>
   <actuator><position name="press" joint="press" kp="2000" kv="20"/></actuator>
 </mujoco>"""
-
-
-@dataclass(frozen=True)
-class Touch:
-    """A contact of the simulator as grasp-lcp counts it, SI units: point relative to the object's centre of mass, normal and force into it."""
-
-    finger: str
-    point: Array
-    normal: Array
-    friction: float
-    force: Array
-    depth: float
-
-    @property
-    def press(self) -> float:
-        """The normal force, N."""
-        return float(self.normal @ self.force)
 
 
 @dataclass(frozen=True)

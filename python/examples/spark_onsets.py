@@ -82,6 +82,13 @@ def answer(batches: Iterable[Any]) -> Iterator[Any]:
         yield batch_of(grasps_of(batch).answered())
 
 
+def carry(batches: Iterable[Any]) -> Iterator[Any]:
+    """The table through Spark with nothing asked: what :func:`answer` costs beside its calls."""
+    for batch in batches:
+        grasps = grasps_of(batch)
+        yield batch_of(np.zeros(len(grasps.id), dtype=ANSWER))
+
+
 def table_of(grasps: ManyGrasps) -> Any:
     """The grasps as a table of Arrow, vectors as lists of doubles."""
     lists = {
@@ -132,7 +139,7 @@ def main(arguments: list[str] | None = None) -> int:
     rows = parser.parse_args(arguments).grasps
     clock = time.perf_counter
     with TemporaryDirectory() as folder:
-        asked, alone, spread = (Path(folder, name) for name in ("grasps.parquet", "alone.parquet", "spread"))
+        asked, alone, spread, carried = (Path(folder, name) for name in ("grasps.parquet", "alone.parquet", "spread", "carried"))
         pq.write_table(table_of(at_random(rows)), asked, row_group_size=50_000, compression="none")
 
         times = [clock()]
@@ -149,12 +156,15 @@ def main(arguments: list[str] | None = None) -> int:
         times.append(clock())
         onsets_in_spark(spark.read.parquet(str(asked))).write.parquet(str(spread))
         times.append(clock())
+        spark.read.parquet(str(asked)).mapInArrow(carry, SCHEMA).write.parquet(str(carried))
+        times.append(clock())
         comparison = compared(answers_in(spread), expected)
         spark.stop()
 
     print(paced("one process, the call alone", rows, times[2] - times[1]))
     print(paced("one process, from file to file", rows, times[3] - times[0]))
     print(paced("Spark on local[2], from file to file", rows, times[5] - times[4]))
+    print(paced("Spark with nothing asked", rows, times[6] - times[5]))
     print(f"{'Spark until its workers answer a first row':<44}{times[4] - times[3]:8.3f} s")
     print(comparison)
     return 0 if comparison.same else 1

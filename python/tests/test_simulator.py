@@ -26,6 +26,7 @@ def _example(name: str) -> ModuleType:
     return module
 
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "examples"))
 creep = _example("mujoco_creep")
 TIP, JAR = '<geom type="sphere" size="0.01" pos="0.04 0 0" mass="0.05"/>', '<geom type="cylinder" size="0.03 0.04" mass="0.2"/>'
 PAD, BALL = '<geom type="box" size="0.01 0.01 0.01" pos="0.04 0 0" mass="0.05"/>', '<geom type="sphere" size="0.03" mass="0.2"/>'

@@ -74,19 +74,18 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     pub(crate) local: LocalAnswer<D, C>,
 }
 
-/// Rotation from which motions are not small, rad: there the first order, which contact points and normals that stay in place are, misses a
-/// tenth of an arm's length. It only labels answers.
-const LARGE_ROTATION: f64 = 0.5;
-
 impl<const D: usize, const C: usize> Equilibrium<D, C> {
-    /// Whether the object turns by more than 0.5 rad. Contact points and normals stay where they are in all that is computed here, so that such
+    /// Rotation from which motions are not small, rad: there the first order misses a tenth of an arm's length. It only labels answers.
+    pub const LARGE_ROTATION: f64 = 0.5;
+
+    /// Whether the object turns by more than [`Self::LARGE_ROTATION`]. Contact points and normals stay where they are in all that is computed here, so that such
     /// an answer solves the question as it was put and says little about the object: a taper of 1e-9 rad holds any load, once the object has
     /// gone far enough along it.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
         // One angle in the plane, three in space; joints come behind them.
         let rotation = self.twist.as_vector().iter().skip(C).take(2 * C - 3);
-        rotation.map(|angle| angle * angle).sum::<f64>() > LARGE_ROTATION * LARGE_ROTATION
+        rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
     }
 
     /// Forces of all sites: contacts, then the drives of a hand.

@@ -14,6 +14,7 @@
 //! | `lazy_pricing` | which contacts can reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and balance by steps on it |
 //! | `newton` | Newton's method for balance over what contacts answer |
+//! | `one_by_one` | contacts that answer it one by one |
 //! | `correction` | how far forces and a twist are from the solution of their piece |
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
 //! | `sizes` | what rounding is measured against |
@@ -24,6 +25,7 @@ mod free_motions;
 mod lazy_pricing;
 mod load;
 mod newton;
+mod one_by_one;
 mod piece;
 mod precise;
 mod problem;
@@ -39,9 +41,10 @@ pub(crate) use free_motions::worked_on;
 pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Answers, Imbalance, newton};
+pub(crate) use one_by_one::OneByOne;
 pub(crate) use piece::{Piece, PieceState, Unbalanced, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::Problem;
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
 pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
-pub(crate) use tangent::{Springs, balance, tangent_stiffness};
+pub(crate) use tangent::{balance, tangent_stiffness};

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 
+LARGE_ROTATION: float
+
 class Told:
     @property
     def outcome(self) -> str: ...

@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ._grasp_lcp import LARGE_ROTATION
 from ._views import Array, View, array, load_of, motion_of, motions_of, number, optional_number, rows, short
 
 
@@ -228,7 +229,7 @@ class Equilibrium(View):
         little about the object.
         """
         rotation = self.twist[2 if len(self.twist) == 3 else 3 :]
-        return float(np.linalg.norm(rotation)) > 0.5
+        return float(np.linalg.norm(rotation)) > LARGE_ROTATION
 
     def __repr__(self) -> str:
         head = f"<Equilibrium: the object moves by {short(self.twist)} m and rad, residual {self.residual:.1e}"

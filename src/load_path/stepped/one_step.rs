@@ -2,9 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::contact::{Answer, State};
-use crate::numerics::Factors;
-use crate::object::{self, Answers, Imbalance, Problem, Springs, tangent_stiffness};
+use crate::contact::State;
+use crate::object::{self, OneByOne, Problem};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
 const SETTLED: f64 = 1e-12;
@@ -37,39 +36,6 @@ impl<const D: usize, const C: usize> Standing<D, C> {
 /// Forces of springs are rounded by this part of what their displacements would make; over [`SETTLED`], so that both are one size.
 const ROUNDED: f64 = 1e-3;
 
-struct InAStep<'p, 'g, const D: usize, const C: usize> {
-    /// At the end of the step, with the slips from before it.
-    problem: &'p Problem<'g, D, C>,
-    /// Stretches before the step.
-    before: &'p [SVector<f64, C>],
-    contacts: Vec<Answer<C>>,
-    tangents: Vec<Springs<C>>,
-    /// The size of what rounding of displacements makes of the forces of stiff springs.
-    rounded: f64,
-}
-
-impl<const D: usize, const C: usize> Answers<D> for InAStep<'_, '_, D, C> {
-    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D> {
-        let problem = self.problem;
-        let (mut left, mut size) = (problem.wrench, problem.wrench.norm() + self.rounded);
-        for (i, contact) in self.contacts.iter_mut().enumerate() {
-            *contact = problem.local(i).answer_after(&self.before[i], &problem.stretch(i, twist));
-            if !contact.state.is_open() {
-                left += problem.sites[i].map * contact.force;
-                size += contact.force.norm();
-            }
-        }
-        Imbalance { left, size }
-    }
-
-    fn tangent(&mut self) -> Option<Factors<D>> {
-        let tangents = self.contacts.iter().zip(self.problem.locals());
-        self.tangents.clear();
-        self.tangents.extend(tangents.map(|(at, local)| local.tangent(&at.state).matrix()));
-        Some(Factors::new(&tangent_stiffness(self.problem.sites, &self.tangents)))
-    }
-}
-
 /// The step from where a path stands to the end of a problem that counts slips from there. `before` has the stretches there, `near` a twist to
 /// start from. `None` where Newton's method does not arrive.
 pub(super) fn one_step<const D: usize, const C: usize>(
@@ -78,12 +44,11 @@ pub(super) fn one_step<const D: usize, const C: usize>(
     problem: &Problem<'_, D, C>,
     (fraction, near): (f64, SVector<f64, D>),
 ) -> Option<Standing<D, C>> {
-    let count = problem.len();
-    let contacts = vec![Answer::open(); count];
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =
         ROUNDED * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
-    let mut answers = InAStep { problem, before, contacts, tangents: Vec::with_capacity(count), rounded };
+    let mut answers =
+        OneByOne::new(problem, rounded, |i, stretch, _| problem.local(i).answer_after(&before[i], stretch));
     let (twist, ..) = object::newton(&mut answers, near, SETTLED)?;
     let mut slips = from.slips.clone();
     for (i, (slip, answer)) in slips.iter_mut().zip(&answers.contacts).enumerate() {

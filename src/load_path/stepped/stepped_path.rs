@@ -61,7 +61,7 @@ pub struct Step<const D: usize, const C: usize> {
     pub leg: usize,
     /// How much of the leg has been gone at its end, up to 1.
     pub fraction: f64,
-    /// The load there.
+    /// The load there, about the origin, N and N m.
     pub load: Wrench<D, C>,
     /// How many contacts slide there.
     pub sliding: usize,
@@ -74,7 +74,7 @@ pub struct Step<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
     /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may make, such as 1e-6. A step costs
-    /// a few passes over all contacts; steps are as long as the square root of the error. See [`SteppedPath`].
+    /// a few passes over all contacts; steps are as long as the square root of the error, with two tangential stiffnesses as the error itself. See [`SteppedPath`].
     ///
     /// In the plane nothing turns, and [`Self::follow_patch`] tells every event exactly.
     ///
@@ -130,7 +130,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let settings = Settings { round: true, ..*settings };
         let wrench = self.load_alone(start, "start load")?;
         let polygon = Polygon::shared(&settings.cone);
-        let problem = self.problem(polygon, true, self.drives(), &Load::from(&wrench));
+        let problem = self.problem(polygon, settings.is_round::<C>(), self.drives(), &Load::from(&wrench));
         let mut program = Program::new(self, *start);
         program.extend(self, legs)?;
         let (settled, effort) = settle(&problem, &settings);

@@ -8,8 +8,6 @@ use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::search::Doubt;
 
-/// Two halves of a step err by a third of what they differ from the whole: a step of length h errs by h³, and there are 1/h of them.
-const OF_THE_DIFFERENCE: f64 = 1.0 / 3.0;
 /// An error below this part of the largest force is rounding.
 const ROUNDING: f64 = 1e-13;
 /// A step is followed by one that is this many times as long at least, and at most.
@@ -123,7 +121,8 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
             return Some((to, StepError { smooth: 0.0, change }));
         }
         let at_once = self.go(from, length, to.twist)?;
-        let smooth = OF_THE_DIFFERENCE * to.apart(&at_once) / largest;
+        // Halves err by a third of the difference where slips along the step are exact, by all of it with two tangential stiffnesses.
+        let smooth = to.apart(&at_once) / largest;
         (smooth.is_finite() && change.is_finite()).then_some((to, StepError { smooth, change }))
     }
 

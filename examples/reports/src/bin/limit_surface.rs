@@ -33,6 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let patch = Patch::new(1_000, 3)?;
     let surface = patch.limit_surface()?;
     patch.torsion()?;
+    ring()?;
     cost(&surface)
 }
 
@@ -167,6 +168,32 @@ impl Patch {
         );
         Ok(())
     }
+}
+
+/// A jar in a ring of springs that slide all at once, drawn along its axis beyond its limit.
+fn ring() -> Result<(), grasp_lcp::Error> {
+    for count in [64, 1_024] {
+        let spring = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
+            Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0])
+                .series_stiffness(1e3, 8e2)
+                .friction(FRICTION)
+                .pressed_with(1.0)
+        };
+        let jar = Grasp::new((0..count).map(spring))?;
+        let limit = FRICTION * count as f64;
+        let (mut best, mut held) = (f64::INFINITY, 0.0);
+        for _ in 0..REPEATS {
+            let start = Instant::now();
+            let beyond = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
+            let mut path = jar.follow_in_steps(&Wrench::ZERO, &beyond, 1e-6)?;
+            path.by_ref().for_each(drop);
+            best = best.min(start.elapsed().as_secs_f64());
+            held = path.end().and_then(PathEnd::fraction).unwrap_or(1.0);
+        }
+        println!("ring of {count}: held to {:.12} of its limit, in {:.1} ms", 1.25 * held, 1e3 * best);
+    }
+    Ok(())
 }
 
 /// Where the arm is fixed, m.
