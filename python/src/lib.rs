@@ -24,7 +24,7 @@ mod _grasp_lcp {
     use super::answers::Told;
     /// Of [`grasp_lcp::equilibrium::Equilibrium`], rad.
     #[pymodule_export]
-    const LARGE_ROTATION: f64 = grasp_lcp::planar::Equilibrium::LARGE_ROTATION;
+    const LARGE_ROTATION: f64 = <grasp_lcp::planar::Equilibrium>::LARGE_ROTATION;
     #[pymodule_export]
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]
