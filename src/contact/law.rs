@@ -133,6 +133,16 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         if self.is_absent() { Mode::Open } else { Mode::Rolling }
     }
 
+    /// The state in which the contact gives way the most: what stands on an edge slides along it, what is at the apex opens.
+    pub(crate) fn yielding(&self) -> State<C> {
+        match self.law {
+            Law::Edge(facets) if C == 3 && facets.len() == 2 => Mode::Corner(0),
+            Law::Edge(_) => Mode::Facet(0),
+            Law::Cone { gap: true } => Mode::Open,
+            _ => self.unjumped(),
+        }
+    }
+
     /// The states on the polygon that the contact can be in, the one without a jump first.
     pub(crate) fn states(&self) -> Vec<State<C>> {
         if self.is_absent() {

@@ -9,11 +9,15 @@
 //! ```
 //!
 //! each for a generator of length one in energy units. Where none is positive the contact does nothing, whatever the law allows.
+//!
+//! In rates a contact on an edge `μ F_n >= h·F_t` has generators of its own: forces along the edge both ways, forces into the cone,
+//! and slips along h.
 
 use nalgebra::SVector;
 
-use super::hull::Label;
-use super::law::LocalLaw;
+use super::hull::{Label, Sector};
+use super::law::{Law, LocalLaw};
+use super::tangential::{cross, right_angle};
 use crate::numerics::unit;
 
 impl<const C: usize> LocalLaw<'_, C> {
@@ -27,6 +31,13 @@ impl<const C: usize> LocalLaw<'_, C> {
             most = most.max((c.dot(xi) + u.dot(force)) / size);
         };
         let (normal, none) = (unit::<C>(0), SVector::zeros());
+        if let Law::Edge(facets) = self.law {
+            self.for_each_force_at_an_edge(facets, |force| note(&force, &force));
+            for h in facets {
+                note(&self.springs.force(h), &none);
+            }
+            return most;
+        }
         let tangents = 1..self.springs.axes();
         let may_be_open = matches!(label, Label::Anything | Label::Open);
         let may_be_closed = *label != Label::Open;
@@ -58,12 +69,45 @@ impl<const C: usize> LocalLaw<'_, C> {
         } else if may_be_closed {
             let sector = label.sector();
             let along = if slips_anyhow { *u } else { c + u };
-            let force = self.friction.generator(&sector.most_along(&along));
+            let force = self.friction.generator(&self.most_along(&sector, &along));
             note(if slips_anyhow { &normal } else { &force }, &force);
             if matches!(label, Label::Friction(_) | Label::Sliding(_)) {
-                note(&self.springs.force(&sector.most_along(&self.springs.force(&c))), &none);
+                note(&self.springs.force(&self.most_along(&sector, &self.springs.force(&c))), &none);
             }
         }
         most
+    }
+
+    /// The friction force for μ F_n = 1 that does the most along a stretch, in a sector of the round cone or at a corner of the polygon.
+    fn most_along(&self, sector: &Sector, along: &SVector<f64, C>) -> SVector<f64, C> {
+        if self.on_round_cone {
+            return sector.most_along(along);
+        }
+        let corners = self.polygon.corners.iter();
+        let most = corners.max_by(|a, b| a.dot(along).total_cmp(&b.dot(along)));
+        most.copied().unwrap_or_else(SVector::zeros)
+    }
+
+    /// Forces that span those of a contact that stands on the edge of these facets.
+    fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, C>], mut visit: impl FnMut(SVector<f64, C>)) {
+        let edge = self.edge(&self.yielding());
+        let on_the_edge = self.cone().generator(&edge.pull);
+        let mut both_ways = |force: SVector<f64, C>| {
+            visit(force);
+            visit(-force);
+        };
+        both_ways(on_the_edge);
+        if edge.stiffness > 0.0 {
+            both_ways(edge.across);
+        }
+        match facets {
+            // Into the cone away from one facet and along the other.
+            [first, second] if C == 3 => {
+                let turn = cross(first, second);
+                visit(right_angle(second) / turn);
+                visit(right_angle(first) / -turn);
+            }
+            _ => visit(-edge.pull),
+        }
     }
 }

@@ -11,7 +11,7 @@
 use nalgebra::SVector;
 
 use super::compliance::Compliance;
-use super::tangential::{tangential, tangential_norm};
+use super::tangential::{right_angle, tangential, tangential_norm};
 
 /// How a contact slides on the round cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,8 +67,6 @@ impl<const C: usize> Slide<C> {
     /// The direction of the slip turned by a right angle, in space.
     #[inline]
     pub(crate) fn across(&self) -> SVector<f64, C> {
-        let mut across = SVector::<f64, C>::zeros();
-        (across[1], across[C - 1]) = (-self.direction[C - 1], self.direction[1]);
-        across
+        right_angle(&self.direction)
     }
 }

@@ -29,3 +29,11 @@ pub(crate) fn tangential_norm<const C: usize>(v: &SVector<f64, C>) -> f64 {
 pub(crate) fn cross<const C: usize>(a: &SVector<f64, C>, b: &SVector<f64, C>) -> f64 {
     a[1] * b[2] - a[2] * b[1]
 }
+
+/// A tangent in space turned by a right angle, `e_n × t`.
+#[inline]
+pub(crate) fn right_angle<const C: usize>(t: &SVector<f64, C>) -> SVector<f64, C> {
+    let mut turned = SVector::<f64, C>::zeros();
+    (turned[1], turned[C - 1]) = (-t[C - 1], t[1]);
+    turned
+}

@@ -273,7 +273,8 @@ pub enum Proof<const D: usize, const C: usize> {
         combinations: usize,
     },
     /// On the round cone: what contacts do was divided into cases, open or closed, rolling or sliding, friction between two angles.
-    /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions.
+    /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions. Beyond an onset or
+    /// the end of a path, in the plane too, a single case may do: nothing responds to a motion when everything on an edge slides.
     EveryCaseContradicted {
         /// How many cases.
         cases: usize,

@@ -180,7 +180,7 @@ impl Settings {
     }
 
     /// The pivot limit for a problem of n rows.
-    pub(super) fn pivot_limit(&self, n: usize) -> usize {
+    pub(crate) fn pivot_limit(&self, n: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 

@@ -47,7 +47,7 @@ pub enum Beyond<const D: usize, const C: usize> {
     Snap,
     /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
     /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
-    /// [`Settings::most_states`], and no proof that nothing else holds was found.
+    /// [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof that nothing else holds was found.
     Ends(NoEquilibrium<D, C>),
     /// Nothing can be said, and why.
     Undecided(Doubt),
@@ -110,8 +110,14 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
     {
         return Beyond::LimitLoad;
     }
+    let load = || segment.grasp.wrench_outside(&rates.wrench);
     if segment.problem.round {
-        return from_scratch(past, end.forces, settings);
+        let beyond = from_scratch(past, end.forces, settings);
+        let Beyond::Undecided(_) = beyond else { return beyond };
+        return match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
+            Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
+            _ => beyond,
+        };
     }
     // Among many contacts the ladder does not say so by itself.
     let settled = match settled {
@@ -121,8 +127,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
     if !matches!(settled, Settled::Undecided(_)) && combinations(&here) <= settings.most_states as f64 {
         return search_beyond(&here, rates);
     }
-    let load = segment.grasp.wrench_outside(&rates.wrench);
-    match segment.grasp.outcome(rates, &load, settled, effort, segment.cone) {
+    match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
         Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(FURTHER)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
         Outcome::Undecided(undecided) => Beyond::Undecided(undecided.doubt),
@@ -153,6 +158,8 @@ fn from_scratch<'g, const D: usize, const C: usize>(
     let mut why = Doubt::RayWithoutProof;
     for part in PARTS_BEYOND {
         match settle(&past(part), settings).0 {
+            // Further on it would take as many pivots again.
+            Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided(Doubt::OutOfPivots),
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
                 let is_another = !is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another);

@@ -6,7 +6,7 @@ use super::course::Course;
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::loss::end_of_path;
 use super::segment::{Here, Segment};
-use super::transition::{change, everything_slides, nothing_changes, others};
+use super::transition::{change, nothing_changes, others};
 use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::grasp::Wrench;
@@ -126,7 +126,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let laws = segment.laws_of_rates(&self.stands, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
-            let sliding = everything_slides(&rates);
+            let sliding = rates.yielding();
             let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
                 Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
                 _ => settle(&rates, settings),

@@ -12,7 +12,6 @@ use super::loss::leaving_motion;
 use super::onset::{Onset, OnsetEvent};
 use super::ramp::Ramp;
 use super::segment::Segment;
-use super::transition::everything_slides;
 use super::turn_questions::TurnOnset;
 use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
@@ -189,7 +188,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,
         };
-        let motion = leaving_motion(&rates, &segment.problem.wrench, &everything_slides(&rates));
+        let motion = leaving_motion(&rates, &segment.problem.wrench, &rates.yielding());
         let end = End { factor: 0.0, forces: &local.found.forces, motion };
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }

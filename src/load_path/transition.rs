@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::event::Change;
-use crate::contact::{Law, LocalLaw, Mode, State};
+use crate::contact::{Mode, State};
 use crate::forms::kinematic_form;
 use crate::lcp::MatrixClass;
 use crate::object::Problem;
@@ -23,18 +23,6 @@ pub(super) fn nothing_changes<const D: usize, const C: usize>(
 ) -> Option<Vec<State<C>>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
-}
-
-/// What slides goes on sliding and what has reached an edge slides along it: the common case, one solve. What is at the
-/// apex of its cone opens.
-pub(super) fn everything_slides<const D: usize, const C: usize>(rates: &Problem<D, C>) -> Vec<State<C>> {
-    let slides = |local: LocalLaw<'_, C>| match local.law {
-        Law::Edge(facets) if C == 3 && facets.len() == 2 => Mode::Corner(0),
-        Law::Edge(_) => Mode::Facet(0),
-        Law::Cone { gap: true } => Mode::Open,
-        _ => local.unjumped(),
-    };
-    rates.locals().map(slides).collect()
 }
 
 /// What a contact changes from one state to the next, each with its direction if it slides.

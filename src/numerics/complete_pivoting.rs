@@ -84,6 +84,25 @@ impl<const D: usize> CompletePivoting<D> {
             .collect()
     }
 
+    /// A basis of {z : Aᵀ z = 0}.
+    pub(crate) fn left_kernel(&self) -> Vec<SVector<f64, D>> {
+        // With P A Q = L U the columns of Aᵀ z = 0 ask for `(P z)ᵀ L = 0` in the first places, from the last row of L up.
+        (self.rank..self.rows)
+            .map(|free| {
+                let mut y = SVector::<f64, D>::zeros();
+                y[free] = 1.0;
+                for j in (0..self.rank).rev() {
+                    y[j] = -(j + 1..self.rows).map(|i| y[i] * self.lu[(i, j)]).sum::<f64>();
+                }
+                let mut z = SVector::zeros();
+                for i in 0..self.rows {
+                    z[self.row_order[i]] = y[i];
+                }
+                z
+            })
+            .collect()
+    }
+
     /// Largest row sum of the inverse: how much an error of the right-hand side can grow. 1 for an empty system.
     pub(crate) fn growth(&self) -> f64 {
         let mut sums = [0.0; D];

@@ -136,6 +136,30 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         motions
     }
 
+    /// A virtual motion to which nothing here responds, and on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
+    /// tangents C_i of this piece.
+    pub(crate) fn unanswered(
+        &self,
+        drives: &[SVector<f64, C>],
+        load: &SVector<f64, D>,
+    ) -> Option<SVector<f64, D>> {
+        let worked = |basis: &[SVector<f64, D>], work: &SVector<f64, D>| {
+            let part = basis.iter().fold(SVector::zeros(), |sum: SVector<f64, D>, v| sum + v * v.dot(work));
+            (part.norm() > 0.0).then_some(part)
+        };
+        if let Some(motion) = worked(&self.unbalanced, load) {
+            return Some(motion);
+        }
+        let (left, coupling) = self.left.as_ref()?;
+        let mut kernel: Vec<SVector<f64, D>> = Vec::new();
+        for mut z in coupling.left_kernel() {
+            orthonormalise_against(&mut z, &kernel);
+            kernel.push(z);
+        }
+        let pushed = left.coordinates(&self.stretched(|contact| drives[contact]));
+        Some(left.preimage(&worked(&kernel, &(pushed + left.load_coordinates(load)))?))
+    }
+
     /// How much relative rounding errors grow in this piece, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         self.left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth())

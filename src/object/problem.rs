@@ -138,6 +138,12 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         self.locals().map(|local| local.unjumped()).collect()
     }
 
+    /// What slides goes on sliding and what has reached an edge slides along it: in rates the common case, one solve. What is at the
+    /// apex of its cone opens.
+    pub(crate) fn yielding(&self) -> Vec<State<C>> {
+        self.locals().map(|local| local.yielding()).collect()
+    }
+
     /// The same states, with slides on the round cone that belong to these friction forces and to the slip at this twist.
     pub(crate) fn slid_on(
         &self,

@@ -14,8 +14,9 @@
 use nalgebra::SVector;
 
 use super::escape::{ESCAPE, LEAST_WORK};
-use crate::contact::Label;
-use crate::object::Problem;
+use crate::contact::{Label, LocalLaw, State};
+use crate::grasp::Site;
+use crate::object::{Piece, Problem};
 
 /// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
 /// an equilibrium could escape whose motion is larger than the data by the reciprocal.
@@ -63,6 +64,21 @@ pub(crate) fn check<const D: usize, const C: usize>(
         }
     }
     (open.is_empty() && least >= ESCAPE).then_some(least)
+}
+
+/// The proof in a single case that nothing balances drives and load: what gives way the most does not respond to a virtual motion, and
+/// does less against it than anything else could. Virtual forces `-C_iᵀG_iᵀy` balance one another there.
+pub(crate) fn yields<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<f64> {
+    let states = problem.yielding();
+    let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
+    let forces = |sign: f64| {
+        let force = |((site, local), state): ((&Site<D, C>, LocalLaw<'_, C>), &State<C>)| {
+            local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign
+        };
+        problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
+    };
+    let step = |sign: f64| Step::Contradicted { motion: motion * sign, forces: forces(sign) };
+    [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
 /// How large stretches and forces of the case have to be, in √J, to make up for what contradicts them.

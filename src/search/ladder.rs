@@ -4,9 +4,9 @@
 use super::answer::{Doubt, Effort, Settled};
 use super::least_motion::at_the_least_motion;
 use super::rungs::{
-    every_case, every_combination, everything_rolls, force_form, kinematic_form, kinematic_form_on_states,
-    kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
-    separating_motion_of_many, touching_contacts_roll,
+    every_case, every_combination, everything_rolls, everything_yields, force_form, kinematic_form,
+    kinematic_form_on_states, kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone,
+    separating_motion, separating_motion_of_many, touching_contacts_roll,
 };
 use super::scene::{Attempt, Log, Scene};
 use super::settings::Settings;
@@ -19,11 +19,12 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
-    let ladder: [TryRung<D, C>; 12] = [
+    let ladder: [TryRung<D, C>; 13] = [
         everything_rolls,
         touching_contacts_roll,
         newton_on_answers,
         newton_on_the_round_cone,
+        everything_yields,
         kinematic_form_on_states,
         separating_motion_of_many,
         kinematic_form,

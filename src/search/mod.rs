@@ -29,6 +29,8 @@ mod scene;
 mod settings;
 mod touching;
 mod tree;
+#[cfg(test)]
+mod yields_or_moves;
 
 pub use answer::{Doubt, Rung};
 pub use settings::Settings;

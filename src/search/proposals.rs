@@ -22,6 +22,25 @@ const OTHER_PATHS_AT_MOST: usize = 16;
 /// round in circles, with many hardly ever unless stiffnesses and friction lie decades apart. A linear program hardly finds the proof
 /// that the search has missed.
 pub(super) const MANY: usize = 32;
+/// Multiplications that the paths of one rung may take together where the caller sets no limit on pivots: a second or so. With more
+/// a scene of thousands of contacts without an equilibrium would take minutes to give up; with less some are given up that a path solves.
+const MOST_WORK: usize = 500_000_000;
+
+/// Pivots of so many multiplications that a rung may make.
+fn affordable_pivots(settings: &Settings, multiplications: usize) -> usize {
+    settings.max_pivots.unwrap_or(MOST_WORK / multiplications.max(1))
+}
+
+/// Rows of the forms, one for each pair of a contact.
+fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
+    problem.locals().map(|local| local.pairs()).sum()
+}
+
+/// Whether one path on a dense matrix can be afforded: it takes about as many pivots as there are rows.
+pub(super) fn dense_is_affordable<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
+    rows(problem).pow(3) <= MOST_WORK
+}
+
 /// Few enough contacts to try every combination of their states.
 pub(super) fn enumerable<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
@@ -58,9 +77,9 @@ pub(super) fn propose_structured<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
-    let max_pivots = scene.settings.max_pivots;
+    let most_pivots = affordable_pivots(scene.settings, D * rows(problem));
     let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { OTHER_PATHS };
-    let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots);
+    let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, most_pivots);
     log.effort.rows = log.effort.rows.max(proposal.pairs);
     log.effort.pivots += proposal.pivots;
     if proposal.cut_short {
@@ -81,7 +100,11 @@ pub(super) fn propose_dense<const D: usize, const C: usize>(
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
     // states, where each costs one d x d system and is checked as physics.
-    let one_path = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::one_path() };
+    let affordable = affordable_pivots(settings, form.rows.len().pow(2));
+    let by_size = lcp::Settings::one_path();
+    // What no path is known to need is no limit.
+    let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
+    let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
         one_path
     } else {

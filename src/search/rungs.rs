@@ -4,7 +4,7 @@ use super::answer::{Doubt, Rung, Settled};
 use super::candidate::{Verdict, admit};
 use super::enumerate::search;
 use super::polish::polish_from;
-use super::proposals::{MANY, climb, enumerable, propose_dense, propose_structured};
+use super::proposals::{MANY, climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
 use super::scene::{Attempt, Log, Scene};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
@@ -17,12 +17,6 @@ use crate::structured::propose_by_newton;
 /// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
 /// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
 const STRUCTURED_FROM: usize = 8;
-/// With more rows the dense matrices of the two forms are not made: they would take gigabytes, and their solution minutes.
-const MOST_DENSE_ROWS: usize = 2000;
-/// Whether dense matrices can be made for this problem.
-fn dense_is_affordable<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
-    problem.locals().map(|local| local.pairs()).sum::<usize>() <= MOST_DENSE_ROWS
-}
 
 /// Every contact keeps the state of the elastic trial.
 pub(super) fn everything_rolls<const D: usize, const C: usize>(
@@ -70,6 +64,18 @@ pub(super) fn kinematic_form_on_states<const D: usize, const C: usize>(
         climb(with_edges, propose, log)
     });
     Attempt::by(Rung::KinematicForm, found)
+}
+
+/// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
+pub(super) fn everything_yields<const D: usize, const C: usize>(
+    scene: &Scene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    if !scene.problem.locals().any(|local| local.is_on_an_edge()) {
+        return Attempt::Nothing;
+    }
+    let proof = proofs::yields(scene.problem);
+    proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
 /// A proof is cheaper than the paths that are left where there are many contacts; and with too many there are none left.

@@ -23,8 +23,8 @@ pub struct Settings {
     /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Not looked at in
     /// the plane.
     pub round: bool,
-    /// Pivots of one run of Lemke's method. `None` lets the solver choose by size; a limit only guards against
-    /// exponential problems, which contact problems are not known to be.
+    /// Pivots of Lemke's method on one form of a scene. `None` allows as many as take a second or so: with thousands of contacts that
+    /// Newton's method has not settled it gives up, with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots).
     pub max_pivots: Option<usize>,
     /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
     /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone

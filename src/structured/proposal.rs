@@ -27,13 +27,13 @@ pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
 }
 
 /// Follows Lemke's path on the kinematic form from the trial state, and those of as many other
-/// covering vectors after a ray.
+/// covering vectors after a ray; all of them make at most so many pivots.
 pub(crate) fn propose<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
     other_paths: usize,
-    max_pivots: Option<usize>,
+    most_pivots: usize,
 ) -> Proposal<C> {
     let mut path = Path::default();
     let mut x = Vec::with_capacity(C * problem.len());
@@ -43,7 +43,7 @@ pub(crate) fn propose<const D: usize, const C: usize>(
     path.form.assign(problem, trial.factor(), &x);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {
-        let limit = max_pivots.unwrap_or_else(|| path.pivots + path.pivot_limit());
+        let limit = most_pivots.min(path.pivots + path.pivot_limit());
         let end = path.run_from_trial(attempt, limit);
         proposal.pivots = path.pivots;
         match end {

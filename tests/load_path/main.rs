@@ -1,5 +1,6 @@
 //! Load programs, followed with the memory of slip.
 
+mod all_at_once;
 mod budget;
 mod closed_forms;
 mod cut;
@@ -14,7 +15,6 @@ mod invariance;
 mod law;
 mod leg_ends;
 mod memory;
-
 mod on_facets;
 mod pace;
 mod partial_slip;

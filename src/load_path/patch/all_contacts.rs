@@ -7,7 +7,6 @@ use crate::load_path::beyond::{Beyond, End, beyond_end};
 use crate::load_path::event::{Loss, PathEnd};
 use crate::load_path::loss::{end_of_path, leaving_motion};
 use crate::load_path::segment::Segment;
-use crate::load_path::transition::everything_slides;
 use crate::object::Problem;
 use crate::proofs::separates_from_here_on;
 use crate::search::{Doubt, Settled, settle};
@@ -49,7 +48,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         }
         let (settled, effort) = settle(&rates, &self.settings);
         let Settled::Found(found, _) = settled else {
-            let (sliding, forces) = (everything_slides(&rates), self.forces());
+            let (sliding, forces) = (rates.yielding(), self.forces());
             let settled = match settled {
                 Settled::Undecided(_) if many => return Err(self.undecided()),
                 settled => (settled, &effort),
@@ -77,7 +76,7 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         loss: &Loss<D, C>,
     ) -> Option<PathEnd<D, C>> {
         let here = segment.problem_at(loss.fraction);
-        let motion = leaving_motion(rates, &here.wrench, &everything_slides(rates))?;
+        let motion = leaving_motion(rates, &here.wrench, &rates.yielding())?;
         separates_from_here_on(&here, &motion, &rates.wrench)
             .then(|| PathEnd::Lost(Loss { motion: Some(self.grasp.outside(&motion)), ..loss.clone() }))
     }

@@ -1,0 +1,128 @@
+//! The proof that everything yields, held against all combinations of contact states: where it says that nothing balances drives and load, none
+//! of them does.
+
+use nalgebra::SVector;
+
+use super::enumerate::search;
+use crate::contact::{Law, tangential};
+use crate::grasp::{Contact, Grasp, Wrench};
+use crate::numerics::Draw;
+use crate::object::Problem;
+use crate::proofs::yields;
+use crate::{Fit, PolygonCone, planar, spatial};
+
+/// What was counted: rates that were asked for, proofs that nothing balances them, and those that some combination balances.
+#[derive(Debug, Default)]
+struct Count {
+    asked: usize,
+    proved: usize,
+    held: usize,
+}
+
+/// A small whole number: geometry with ties, so that limit loads are met often.
+fn whole(draw: &mut Draw, most: f64) -> f64 {
+    (draw.normal() * most).round().clamp(-most, most)
+}
+
+/// One of so many.
+fn one_of(draw: &mut Draw, count: f64) -> f64 {
+    (draw.normal().abs() * count).floor() % count
+}
+
+fn tangent<const C: usize>(draw: &mut Draw) -> SVector<f64, C> {
+    loop {
+        let h = SVector::<f64, C>::from_fn(|a, _| if a > 0 { whole(draw, 2.0) } else { 0.0 });
+        if h.norm() > 0.0 {
+            return h.normalize();
+        }
+    }
+}
+
+/// The law of a contact in rates while the object moves: mostly on the edge that this slides along.
+fn law<const D: usize, const C: usize>(
+    draw: &mut Draw,
+    problem: &Problem<'_, D, C>,
+    contact: usize,
+    motion: &SVector<f64, D>,
+) -> Law<C> {
+    let normals = &problem.polygon(contact).normals;
+    let slip = -tangential(&problem.sites[contact].map.tr_mul(motion));
+    match one_of(draw, 24.0) as usize {
+        0 => Law::Bonded,
+        1 => Law::Absent,
+        2 => Law::Cone { gap: true },
+        3 => Law::Edge(vec![tangent(draw)]),
+        4..7 if C == 3 => Law::Edge(vec![normals[0], normals[1]]),
+        _ if slip.norm() > 0.0 => Law::Edge(vec![slip.normalize()]),
+        _ => Law::Edge(vec![tangent(draw)]),
+    }
+}
+
+fn ask<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    along: &Wrench<D, C>,
+    draw: &mut Draw,
+    count: &mut Count,
+) {
+    let cone = PolygonCone::new(4, Fit::Circumscribed).expect("four facets");
+    let mut rates = grasp.on_polygons(along, &cone).expect("a load");
+    rates.trial = None;
+    let motion = rates.wrench;
+    rates.laws = (0..rates.len()).map(|contact| law(draw, &rates, contact, &motion)).collect();
+    if draw.normal() > 1.0 {
+        rates.wrench += SVector::<f64, D>::from_fn(|_, _| whole(draw, 1.0));
+    }
+    for drive in &mut rates.drives {
+        *drive = SVector::from_fn(|_, _| if draw.normal() > 1.5 { whole(draw, 2.0) * 1e-3 } else { 0.0 });
+    }
+    count.asked += 1;
+    let held = !search(&rates, true).found.is_empty();
+    count.held += usize::from(held);
+    if yields(&rates).is_some() {
+        count.proved += 1;
+        assert!(!held, "proved not to hold, and held: {rates:?}");
+    }
+}
+
+#[test]
+fn in_the_plane() {
+    let (mut draw, mut count) = (Draw::new([5, 25, 2]), Count::default());
+    while count.asked < 4_000 {
+        let number = 2 + one_of(&mut draw, 4.0) as usize;
+        let contact = |_| {
+            let side = draw.sign();
+            let lean = if draw.normal() > 1.0 { whole(&mut draw, 1.0) } else { 0.0 };
+            Contact::new([side, whole(&mut draw, 2.0)], [-side, lean])
+                .series_stiffness(100.0 * (1.0 + whole(&mut draw, 2.0).abs()), 100.0)
+                .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
+        };
+        let contacts: Vec<_> = (0..number).map(contact).collect();
+        let grasp = planar::Grasp::new(contacts).expect("valid");
+        ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]), &mut draw, &mut count);
+    }
+    println!("in the plane {count:?}");
+    assert!(count.proved > count.asked / 20 && count.held > count.asked / 20, "{count:?}");
+}
+
+#[test]
+fn in_space() {
+    let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
+    while count.asked < 2_000 {
+        let number = 3 + one_of(&mut draw, 3.0) as usize;
+        let contact = |_| {
+            let around = tangent::<3>(&mut draw);
+            let lean = if draw.normal() > 1.0 { whole(&mut draw, 1.0) } else { 0.0 };
+            let stiffness = [0; 3].map(|_| 100.0 * (1.0 + whole(&mut draw, 1.0).abs()));
+            Contact::new([around[1], around[2], whole(&mut draw, 2.0)], [-around[1], -around[2], lean])
+                .series_stiffness_axes(stiffness)
+                .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
+        };
+        let contacts: Vec<_> = (0..number).map(contact).collect();
+        let grasp = spatial::Grasp::new(contacts).expect("valid");
+        let turn = if draw.normal() > 1.0 { 1.0 } else { 0.0 };
+        let along = spatial::Wrench::new([0.0, 0.0, draw.sign()], [0.0, 0.0, turn]);
+        ask(&grasp, &along, &mut draw, &mut count);
+    }
+    println!("in space {count:?}");
+    assert!(count.proved > count.asked / 40 && count.held > count.asked / 20, "{count:?}");
+}

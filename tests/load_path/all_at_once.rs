@@ -1,0 +1,78 @@
+//! Hundreds of contacts that reach the edge of their cones at once, at a load that is known: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
+
+use std::f64::consts::TAU;
+
+use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd};
+use grasp_lcp::{planar, spatial};
+
+const FRICTION: f64 = 0.5;
+/// Of the limit, at which paths end.
+const OVERLOAD: f64 = 1.25;
+
+/// Springs around a unit circle, each pressed with 1 N.
+fn ring(count: u32) -> spatial::Grasp {
+    let spring = |i: u32| {
+        let (sin, cos) = (TAU * f64::from(i) / f64::from(count)).sin_cos();
+        spatial::Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0])
+            .series_stiffness(1e3, 8e2)
+            .friction(FRICTION)
+            .pressed_with(1.0)
+    };
+    spatial::Grasp::new((0..count).map(spring)).expect("a valid ring")
+}
+
+/// Springs in two rows that press towards one another with 1 N each.
+fn rows(count: u32) -> planar::Grasp {
+    let spring = |i: u32| {
+        let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+        planar::Contact::new([side, f64::from(i / 2) / f64::from(count)], [-side, 0.0])
+            .series_stiffness(1e3, 8e2)
+            .friction(FRICTION)
+            .pressed_with(1.0)
+    };
+    planar::Grasp::new((0..count).map(spring)).expect("valid rows")
+}
+
+fn ends_at_the_limit<const D: usize, const C: usize>(
+    grasp: &grasp_lcp::grasp::Grasp<D, C>,
+    limit: grasp_lcp::grasp::Wrench<D, C>,
+    asks_beyond: bool,
+) {
+    let nothing = grasp_lcp::grasp::Wrench::ZERO;
+    let onset = grasp.onset_of_sliding(&nothing, &limit).expect("a finite load");
+    let Onset::At(event) = &onset else { panic!("{onset}") };
+    assert!((event.factor - 1.0).abs() < 1e-12, "{}", event.factor);
+    assert_eq!(event.leaving.len(), grasp.len());
+    if asks_beyond {
+        let beyond = grasp.beyond(event).expect("its own event");
+        assert!(matches!(beyond, Beyond::LimitLoad | Beyond::Ends(_)), "{beyond:?}");
+    }
+    let legs = [grasp_lcp::load_path::Leg::load_to(limit * OVERLOAD)];
+    let mut path = grasp.follow(&nothing, &legs).expect("a finite load");
+    assert_eq!(path.by_ref().count(), 0, "everything leaves at the end");
+    let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
+    assert!((loss.fraction * OVERLOAD - 1.0).abs() < 1e-12, "{}", loss.fraction);
+    assert_eq!((loss.kind, loss.contacts.len()), (LossKind::Corner, grasp.len()));
+}
+
+#[test]
+fn rings_along_their_axis_and_around_it() {
+    for count in [40, 64, 256, 1_024] {
+        let (ring, limit) = (ring(count), FRICTION * f64::from(count));
+        ends_at_the_limit(&ring, spatial::Wrench::force([0.0, 0.0, -limit]), count == 256);
+        ends_at_the_limit(&ring, spatial::Wrench::new([0.0; 3], [0.0, 0.0, limit]), false);
+        let both = limit / 2.0_f64.sqrt();
+        ends_at_the_limit(&ring, spatial::Wrench::new([0.0, 0.0, both], [0.0, 0.0, both]), false);
+    }
+}
+
+#[test]
+fn rows_in_the_plane() {
+    for count in [40, 64, 256, 1_024, 4_096] {
+        ends_at_the_limit(
+            &rows(count),
+            planar::Wrench::force([0.0, -FRICTION * f64::from(count)]),
+            count < 2_000,
+        );
+    }
+}
