@@ -58,7 +58,7 @@ pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
-pub(crate) use pairwise::{SUMMED_IN_TURN, both, in_halves};
+pub(crate) use pairwise::in_halves;
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{Crossing, shoot};

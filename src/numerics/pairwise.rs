@@ -4,17 +4,13 @@
 use std::ops::Range;
 
 /// Terms that are summed one after the other: fewer would cost more calls than digits are worth.
-pub(crate) const SUMMED_IN_TURN: usize = 256;
+const SUMMED_IN_TURN: usize = 256;
 /// Terms that are worth a second thread: with fewer, waking it costs more than their sum.
 #[cfg(feature = "parallel")]
 const APART: usize = 4096;
 
 /// Both results, on two threads if the work on so many contacts is worth it.
-pub(crate) fn both<R: Send>(
-    count: usize,
-    a: impl FnOnce() -> R + Send,
-    b: impl FnOnce() -> R + Send,
-) -> (R, R) {
+fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     #[cfg(feature = "parallel")]
     if count >= APART {
         return rayon::join(a, b);
@@ -23,17 +19,58 @@ pub(crate) fn both<R: Send>(
     (a(), b())
 }
 
-/// The sum over a range, from sums `part` over short ranges and `plus` of two halves.
-pub(crate) fn in_halves<S: Send>(
-    range: Range<usize>,
-    part: &(impl Fn(Range<usize>) -> S + Sync),
+/// What can be divided into a near half and a far one.
+pub(crate) trait Halves: Send + Sized {
+    fn count(&self) -> usize;
+
+    /// The first so many, and the others.
+    fn divided(self, middle: usize) -> (Self, Self);
+}
+
+impl Halves for Range<usize> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divided(self, middle: usize) -> (Self, Self) {
+        let middle = self.start + middle;
+        (self.start..middle, middle..self.end)
+    }
+}
+
+impl<T: Send> Halves for &mut [T] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn divided(self, middle: usize) -> (Self, Self) {
+        self.split_at_mut(middle)
+    }
+}
+
+/// Both are as long.
+impl<A: Halves, B: Halves> Halves for (A, B) {
+    fn count(&self) -> usize {
+        self.0.count()
+    }
+
+    fn divided(self, middle: usize) -> (Self, Self) {
+        let ((near, far), (also_near, also_far)) = (self.0.divided(middle), self.1.divided(middle));
+        ((near, also_near), (far, also_far))
+    }
+}
+
+/// The sum over a whole, from sums `part` over short parts of it and `plus` of two halves.
+pub(crate) fn in_halves<W: Halves, S: Send>(
+    whole: W,
+    part: &(impl Fn(W) -> S + Sync),
     plus: &(impl Fn(S, S) -> S + Sync),
 ) -> S {
-    if range.len() <= SUMMED_IN_TURN {
-        return part(range);
+    let count = whole.count();
+    if count <= SUMMED_IN_TURN {
+        return part(whole);
     }
-    let middle = range.start.midpoint(range.end);
-    let (near, far) = (range.start..middle, middle..range.end);
-    let (a, b) = both(range.len(), || in_halves(near, part, plus), || in_halves(far, part, plus));
+    let (near, far) = whole.divided(count / 2);
+    let (a, b) = both(count, || in_halves(near, part, plus), || in_halves(far, part, plus));
     plus(a, b)
 }

@@ -6,7 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::pairwise::{SUMMED_IN_TURN, both};
+use super::pairwise::in_halves;
 
 /// One part in so many of those that wait is put in order at a time. A larger part sorts what is
 /// never asked for, a smaller one runs over the others too often.
@@ -107,15 +107,12 @@ impl WaitingLine {
 
 /// Fills in stamps and times.
 fn each_time(entries: &mut [Entry], time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
-    if entries.len() > SUMMED_IN_TURN {
-        let (count, middle) = (entries.len(), entries.len() / 2);
-        let (near, far) = entries.split_at_mut(middle);
-        both(count, || each_time(near, time), || each_time(far, time));
-        return;
-    }
-    for slot in entries {
-        let number = parts(*slot).1;
-        let (stamp, time) = time(number);
-        *slot = entry(time.max(0.0), number, stamp);
-    }
+    let fill = |entries: &mut [Entry]| {
+        for slot in entries {
+            let number = parts(*slot).1;
+            let (stamp, time) = time(number);
+            *slot = entry(time.max(0.0), number, stamp);
+        }
+    };
+    in_halves(entries, &fill, &|(), ()| ());
 }

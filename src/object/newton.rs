@@ -27,6 +27,13 @@ pub(crate) struct Imbalance<const D: usize> {
     pub(crate) size: f64,
 }
 
+impl<const D: usize> Imbalance<D> {
+    /// That of both together.
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self { left: self.left + other.left, size: self.size + other.size }
+    }
+}
+
 /// Contacts that answer a motion of the object with forces.
 pub(crate) trait Answers<const D: usize> {
     /// Their answers to a twist.

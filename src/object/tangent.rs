@@ -8,11 +8,13 @@
 //! equilibrium and not from displacements. What a step leaves of R is its own rounding, so that a few of them balance
 //! to the last digits where T is regular; where it is not, see [`super::Piece`].
 
+use std::ops::Range;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::piece::PieceState;
 use crate::grasp::Site;
-use crate::numerics::PartialPivoting;
+use crate::numerics::{PartialPivoting, in_halves};
 
 /// Steps of refinement: where the first does not do, the second should.
 const STEPS: usize = 4;
@@ -20,16 +22,19 @@ const STEPS: usize = 4;
 /// C_i of a contact: the derivative of its force by its stretch.
 pub(crate) type Springs<const C: usize> = SMatrix<f64, C, C>;
 
-/// T.
+/// T of these contacts with these C_i, by number.
 pub(crate) fn tangent_stiffness<const D: usize, const C: usize>(
     sites: &[Site<D, C>],
-    springs: &[Springs<C>],
+    springs: impl Fn(usize) -> Springs<C> + Sync,
 ) -> SMatrix<f64, D, D> {
-    let mut t = SMatrix::zeros();
-    for (site, springs) in sites.iter().zip(springs) {
-        add_tangent(&mut t, site, springs);
-    }
-    t
+    let part = |contacts: Range<usize>| {
+        let mut t = SMatrix::zeros();
+        for i in contacts {
+            add_tangent(&mut t, &sites[i], &springs(i));
+        }
+        t
+    };
+    in_halves(0..sites.len(), &part, &|a, b| a + b)
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.

@@ -59,7 +59,7 @@ fn regular_solution<const D: usize, const C: usize>(
 ) -> Option<PieceState<D, C>> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
-    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &springs))?;
+    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
     let mut near = PieceState { forces, twist: SVector::zeros() };
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 use super::solution::{BALANCED, Solution};
 use crate::contact::{Mode, PolygonState, Tangent};
 use crate::grasp::Site;
-use crate::numerics::{Factors, SUMMED_IN_TURN, both, in_halves};
+use crate::numerics::{Factors, in_halves};
 use crate::object::{self, Answers, Imbalance, Problem};
 
 /// Of some contacts: R without the load, the sizes of its terms and T.
@@ -33,7 +33,7 @@ struct OnPolygons<'p, 'g, const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
     fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D> {
-        self.sums = answer(self.problem, twist, 0, self.states, self.forces);
+        self.sums = answer(self.problem, twist, self.states, self.forces);
         let load = self.problem.wrench;
         Imbalance { left: self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
     }
@@ -89,45 +89,34 @@ fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
     in_halves(0..problem.len(), &part, &Sums::plus)
 }
 
-/// Forces and states of the contacts from number `first` on at a twist, R without the load and T.
-/// Sums are made of halves, so that their rounding grows with the logarithm of their length, and
-/// are the same for any number of threads.
+/// Forces and states of the contacts at a twist, R without the load and T.
 fn answer<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     twist: &SVector<f64, D>,
-    first: usize,
     states: &mut [PolygonState],
     forces: &mut [SVector<f64, C>],
 ) -> Sums<D> {
-    if states.len() > SUMMED_IN_TURN {
-        let (count, middle) = (states.len(), states.len() / 2);
-        let (states, more_states) = states.split_at_mut(middle);
-        let (forces, more_forces) = forces.split_at_mut(middle);
-        let (a, b) = both(
-            count,
-            || answer(problem, twist, first, states, forces),
-            || answer(problem, twist, first + middle, more_states, more_forces),
-        );
-        return a.plus(b);
-    }
-    let mut sum = Sums::<D>::zero();
-    for (contact, (state, force)) in (first..).zip(states.iter_mut().zip(forces)) {
-        let (site, local) = (&problem.sites[contact], problem.local(contact));
-        if local.is_absent() {
-            *state = Mode::Open;
-            continue;
+    let part = |(contacts, (states, forces)): (Range<usize>, (&mut [_], &mut [_]))| {
+        let mut sum = Sums::<D>::zero();
+        for (contact, (state, force)) in contacts.zip(states.iter_mut().zip(forces)) {
+            let (site, local) = (&problem.sites[contact], problem.local(contact));
+            if local.is_absent() {
+                *state = Mode::Open;
+                continue;
+            }
+            let tangent;
+            (*state, *force, tangent) = local.answer_on_polygon(&problem.stretch(contact, twist));
+            if state.is_open() {
+                continue;
+            }
+            sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
+            add_tangent(&mut sum.stiffness, site, &tangent);
+            sum.left += site.map * *force;
+            sum.size += force.norm();
         }
-        let tangent;
-        (*state, *force, tangent) = local.answer_on_polygon(&problem.stretch(contact, twist));
-        if state.is_open() {
-            continue;
-        }
-        sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
-        add_tangent(&mut sum.stiffness, site, &tangent);
-        sum.left += site.map * *force;
-        sum.size += force.norm();
-    }
-    sum
+        sum
+    };
+    in_halves((0..states.len(), (states, forces)), &part, &Sums::plus)
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T, dyad by dyad.

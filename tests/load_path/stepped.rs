@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use grasp_lcp::equilibrium::ContactState;
-use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Turn, Wrench};
 use grasp_lcp::{Error, Settings};
@@ -150,9 +150,67 @@ fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
         let steps = path.by_ref().count();
         let held = path.end().and_then(PathEnd::fraction).expect("not beyond the limit");
         println!("{count} springs: {steps} steps, held to {held}");
-        assert!(matches!(path.end(), Some(PathEnd::Undecided { .. })));
+        let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        assert!(loss.kind == LossKind::Corner && loss.contacts.len() == count);
+        let motion = loss.motion.expect("it leaves").translation();
+        assert!(motion[2] < 0.0, "{motion:?}");
         assert!((held - 0.8).abs() < 2e-12);
         assert!((path.state().expect("there").load.resultant()[2] + limit).abs() < 1e-11 * limit);
+    }
+    Ok(())
+}
+
+#[test]
+fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
+    let mut numbers = Numbers(31);
+    let (mut alike, mut otherwise, mut held, mut undecided, mut worst) = (0, 0, 0, 0, 0.0_f64);
+    for scene in 0..60 {
+        let table = table(3 + scene % 4, 0.8, &mut numbers)?;
+        let [x, y, moment] = [0; 3].map(|_| 12.0 * numbers.signed());
+        let (start, legs) = (pulled([0.0; 2], 0.0), [Leg::load_to(pulled([x, y], moment))]);
+        let mut exact = table.follow(&start, &legs)?;
+        let _ = exact.run();
+        let mut path = table.follow_in_steps(&start, &legs, 1e-6)?;
+        path.by_ref().for_each(drop);
+        match [exact.end(), path.end()].map(|end| end.expect("run to its end")) {
+            [PathEnd::Completed, PathEnd::Completed] => held += 1,
+            [PathEnd::Lost(exact), PathEnd::Lost(loss)] => {
+                worst = worst.max((exact.fraction - loss.fraction).abs());
+                if exact.kind == loss.kind {
+                    alike += 1;
+                } else {
+                    // A corner just before a maximum, or one just after it.
+                    assert!(![exact.kind, loss.kind].contains(&LossKind::Asymptote));
+                    otherwise += 1;
+                }
+            }
+            [_, PathEnd::Undecided { .. }] => undecided += 1,
+            ends => panic!("{scene}: {ends:?}"),
+        }
+    }
+    println!(
+        "{alike} lost alike, {otherwise} otherwise, {held} held, {undecided} undecided; limits differ by {worst:.1e} of the leg"
+    );
+    assert!(alike >= 54 && otherwise == 0 && worst < 1e-8);
+    Ok(())
+}
+
+#[test]
+fn a_patch_slides_on_without_bound_at_its_limit() -> Result<(), Error> {
+    let (grasp, _) = disc(300)?;
+    for (shear, torsion) in [([0.0, 0.0], 6.0), ([4.5, 0.0], 1.5), ([0.6, 0.9], 3.0)] {
+        let legs = [Leg::load_to(pulled(shear, torsion))];
+        let mut path = grasp.follow_in_steps(&pulled([0.0; 2], 0.0), &legs, 1e-4)?;
+        let steps = path.by_ref().count();
+        let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
+        println!("{steps} steps, {}", path.end().expect("lost"));
+        assert!(loss.kind == LossKind::Asymptote && loss.contacts.len() == grasp.len());
+        // The object leaves the way it is pulled, and every force is at its limit.
+        let motion = loss.motion.expect("it leaves");
+        let [v, w] = [motion.translation(), motion.rotation()];
+        assert!(v[0] * shear[0] + v[1] * shear[1] + w[2] * torsion > 0.0);
+        let friction = |f: &SVector<f64, 3>| f[1].hypot(f[2]) / (0.5 * f[0]);
+        assert!(path.forces().iter().all(|f| (friction(f) - 1.0).abs() < 1e-9));
     }
     Ok(())
 }

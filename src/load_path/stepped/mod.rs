@@ -11,8 +11,11 @@
 //! | `stepped_path` | the path, and what it stands on |
 //! | `walking` | steps as long as the error asked for allows |
 //! | `standing_at` | the state on the way, as physics |
+//! | `ending`, `speeds` | a limit load, or a doubt |
 
+mod ending;
 mod one_step;
+mod speeds;
 mod standing_at;
 mod stepped_path;
 mod walking;

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::SVector;
 
 use super::one_step::Standing;
+use super::speeds::Speeds;
 use crate::contact::Polygon;
 use crate::equilibrium::Cone;
 use crate::error::Error;
@@ -37,6 +38,8 @@ pub struct SteppedPath<'g, const D: usize, const C: usize> {
     pub(super) standing: Option<Standing<D, C>>,
     /// The motion of the object for one unit of the fraction, from the last step of the leg.
     pub(super) rate: Option<SVector<f64, D>>,
+    /// How fast the object has moved on the leg.
+    pub(super) speeds: Speeds,
     /// The part of the leg that the next step tries.
     pub(super) step: f64,
     /// The most that a step of the leg may be: a load that comes round looks as if it had stayed.
@@ -74,7 +77,10 @@ pub struct Step<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
     /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may make, such as 1e-6. A step costs
-    /// a few passes over all contacts; steps are as long as the square root of the error, with two tangential stiffnesses as the error itself. See [`SteppedPath`].
+    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error, with two tangential stiffnesses as the error itself. See [`SteppedPath`].
+    ///
+    /// Where no step leads on the path is [lost](PathEnd::Lost), if the speed of the object or the rates of what stands on an edge tell how; else it is
+    /// [undecided](PathEnd::Undecided).
     ///
     /// In the plane nothing turns, and [`Self::follow_patch`] tells every event exactly.
     ///
@@ -153,6 +159,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             course,
             standing,
             rate,
+            speeds: Speeds::default(),
             step,
             tried,
             error,
@@ -208,6 +215,7 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
         (self.drives, self.course) =
             (self.program.drives(self.grasp), self.program.inside_course(self.grasp));
         (self.rate, self.step, self.tried) = (None, FIRST_STEP, 0);
+        self.speeds.clear();
         self.longest =
             if let Course::Turn { angle, .. } = &self.course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         if let Some(standing) = &mut self.standing {

@@ -5,7 +5,6 @@ use nalgebra::SVector;
 use super::one_step::{Standing, one_step};
 use super::stepped_path::{Step, SteppedPath};
 use crate::grasp::Site;
-use crate::load_path::event::PathEnd;
 use crate::search::Doubt;
 
 /// An error below this part of the largest force is rounding.
@@ -34,6 +33,10 @@ struct StepError {
     smooth: f64,
     /// Where they change them.
     change: f64,
+    /// How far forces have gone.
+    way: f64,
+    /// How far springs that stick would feel the object to have gone, N.
+    felt: f64,
 }
 
 impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
@@ -57,7 +60,7 @@ impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
                 continue;
             };
             let parts = [
-                error.smooth / (self.error * length).max(ROUNDING),
+                error.smooth / (self.error * length.max(error.way)).max(ROUNDING),
                 error.change / (self.error * AT_A_CHANGE).max(ROUNDING),
             ];
             let part = parts[0].max(parts[1]);
@@ -72,6 +75,7 @@ impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
                 continue;
             }
             self.rate = Some((to.twist - from.twist) / length);
+            self.speeds.note(to.fraction, error.felt / length);
             return Some(self.arrive(to, error));
         }
         None
@@ -88,17 +92,13 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
         let rate = (middle.twist - from.twist) / (0.5 * length);
         let to = self.go(&middle, 0.5 * length, near(&middle, &rate, 0.5 * length))?;
         let largest = to.largest_force().max(from.largest_force());
-        let sites = self.problem.sites;
-        let pull =
-            |site: &Site<D, C>, motion: &SVector<f64, D>| site.springs.force(&site.map.tr_mul(motion)).norm();
-        let felt = |motion: &SVector<f64, D>| sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max);
         let off = middle.twist - (from.twist + to.twist) * 0.5;
-        let way = felt(&(to.twist - from.twist));
-        if way > FELT * largest && felt(&off) > LEAP * way {
+        let felt = self.felt(&(to.twist - from.twist));
+        if felt > FELT * largest && self.felt(&off) > LEAP * felt {
             return None;
         }
         if largest == 0.0 {
-            return Some((to, StepError { smooth: 0.0, change: 0.0 }));
+            return Some((to, StepError { smooth: 0.0, change: 0.0, way: 0.0, felt }));
         }
         let local = |i: usize| self.problem.local(i);
         let changes = |i: usize, pull: f64| {
@@ -113,17 +113,23 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
                 && margin(a).min(margin(b)).min(margin(c)) < pull * local(i).cone().round_weight()
         };
         let change_of = |i: usize| {
-            let pull = pull(&sites[i], &off);
+            let pull = pull(&self.problem.sites[i], &off);
             if changes(i, pull) { pull } else { 0.0 }
         };
-        let change = (0..sites.len()).map(change_of).fold(0.0, f64::max) / largest;
+        let change = (0..self.problem.len()).map(change_of).fold(0.0, f64::max) / largest;
         if change > AT_A_CHANGE * self.error {
-            return Some((to, StepError { smooth: 0.0, change }));
+            return Some((to, StepError { smooth: 0.0, change, way: 0.0, felt }));
         }
         let at_once = self.go(from, length, to.twist)?;
         // Halves err by a third of the difference where slips along the step are exact, by all of it with two tangential stiffnesses.
         let smooth = to.apart(&at_once) / largest;
-        (smooth.is_finite() && change.is_finite()).then_some((to, StepError { smooth, change }))
+        let error = StepError { smooth, change, way: to.apart(from) / largest, felt };
+        (smooth.is_finite() && change.is_finite()).then_some((to, error))
+    }
+
+    /// What the springs that feel a motion most would make of it, N.
+    fn felt(&self, motion: &SVector<f64, D>) -> f64 {
+        self.problem.sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
     }
 
     /// One step of a length.
@@ -159,11 +165,9 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
         }
         step
     }
+}
 
-    fn give_up(&mut self, at: Standing<D, C>, doubt: Doubt) -> Option<Step<D, C>> {
-        let (leg, fraction) = (self.program.leg, at.fraction);
-        self.standing = Some(at);
-        self.end = Some(PathEnd::Undecided { leg, fraction, doubt });
-        None
-    }
+/// What the springs of a contact that sticks make of a motion, N.
+fn pull<const D: usize, const C: usize>(site: &Site<D, C>, motion: &SVector<f64, D>) -> f64 {
+    site.springs.force(&site.map.tr_mul(motion)).norm()
 }

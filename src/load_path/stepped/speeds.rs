@@ -1,0 +1,53 @@
+//! How fast the object moves as the load grows, towards the end of a path.
+//!
+//! Towards a load that is never exceeded the speed grows without bound, as a power of the distance that is left:
+//!
+//! ```text
+//! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
+//! an asymptote               q ~ ln(1/δ),  δ^{-p}         dq/dδ ~ δ^{-1},  δ^{-1-p}
+//! ```
+
+use crate::load_path::event::LossKind;
+
+/// The speed has grown if by this factor, and is noted each time that it has.
+const GROWN: f64 = 2.0;
+/// Speeds at distances that differ by this factor tell the power.
+const APART: f64 = 1e3;
+/// The path does not end at a corner if the speed grows by more than this over them.
+const RUNS: f64 = 8.0;
+/// A speed that has not grown over this last part of the leg does not grow without bound.
+const TO_THE_END: f64 = 1e-8;
+/// Between the powers of a maximum and of an asymptote.
+const BETWEEN: f64 = 0.75;
+
+/// Fractions of a leg and the speeds there, each larger than the one before.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Speeds(Vec<[f64; 2]>);
+
+impl Speeds {
+    /// Forgets the leg before.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// A step has arrived at a fraction with this speed on the way.
+    pub(super) fn note(&mut self, fraction: f64, speed: f64) {
+        if self.0.last().is_none_or(|[_, fastest]| speed > GROWN * fastest) {
+            self.0.push([fraction, speed]);
+        }
+    }
+
+    /// What the object runs to where the path ends; `None` if it does not go ever faster.
+    pub(super) fn run_to(&self, end: f64) -> Option<LossKind> {
+        let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
+        let [near, fast] = before.next()?;
+        let [far, slow] = before.find(|[fraction, _]| end - fraction >= APART * (end - near))?;
+        let grown = fast / slow;
+        let power = grown.ln() / ((end - far) / (end - near)).ln();
+        (grown > RUNS && end - near < TO_THE_END).then_some(if power > BETWEEN {
+            LossKind::Asymptote
+        } else {
+            LossKind::Fold
+        })
+    }
+}
