@@ -1,6 +1,6 @@
 //! What does an answer cost, and how far is it off? Each question is asked the crate's way and the ways one would ask it otherwise.
 //!
-//! Four parts, two charts each: the onset of sliding, the friction cone in space, the forces while everything rolls, and a load path. Errors
+//! Six parts: the onset of sliding, a load that turns, the friction cone in space, the forces while everything rolls, a load path, and a round fingertip. Errors
 //! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
 //! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
 //!
@@ -11,17 +11,21 @@ mod exact_rolling;
 
 mod cone;
 mod onset;
+mod patch;
 mod path;
 mod report;
 mod rolling;
+mod turn;
 
 use support::Failure;
 
 fn main() -> Result<(), Failure> {
     let mut report = report::Report::default();
     onset::measure(&mut report)?;
+    turn::measure(&mut report)?;
     cone::measure(&mut report)?;
     rolling::measure(&mut report)?;
     path::measure(&mut report)?;
+    patch::measure(&mut report)?;
     report.save("error_vs_runtime")
 }

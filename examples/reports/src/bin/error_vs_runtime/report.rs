@@ -1,4 +1,4 @@
-//! The figures: a table on the terminal, the same as comma-separated values, and charts of error against run time.
+//! The figures: a table on the terminal, the same as comma-separated values, charts of error against run time, and a page with all of them.
 
 use std::fmt::Write;
 
@@ -8,6 +8,11 @@ use support::Failure;
 
 /// An error of exactly nothing has no logarithm: it is drawn here.
 const NOTHING: f64 = 1e-17;
+
+const HEAD: &str = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Error against run time</title>\n\
+    <style>body{font-family:sans-serif;max-width:75em;margin:auto}svg{max-width:100%;height:auto}td,th{text-align:left;padding:0 1em 0 0}</style>\n\
+    </head>\n<body>\n<h1>Error against run time</h1>\n<p>Errors are against closed forms, exact rational arithmetic or an integration to 1e-13. \
+    Times are the shortest of many of one call.</p>\n";
 
 /// Everything that was measured, part by part.
 #[derive(Default)]
@@ -77,6 +82,20 @@ impl Panel {
         }
     }
 
+    fn write_table(&self, page: &mut String) -> std::fmt::Result {
+        let head = "<tr><th>method<th>setting<th>error<th>time, µs</tr>";
+        writeln!(page, "<details><summary>{}</summary>\n<table>\n{head}", self.title)?;
+        for line in &self.lines {
+            for p in &line.points {
+                let error = if p.error.is_nan() { "no answer".into() } else { format!("{:.1e}", p.error) };
+                let Point { setting, time, .. } = p;
+                let method = &line.method;
+                writeln!(page, "<tr><td>{method}<td>{setting}<td>{error}<td>{:.2}</tr>", 1e6 * time)?;
+            }
+        }
+        writeln!(page, "</table>\n<p>Error: {}. {}</p></details>", self.error, self.notes.join("; "))
+    }
+
     fn chart(&self) -> Chart {
         // No answer is no point: f64::max would make one of it.
         let height = |error: f64| if error == 0.0 { NOTHING } else { error };
@@ -105,7 +124,7 @@ impl Report {
         self.panels.push(panel);
     }
 
-    /// Writes the table, and a sheet of charts for each part.
+    /// Writes the table, a sheet of charts for each part, and a page that shows them beside their figures.
     pub fn save(&self, name: &str) -> Result<(), Failure> {
         let mut table = String::from("part,question,method,setting,error,time_s\n");
         for panel in &self.panels {
@@ -118,10 +137,17 @@ impl Report {
         }
         println!();
         support::save(&format!("{name}.csv"), &table)?;
+        let mut page = String::from(HEAD);
         for part in self.panels.chunk_by(|a, b| a.part == b.part) {
             let charts: Vec<_> = part.iter().map(Panel::chart).collect();
-            support::save(&format!("{name}_{}.svg", part[0].part), &Chart::sheet(&charts, charts.len())?)?;
+            let sheet = Chart::sheet(&charts, charts.len())?;
+            support::save(&format!("{name}_{}.svg", part[0].part), &sheet)?;
+            write!(page, "<section>\n{sheet}\n")?;
+            part.iter().try_for_each(|panel| panel.write_table(&mut page))?;
+            page += "</section>\n";
         }
+        page += "</body>\n</html>\n";
+        support::save(&format!("{name}.html"), &page)?;
         Ok(())
     }
 }
