@@ -26,11 +26,6 @@ pub(super) const MANY: usize = 32;
 /// a scene of thousands of contacts without an equilibrium would take minutes to give up; with less some are given up that a path solves.
 const MOST_WORK: usize = 500_000_000;
 
-/// Pivots of so many multiplications that a rung may make.
-fn affordable_pivots(settings: &Settings, multiplications: usize) -> usize {
-    settings.max_pivots.unwrap_or(MOST_WORK / multiplications.max(1))
-}
-
 /// Rows of the forms, one for each pair of a contact.
 fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
     problem.locals().map(|local| local.pairs()).sum()
@@ -77,9 +72,9 @@ pub(super) fn propose_structured<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
-    let most_pivots = affordable_pivots(scene.settings, D * rows(problem));
+    let max_pivots = scene.settings.max_pivots;
     let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { OTHER_PATHS };
-    let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, most_pivots);
+    let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots, MOST_WORK);
     log.effort.rows = log.effort.rows.max(proposal.pairs);
     log.effort.pivots += proposal.pivots;
     if proposal.cut_short {
@@ -100,7 +95,7 @@ pub(super) fn propose_dense<const D: usize, const C: usize>(
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
     // states, where each costs one d x d system and is checked as physics.
-    let affordable = affordable_pivots(settings, form.rows.len().pow(2));
+    let affordable = settings.max_pivots.unwrap_or(MOST_WORK / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // What no path is known to need is no limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());

@@ -41,6 +41,10 @@ pub(crate) struct Path<const D: usize, const C: usize> {
     pub(super) basis: Basis<C>,
     pub(super) sums: Sums<D, 3>,
     pub(crate) pivots: usize,
+    /// Contacts that were looked at, for all of these pivots.
+    looks: usize,
+    /// With more looks than these, if there is a limit, the path ends.
+    pub(crate) most_looks: Option<usize>,
     /// Pivots since the sums were made.
     pub(super) age: usize,
     pricing: LazyPricing<D>,
@@ -112,6 +116,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
+        self.looks += self.form.len();
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
@@ -123,7 +128,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
             self.line_up(entering.contact, &at, &first.along);
         }
         loop {
-            if self.pivots >= limit {
+            if self.pivots >= limit || self.most_looks.is_some_and(|most| self.looks > most) {
                 return End::PivotLimit;
             }
             if are_stale(self.age, self.form.len()) {
@@ -183,6 +188,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
 
     /// Everybody waits, but for the contact whose pair is out of the basis.
     fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
+        self.looks += self.form.len();
         let Self { form, basis, pricing, .. } = self;
         pricing.line_up(form.len(), along, &|contact, e| {
             (0, if contact == out { f64::INFINITY } else { form.slack(basis, contact, at, e) })
@@ -232,7 +238,9 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
         let z0_shrinks = covering.rate < -GREY * step.largest;
         let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
+        let mut looks = 0;
         let mut look = |contact: u32, length: &mut f64| {
+            looks += 1;
             form.decreasing(basis, contact, step, entering, |candidate| {
                 if candidate.vanishing.ratio() <= *length {
                     *length = length.min(candidate.vanishing.longest());
@@ -259,6 +267,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
                 look(contact, &mut length);
             }
         }
+        self.looks += looks + candidates.len();
         if length == f64::INFINITY {
             return Leaving::Nobody;
         }

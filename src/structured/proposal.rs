@@ -27,13 +27,14 @@ pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
 }
 
 /// Follows Lemke's path on the kinematic form from the trial state, and those of as many other
-/// covering vectors after a ray; all of them make at most so many pivots.
+/// covering vectors after a ray. All of them make at most so many pivots; if none are given, as many as `most_work` multiplications make.
 pub(crate) fn propose<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
     other_paths: usize,
-    most_pivots: usize,
+    max_pivots: Option<usize>,
+    most_work: usize,
 ) -> Proposal<C> {
     let mut path = Path::default();
     let mut x = Vec::with_capacity(C * problem.len());
@@ -41,9 +42,12 @@ pub(crate) fn propose<const D: usize, const C: usize>(
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }
     path.form.assign(problem, trial.factor(), &x);
+    // A look at a contact takes a motion along each of its pairs.
+    let of_a_look = (D * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
+    path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {
-        let limit = most_pivots.min(path.pivots + path.pivot_limit());
+        let limit = max_pivots.unwrap_or_else(|| path.pivots + path.pivot_limit());
         let end = path.run_from_trial(attempt, limit);
         proposal.pivots = path.pivots;
         match end {
