@@ -1,7 +1,7 @@
 //! From a stretch that goes straight from where it was to the force at its end, exactly: the slip that turns on the way included.
 //!
-//! On the round cone, with the traction rate `d = k_t v_t'` and the radius `r = μ F_n`, both straight in the way τ from 0 to 1, a sliding
-//! contact has its friction force at the angle ψ from d, and
+//! On the round cone a sliding contact has its friction force at an angle ψ from the traction rate `d = k_t v_t'`. With that and the
+//! radius `r = μ F_n` straight in the way τ from 0 to 1,
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)

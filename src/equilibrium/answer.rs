@@ -78,8 +78,8 @@ impl<const D: usize, const C: usize> Equilibrium<D, C> {
     /// Rotation from which motions are not small, rad: there the first order misses a tenth of an arm's length. It only labels answers.
     pub const LARGE_ROTATION: f64 = 0.5;
 
-    /// Whether the object turns by more than [`Self::LARGE_ROTATION`]. Contact points and normals stay where they are in all that is computed here, so that such
-    /// an answer solves the question as it was put and says little about the object: a taper of 1e-9 rad holds any load, once the object has
+    /// Whether the object turns by more than [`Self::LARGE_ROTATION`]. Contact points and normals stay where they are in all that is computed here. So such
+    /// an answer solves the question as it was put, and says little about the object. A taper of 1e-9 rad holds any load, once the object has
     /// gone far enough along it.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {

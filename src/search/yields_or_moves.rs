@@ -6,10 +6,9 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::enumerate::search;
-use crate::contact::{Law, tangential};
-use crate::grasp::{Contact, Grasp, Wrench};
+use crate::contact::{Law, LocalLaw, tangential};
+use crate::grasp::{Contact, Grasp, Site, Wrench};
 use crate::numerics::Draw;
-use crate::object::Problem;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
 
@@ -40,15 +39,8 @@ fn tangent<const C: usize>(draw: &mut Draw) -> SVector<f64, C> {
     }
 }
 
-/// The law of a contact in rates while the object moves: mostly on the edge that this slides along.
-fn law<const D: usize, const C: usize>(
-    draw: &mut Draw,
-    problem: &Problem<'_, D, C>,
-    contact: usize,
-    motion: &SVector<f64, D>,
-) -> Law<C> {
-    let normals = &problem.polygon(contact).normals;
-    let slip = -tangential(&problem.sites[contact].map.tr_mul(motion));
+/// The law of a contact in rates that the object slips along: mostly on the edge where it does.
+fn law<const C: usize>(draw: &mut Draw, normals: &[SVector<f64, C>], slip: &SVector<f64, C>) -> Law<C> {
     match one_of(draw, 24) {
         0 => Law::Bonded,
         1 => Law::Absent,
@@ -70,7 +62,10 @@ fn ask<const D: usize, const C: usize>(
     let mut rates = grasp.on_polygons(along, &cone).expect("a load");
     rates.trial = None;
     let motion = rates.wrench;
-    rates.laws = (0..rates.len()).map(|contact| law(draw, &rates, contact, &motion)).collect();
+    let mut of = |local: LocalLaw<'_, C>, site: &Site<D, C>| {
+        law(draw, &local.polygon.normals, &-tangential(&site.map.tr_mul(&motion)))
+    };
+    rates.laws = rates.locals().zip(rates.sites).map(|(local, site)| of(local, site)).collect();
     if draw.normal() > 1.0 {
         rates.wrench += SVector::<f64, D>::from_fn(|_, _| whole(draw, 1.0));
     }

@@ -27,8 +27,8 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
     /// The loss where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge.
     fn loss(&self, at: &Standing<D, C>) -> Option<Loss<D, C>> {
         let rates = self.rates(at);
-        let (kind, motion) = match self.speeds.run_to(at.fraction) {
-            Some(kind) => (kind, self.rate.map(|v| v.normalize())),
+        let (kind, motion) = match self.pace.speeds.run_to(at.fraction) {
+            Some(kind) => (kind, self.pace.rate.map(|v| v.normalize())),
             None => match settle(&rates, &self.settings).0 {
                 Settled::Found(..) | Settled::Undecided(_) => return None,
                 Settled::FreeMotion(v) => (LossKind::GivesWay, Some(v)),

@@ -9,12 +9,13 @@
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the path, and what it stands on |
-//! | `walking` | steps as long as the error asked for allows |
+//! | `walking`, `pace` | steps as long as the error asked for allows |
 //! | `standing_at` | the state on the way, as physics |
 //! | `ending`, `speeds` | a limit load, or a doubt |
 
 mod ending;
 mod one_step;
+mod pace;
 mod speeds;
 mod standing_at;
 mod stepped_path;

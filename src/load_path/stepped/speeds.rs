@@ -25,11 +25,6 @@ const BETWEEN: f64 = 0.75;
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
-    /// Forgets the leg before.
-    pub(super) fn clear(&mut self) {
-        self.0.clear();
-    }
-
     /// A step has arrived at a fraction with this speed on the way.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         if self.0.last().is_none_or(|[_, fastest]| speed > GROWN * fastest) {

@@ -1,11 +1,9 @@
 //! The path itself: what it stands on, and how it starts.
 
-use std::f64::consts::FRAC_PI_2;
-
 use nalgebra::SVector;
 
 use super::one_step::Standing;
-use super::speeds::Speeds;
+use super::pace::Pace;
 use crate::contact::Polygon;
 use crate::equilibrium::Cone;
 use crate::error::Error;
@@ -15,9 +13,6 @@ use crate::load_path::event::PathEnd;
 use crate::load_path::leg::{Leg, Program};
 use crate::object::{Load, Problem};
 use crate::search::{Found, Settings, Settled, settle};
-
-/// The first step of a path, as a part of its leg.
-const FIRST_STEP: f64 = 1.0 / 16.0;
 
 /// A load program being followed in steps: an iterator over them, so that the caller may look at each and stop at any. Made by
 /// [`Grasp::follow_in_steps`]; when the iterator has ended, [`end`](Self::end) says how the path did.
@@ -36,18 +31,8 @@ pub struct SteppedPath<'g, const D: usize, const C: usize> {
     pub(super) course: Course<SVector<f64, D>>,
     /// `None` if there is no equilibrium to start from.
     pub(super) standing: Option<Standing<D, C>>,
-    /// The motion of the object for one unit of the fraction, from the last step of the leg.
-    pub(super) rate: Option<SVector<f64, D>>,
-    /// How fast the object has moved on the leg.
-    pub(super) speeds: Speeds,
-    /// The part of the leg that the next step tries.
-    pub(super) step: f64,
-    /// The most that a step of the leg may be: a load that comes round looks as if it had stayed.
-    pub(super) longest: f64,
-    /// Whether the last step was refused: the next one is no longer than the one that was made in its place.
-    pub(super) refused: bool,
-    /// Steps tried on the leg.
-    pub(super) tried: usize,
+    /// How the steps of the leg go.
+    pub(super) pace: Pace<D>,
     /// What was asked for.
     pub(super) error: f64,
     /// The sum of those of steps along which contacts keep their states, and the largest of the others.
@@ -148,8 +133,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         };
         let (drives, course) = (program.drives(self), program.inside_course(self));
-        let (grasp, rate) = (self, None);
-        let (step, tried, step_error) = (FIRST_STEP, 0, 0.0);
+        let grasp = self;
         let mut path = SteppedPath {
             grasp,
             settings,
@@ -158,14 +142,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             drives,
             course,
             standing,
-            rate,
-            speeds: Speeds::default(),
-            step,
-            tried,
+            pace: Pace::along(&course),
             error,
-            longest: 1.0,
-            refused: false,
-            step_error,
+            step_error: 0.0,
             change_error: 0.0,
             end,
         };
@@ -214,10 +193,7 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
         }
         (self.drives, self.course) =
             (self.program.drives(self.grasp), self.program.inside_course(self.grasp));
-        (self.rate, self.step, self.tried) = (None, FIRST_STEP, 0);
-        self.speeds.clear();
-        self.longest =
-            if let Course::Turn { angle, .. } = &self.course { FRAC_PI_2 / angle.abs() } else { 1.0 };
+        self.pace = Pace::along(&self.course);
         if let Some(standing) = &mut self.standing {
             standing.fraction = 0.0;
         }

@@ -45,18 +45,18 @@ impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
     fn next(&mut self) -> Option<Step<D, C>> {
         while self.end.is_none() {
             let from = self.standing.take()?;
-            if self.tried == self.settings.most_steps {
+            if self.pace.tried == self.settings.most_steps {
                 return self.give_up(from, Doubt::OutOfSteps);
             }
-            self.tried += 1;
+            self.pace.tried += 1;
             let rest = 1.0 - from.fraction;
-            let step = self.step.min(self.longest);
+            let step = self.pace.step.min(self.pace.longest);
             let length = if step > 0.9 * rest { rest } else { step };
             let Some((to, error)) = self.twice(&from, length) else {
                 if length * NOWHERE < SHORTEST {
                     return self.give_up(from, Doubt::OnTheBoundary);
                 }
-                (self.step, self.standing) = (length * NOWHERE, Some(from));
+                (self.pace.step, self.standing) = (length * NOWHERE, Some(from));
                 continue;
             };
             let parts = [
@@ -64,18 +64,18 @@ impl<const D: usize, const C: usize> Iterator for SteppedPath<'_, D, C> {
                 error.change / (self.error * AT_A_CHANGE).max(ROUNDING),
             ];
             let part = parts[0].max(parts[1]);
-            let fastest = if self.refused { 1.0 } else { FASTER };
-            self.refused = part > 1.0;
-            self.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
+            let fastest = if self.pace.refused { 1.0 } else { FASTER };
+            self.pace.refused = part > 1.0;
+            self.pace.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
             if part > 1.0 {
-                if self.step < SHORTEST {
+                if self.pace.step < SHORTEST {
                     return self.give_up(from, Doubt::OnTheBoundary);
                 }
                 self.standing = Some(from);
                 continue;
             }
-            self.rate = Some((to.twist - from.twist) / length);
-            self.speeds.note(to.fraction, error.felt / length);
+            self.pace.rate = Some((to.twist - from.twist) / length);
+            self.pace.speeds.note(to.fraction, error.felt / length);
             return Some(self.arrive(to, error));
         }
         None
@@ -86,7 +86,7 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
     /// A step in two halves, with its estimated error; `None` where one of them finds no equilibrium, or only one
     /// elsewhere.
     fn twice(&mut self, from: &Standing<D, C>, length: f64) -> Option<(Standing<D, C>, StepError)> {
-        let rate = self.rate.unwrap_or_else(SVector::zeros);
+        let rate = self.pace.rate.unwrap_or_else(SVector::zeros);
         let near = |at: &Standing<D, C>, rate: &SVector<f64, D>, length: f64| at.twist + rate * length;
         let middle = self.go(from, 0.5 * length, near(from, &rate, 0.5 * length))?;
         let rate = (middle.twist - from.twist) / (0.5 * length);

@@ -1,0 +1,37 @@
+//! How the steps of a leg go: how long the next one is, and how fast the object has moved.
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::SVector;
+
+use super::speeds::Speeds;
+use crate::load_path::course::Course;
+
+/// The first step of a leg, as a part of it.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// The steps of a leg so far.
+#[derive(Debug, Clone)]
+pub(super) struct Pace<const D: usize> {
+    /// The motion of the object for one unit of the fraction, from the last step.
+    pub(super) rate: Option<SVector<f64, D>>,
+    /// How fast the object has moved.
+    pub(super) speeds: Speeds,
+    /// The part of the leg that the next step tries.
+    pub(super) step: f64,
+    /// The most that a step may be: a load that comes round looks as if it had stayed.
+    pub(super) longest: f64,
+    /// Whether the last step was refused: the next one is no longer than the one that was made in its place.
+    pub(super) refused: bool,
+    /// Steps tried.
+    pub(super) tried: usize,
+}
+
+impl<const D: usize> Pace<D> {
+    /// That of a leg that begins.
+    pub(super) fn along<X>(course: &Course<X>) -> Self {
+        let longest = if let Course::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
+        let speeds = Speeds::default();
+        Self { rate: None, speeds, step: FIRST_STEP, longest, refused: false, tried: 0 }
+    }
+}
