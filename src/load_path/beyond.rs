@@ -16,8 +16,8 @@ use crate::lcp;
 use crate::object::{Piece, Problem};
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
-    Doubt, Effort, Found, Rung, Settings, Settled, combinations, for_each_combination, for_each_condition,
-    settle,
+    Doubt, Effort, Found, Rung, Settings, Settled, combinations, dense_is_affordable, for_each_combination,
+    for_each_condition, settle,
 };
 
 /// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
@@ -136,8 +136,11 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
 }
 
 /// Whether Farkas' lemma says that no slips and gaps make the rates possible: then there are no rates at all. The form is computed, and its proof
-/// good to the rounding of that.
+/// good to the rounding of that. It is sought by linear programs of two rows for each of the form.
 pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+    if !dense_is_affordable(rates, 2) {
+        return false;
+    }
     let trial = rates.trial();
     let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
     let settings = lcp::Settings { prove_infeasible: true, ..lcp::Settings::one_path() };

@@ -40,4 +40,5 @@ pub(crate) use candidate::{Verdict, for_each_condition, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search};
 pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};
+pub(crate) use proposals::dense_is_affordable;
 pub(crate) use tree::refute;

@@ -26,14 +26,14 @@ pub(super) const MANY: usize = 32;
 /// a scene of thousands of contacts without an equilibrium would take minutes to give up; with less some are given up that a path solves.
 const MOST_WORK: usize = 500_000_000;
 
-/// Rows of the forms, one for each pair of a contact.
-fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
-    problem.locals().map(|local| local.pairs()).sum()
-}
-
-/// Whether one path on a dense matrix can be afforded: it takes about as many pivots as there are rows.
-pub(super) fn dense_is_affordable<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
-    rows(problem).pow(3) <= MOST_WORK
+/// Whether one path on a dense matrix can be afforded, so many times as large as the kinematic form of the problem: it takes about as many
+/// pivots as there are rows.
+pub(crate) fn dense_is_affordable<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    times: usize,
+) -> bool {
+    let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
+    (times * rows).pow(3) <= MOST_WORK
 }
 
 /// Few enough contacts to try every combination of their states.

@@ -60,7 +60,7 @@ pub(super) fn kinematic_form_on_states<const D: usize, const C: usize>(
     }
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_structured(scene, problem, log);
     let found = climb(scene.proposing(), propose, log).or_else(|| {
-        let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing()))?;
+        let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing(), 1))?;
         climb(with_edges, propose, log)
     });
     Attempt::by(Rung::KinematicForm, found)
@@ -78,18 +78,12 @@ pub(super) fn everything_yields<const D: usize, const C: usize>(
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
-/// A proof is cheaper than the paths that are left where there are many contacts; and with too many there are none left.
+/// Among many contacts a proof is cheaper than any path.
 pub(super) fn separating_motion_of_many<const D: usize, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
-    if scene.problem.len() < MANY {
-        return Attempt::Nothing;
-    }
-    match separating_motion(scene, log) {
-        Attempt::Nothing if !dense_is_affordable(scene.proposing()) => Attempt::Stop,
-        attempt => attempt,
-    }
+    if scene.problem.len() < MANY { Attempt::Nothing } else { separating_motion(scene, log) }
 }
 
 /// Contact states from Lemke's method on the dense kinematic form.
@@ -107,6 +101,10 @@ pub(super) fn kinematic_form<const D: usize, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
+    // With too many contacts nothing is left that the lists of states have not said.
+    if scene.problem.len() >= MANY && !dense_is_affordable(scene.proposing(), 1) {
+        return Attempt::Stop;
+    }
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), propose, log))
 }

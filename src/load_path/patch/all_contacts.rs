@@ -4,15 +4,11 @@
 use super::patch_path::PatchPath;
 use crate::contact::{Mode, PolygonState, Stand, State};
 use crate::load_path::beyond::{Beyond, End, beyond_end};
-use crate::load_path::event::{Loss, PathEnd};
-use crate::load_path::loss::{end_of_path, leaving_motion};
+use crate::load_path::event::PathEnd;
+use crate::load_path::loss::end_of_path;
 use crate::load_path::segment::Segment;
 use crate::object::Problem;
-use crate::proofs::separates_from_here_on;
-use crate::search::{Doubt, Settled, settle};
-
-/// Among more contacts what lies beyond the end of a path would take longer to find than the path.
-const FEW: usize = 32;
+use crate::search::{Settled, settle};
 
 impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
     /// The rates of all contacts: those that do not stand here slide on or stay as they are.
@@ -41,18 +37,9 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         let rates = self.rates(&segment);
         self.balance.looked_at += rates.len();
         let loss = self.loss(None);
-        let many = rates.len() > FEW;
-        // A motion that proves a limit load is quicker to find than that nothing else is found.
-        if many && let Some(limit) = self.proved_limit(&segment, &rates, &loss) {
-            return Err(limit);
-        }
         let (settled, effort) = settle(&rates, &self.settings);
         let Settled::Found(found, _) = settled else {
-            let (sliding, forces) = (rates.yielding(), self.forces());
-            let settled = match settled {
-                Settled::Undecided(_) if many => return Err(self.undecided()),
-                settled => (settled, &effort),
-            };
+            let (sliding, forces, settled) = (rates.yielding(), self.forces(), (settled, &effort));
             return Err(end_of_path(&segment, &rates, settled, &sliding, &forces, loss, &self.settings));
         };
         for (contact, (i, state)) in (0_u32..).zip(found.states.iter().enumerate()) {
@@ -67,32 +54,14 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
         if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided()) }
     }
 
-    /// A limit load, where the motion with which everything on an edge slides off separates the
-    /// load just beyond from all that friction can do.
-    fn proved_limit(
-        &self,
-        segment: &Segment<'g, D, C>,
-        rates: &Problem<'g, D, C>,
-        loss: &Loss<D, C>,
-    ) -> Option<PathEnd<D, C>> {
-        let here = segment.problem_at(loss.fraction);
-        let motion = leaving_motion(rates, &here.wrench, &rates.yielding())?;
-        separates_from_here_on(&here, &motion, &rates.wrench)
-            .then(|| PathEnd::Lost(Loss { motion: Some(self.grasp.outside(&motion)), ..loss.clone() }))
-    }
-
-    /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost. Among
-    /// more than 32 contacts only a limit load that the motion of the loss proves is told from the rest.
+    /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost. Among more contacts
+    /// than all states can be tried of, a limit load is told from other ends where a motion proves it.
     #[must_use]
     pub fn beyond(&mut self) -> Option<Beyond<D, C>> {
         let loss = self.end.as_ref()?.loss()?.clone();
         self.balance.remember_all();
         let segment = self.segment();
         let rates = self.rates(&segment);
-        if rates.len() > FEW {
-            let proved = self.proved_limit(&segment, &rates, &loss).is_some();
-            return Some(if proved { Beyond::LimitLoad } else { Beyond::Undecided(Doubt::RayWithoutProof) });
-        }
         let motion = loss.motion.map(|motion| self.grasp.inside_twist(&motion));
         let (settled, effort) = settle(&rates, &self.settings);
         let end = End { factor: loss.fraction, forces: &self.forces(), motion };
