@@ -288,19 +288,8 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Some((first.step, together))
     }
 
-    /// The grasp driven at the rates of this stretch at a factor, with these laws. The round cone matters only at its apex: on an edge it
-    /// is a facet.
+    /// The grasp driven at the rates of this stretch at a factor, with these laws.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
-        let mut rates = Problem {
-            laws,
-            drives: self.change.clone(),
-            slips: vec![SVector::zeros(); self.problem.len()],
-            wrench: self.course.rate_at(factor),
-            trial: None,
-            ..self.problem.clone()
-        };
-        let round = rates.locals().any(|local| local.may_slide());
-        rates.round &= round;
-        rates
+        self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }
 }

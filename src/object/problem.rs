@@ -93,6 +93,22 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         }
     }
 
+    /// The problem of what happens next: these laws, driven at these rates. The round cone matters only at its apex: on an edge it is a
+    /// facet.
+    pub(crate) fn at_rates(
+        &self,
+        laws: Vec<Law<C>>,
+        drives: Vec<SVector<f64, C>>,
+        wrench: SVector<f64, D>,
+    ) -> Self {
+        let slips = vec![SVector::zeros(); self.len()];
+        let wrench_rest = SVector::zeros();
+        let mut rates = Self { laws, drives, slips, wrench, wrench_rest, trial: None, ..self.clone() };
+        let round = rates.locals().any(|local| local.may_slide());
+        rates.round &= round;
+        rates
+    }
+
     /// The load to twice the working precision.
     pub(crate) fn load(&self) -> Load<D> {
         Load { wrench: self.wrench, rest: self.wrench_rest }

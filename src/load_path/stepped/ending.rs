@@ -66,13 +66,7 @@ impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
             }
             local.law_of_rates(&stand, state)
         };
-        Problem {
-            laws: (0..self.problem.len()).map(law).collect(),
-            drives: self.drives[1].clone(),
-            wrench: self.course.rate_at(at.fraction),
-            wrench_rest: SVector::zeros(),
-            trial: None,
-            ..self.problem.clone()
-        }
+        let laws = (0..self.problem.len()).map(law).collect();
+        self.problem.at_rates(laws, self.drives[1].clone(), self.course.rate_at(at.fraction))
     }
 }
