@@ -13,7 +13,7 @@ use std::time::Instant;
 use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone};
 
 const RADIUS: f64 = 0.006; // m
@@ -191,8 +191,39 @@ fn ring() -> Result<(), grasp_lcp::Error> {
             best = best.min(start.elapsed().as_secs_f64());
             held = path.end().and_then(PathEnd::fraction).unwrap_or(1.0);
         }
-        println!("ring of {count}: held to {:.12} of its limit, in {:.1} ms", 1.25 * held, 1e3 * best);
+        println!("ring of {count}: held to {:.12} of its limit in steps, {:.1} ms", 1.25 * held, 1e3 * best);
+        at_once(&jar, limit)?;
     }
+    Ok(())
+}
+
+/// The same limit found directly, followed to, and asked what lies beyond it and above it.
+fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
+    let pull = |part: f64| Wrench::force([0.0, 0.0, -part * limit]);
+    let start = Instant::now();
+    let onset = jar.onset_of_sliding(&Wrench::ZERO, &pull(1.0))?;
+    let found = start.elapsed().as_secs_f64();
+    let mut path = jar.follow(&Wrench::ZERO, &[Leg::load_to(pull(1.25))])?;
+    path.by_ref().for_each(drop);
+    let followed = start.elapsed().as_secs_f64();
+    let beyond = onset.event().and_then(|event| jar.beyond(event));
+    let asked = start.elapsed().as_secs_f64();
+    let above = jar.solve(&pull(1.25))?;
+    let solved = start.elapsed().as_secs_f64();
+    let words = match beyond {
+        Some(Beyond::LimitLoad) => "a limit load",
+        Some(Beyond::Ends(_)) => "the rates are proved to have no solution",
+        _ => "not known",
+    };
+    let time = |from: f64, to: f64| format!("{:.1} ms", 1e3 * (to - from));
+    println!(
+        "  onset {}, path {}; beyond: {words}, {}; a quarter above: {}, {}",
+        time(0.0, found),
+        time(found, followed),
+        time(followed, asked),
+        if matches!(above, Outcome::NoEquilibrium(_)) { "no equilibrium" } else { "undecided" },
+        time(asked, solved)
+    );
     Ok(())
 }
 
