@@ -29,7 +29,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
         println!("{end}");
     }
     // Friction remembers: without load the jar is not where it was.
-    if let Some((_, _, state)) = path.position() {
+    if let Some(state) = path.state() {
         println!("{state}");
     }
     Ok(())

@@ -83,6 +83,10 @@ pub type LoadCases = crate::screening::LoadCases<3, 2>;
 pub type PatchPath<'g, const D: usize = 3> = crate::load_path::PatchPath<'g, D, 2>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
 pub type PatchEvent<const D: usize = 3> = crate::load_path::PatchEvent<D, 2>;
+/// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
+pub type SteppedPath<'g, const D: usize = 3> = crate::load_path::SteppedPath<'g, D, 2>;
+/// One of them; see [`crate::load_path::Step`].
+pub type Step<const D: usize = 3> = crate::load_path::Step<D, 2>;
 
 /// Names for grasps by a hand with joints in the plane: 3 coordinates of the object, and one or more for each joint. The answers are those of
 /// [`crate::planar`] with that number of coordinates.

@@ -84,6 +84,10 @@ pub type LoadCases = crate::screening::LoadCases<6, 3>;
 pub type PatchPath<'g, const D: usize = 6> = crate::load_path::PatchPath<'g, D, 3>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
 pub type PatchEvent<const D: usize = 6> = crate::load_path::PatchEvent<D, 3>;
+/// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
+pub type SteppedPath<'g, const D: usize = 6> = crate::load_path::SteppedPath<'g, D, 3>;
+/// One of them; see [`crate::load_path::Step`].
+pub type Step<const D: usize = 6> = crate::load_path::Step<D, 3>;
 
 /// Names for grasps by a hand with joints in space: 6 coordinates of the object, and one or more for each joint. The answers are those of
 /// [`crate::spatial`] with that number of coordinates.

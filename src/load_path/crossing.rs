@@ -3,7 +3,7 @@
 //! The last step is made again, shorter or longer, by Newton's method on the condition, within a bracket: no interpolation comes in.
 
 use super::flow::{Flow, Goal, Reached, Rule};
-use super::path::LoadPath;
+use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watch, watch};
 
@@ -20,7 +20,7 @@ pub(super) struct End<const D: usize, const C: usize> {
     pub(super) located: Option<usize>,
 }
 
-impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
+impl<const D: usize, const C: usize> Pieces<'_, D, C> {
     /// A step of a length, with what comes next there.
     pub(super) fn step(
         &self,

@@ -272,24 +272,21 @@ impl<const D: usize, const C: usize> Program<D, C> {
         }
     }
 
-    /// Appends legs, all or none of them.
-    pub(super) fn extend(&mut self, grasp: &Grasp<D, C>, legs: &[Leg<D, C>]) -> Result<(), Error> {
-        legs.iter().try_for_each(|leg| leg.check(grasp))?;
-        self.legs.extend_from_slice(legs);
-        Ok(())
-    }
-
-    /// Appends legs along none of which the load turns.
-    pub(super) fn extend_straight(
+    /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
+    pub(super) fn extend(
         &mut self,
         grasp: &Grasp<D, C>,
         legs: &[Leg<D, C>],
-        method: &'static str,
+        straight_only: Option<&'static str>,
     ) -> Result<(), Error> {
-        if legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_))) {
+        if let Some(method) = straight_only
+            && legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_)))
+        {
             return Err(Error::StraightOnly { method });
         }
-        self.extend(grasp, legs)
+        legs.iter().try_for_each(|leg| leg.check(grasp))?;
+        self.legs.extend_from_slice(legs);
+        Ok(())
     }
 
     /// Sets out from where the last leg ended; false if there is no leg to go.
@@ -321,6 +318,11 @@ impl<const D: usize, const C: usize> Program<D, C> {
             }
             Course::Turn { load, angle } => Course::Turn { load: inside(grasp, load), angle: *angle },
         }
+    }
+
+    /// The leg of which this fraction has been gone: the last one when all are done.
+    pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
+        if self.leg < self.legs.len() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
     /// The load at a fraction of the present leg.

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::beyond::{Beyond, End, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
-use super::segment::Segment;
+use super::follower::Edge;
 use crate::contact::State;
 use crate::object::{Piece, Problem};
 use crate::search::{Effort, Settings, Settled};
@@ -14,19 +14,17 @@ use crate::search::{Effort, Settings, Settled};
 /// The object gives way where a motion meets no resistance. Else it stands at a corner: no combination of the states of what stands on
 /// an edge has rates. Where that is not known, the proof that nothing holds beyond will do.
 pub(super) fn end_of_path<const D: usize, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    rates: &Problem<D, C>,
+    edge: &Edge<'_, D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
-    sliding: &[State<C>],
-    forces: &[SVector<f64, C>],
     loss: Loss<D, C>,
     settings: &Settings,
 ) -> PathEnd<D, C> {
+    let Edge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
         let motion = Some(segment.grasp.outside(&v));
         return PathEnd::Lost(Loss { kind: LossKind::GivesWay, motion, ..loss });
     }
-    let motion = leaving_motion(rates, &segment.problem_at(loss.fraction).wrench, sliding);
+    let motion = leaving_motion(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let corner = Loss { motion: motion.map(|v| segment.grasp.outside(&v)), ..loss };
     let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(corner) };
     let doubt = *doubt;

@@ -1,5 +1,4 @@
-//! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory,
-//! for a few contacts ([`LoadPath`]) or thousands ([`PatchPath`], [`SteppedPath`]).
+//! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory.
 //!
 //! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
 //! at which a condition of rolling is used up, found from two linear solves and no stepping:
@@ -25,6 +24,14 @@
 //! from before. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns along the way,
 //! `ds = γ F_t` with `|F_t| = μ F_n` at all times, and slips are integrated with an estimate of the error.
 //!
+//! A [`Path`] keeps the program, says where it stands, and ends; who follows it is a parameter.
+//!
+//! | path | follower | tells | affordable |
+//! |---|---|---|---|
+//! | [`LoadPath`] | [`Pieces`]: whole pieces, kept behind | every event, energies, states anywhere | some dozens of contacts |
+//! | [`PatchPath`] | [`Patch`]: sums and queues, on polygons | every event, one contact at a time | 10⁵ |
+//! | [`SteppedPath`] | [`Steps`]: steps of exact slips, on the round cone | the steps | 10⁵ |
+//!
 //! **Sensitivities** ([`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity), [`response`](crate::grasp::Grasp::response),
 //! [`onset_gradients`](crate::grasp::Grasp::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i that depends on
 //! stiffness, friction and state, and a small change of a datum p leads to one more solve:
@@ -46,8 +53,10 @@ mod event;
 mod first_exits;
 mod first_to_leave;
 mod flow;
+mod follower;
 mod geometry;
 mod geometry_gradient;
+mod journey;
 mod leg;
 mod loss;
 mod node;
@@ -58,6 +67,7 @@ mod onset_questions;
 mod pace;
 mod patch;
 mod path;
+mod pieces;
 mod questions;
 mod ramp;
 mod response;
@@ -87,12 +97,13 @@ pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use onset_gradient::OnsetGradient;
 pub use onset_margins::Leaver;
 pub(crate) use onset_margins::OnsetMargins;
-pub use patch::{PatchEvent, PatchPath};
-pub use path::LoadPath;
+pub use patch::{Patch, PatchEvent, PatchPath};
+pub use path::Path;
+pub use pieces::{LoadPath, Pieces};
 pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
-pub use stepped::{Step, SteppedPath};
+pub use stepped::{Step, SteppedPath, Steps};
 pub use turn::{Touch, Turn};
 pub use turn_questions::TurnOnset;

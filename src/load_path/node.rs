@@ -3,13 +3,14 @@
 use nalgebra::{Matrix, SVector};
 
 use super::course::Course;
-use super::event::{Change, Loss, LossKind, PathEnd};
+use super::event::{Change, LossKind, PathEnd};
+use super::follower::Edge;
+use super::journey::Journey;
 use super::loss::end_of_path;
 use super::segment::{Here, Segment};
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
-use crate::grasp::Wrench;
 use crate::object::{PieceState, Problem};
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
@@ -28,13 +29,12 @@ struct Decided<'g, const D: usize, const C: usize> {
     /// The factor whose rates they are.
     ahead: f64,
     rates: Problem<'g, D, C>,
-    /// The states in which everything on an edge slides.
-    sliding: Vec<State<C>>,
     settled: Settled<D, C>,
     effort: Effort,
 }
 
 /// Where the path stands, contact by contact.
+#[derive(Debug)]
 pub(super) struct Node<const D: usize, const C: usize> {
     /// Those of contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
@@ -62,35 +62,21 @@ impl<const D: usize, const C: usize> Node<D, C> {
     pub(super) fn go_on(
         &mut self,
         segment: &mut Segment<'_, D, C>,
-        leg: usize,
+        journey: &Journey<'_, D, C>,
         factor: f64,
-        load: Wrench<D, C>,
-        settings: &Settings,
     ) -> Result<Onward<D, C>, PathEnd<D, C>> {
-        let Decided { ahead, rates, sliding, settled, effort } = self.decided(segment, factor, settings);
+        let settings = &journey.settings;
+        let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
         let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
-        let (contacts, drives) = segment.grasp.sites_apart((0..self.states.len()).filter(stands).collect());
-        let loss = |motion| Loss {
-            leg,
-            fraction: factor,
-            load,
-            kind: LossKind::Corner,
-            contacts: contacts.clone(),
-            drives: drives.clone(),
-            motion,
+        let loss = |kind, motion| {
+            let edge = (0..self.states.len()).filter(stands).collect();
+            journey.loss(factor, kind, edge, motion)
         };
         let Settled::Found(found, _) = settled else {
-            let forces = &self.at.forces;
-            return Err(end_of_path(
-                segment,
-                &rates,
-                (settled, &effort),
-                &sliding,
-                forces,
-                loss(None),
-                settings,
-            ));
+            let loss = loss(LossKind::Corner, None);
+            let edge = Edge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
+            return Err(end_of_path(&edge, (settled, &effort), loss, settings));
         };
         let mut found = self.without_dragging(&rates, found);
         if segment.problem.round {
@@ -100,12 +86,12 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
-            return Err(PathEnd::Lost(Loss { kind: LossKind::LetsGo, ..loss(motion) }));
+            return Err(PathEnd::Lost(loss(LossKind::LetsGo, motion)));
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
-        let undecided = PathEnd::Undecided { leg, fraction: factor, doubt: Doubt::Inaccurate };
-        let here = self.look(segment, factor).map_err(|_| undecided)?;
+        let look = self.look(segment, factor);
+        let here = look.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
         for (i, stand) in self.stands.iter_mut().enumerate() {
             segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
         }
@@ -126,12 +112,11 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let laws = segment.laws_of_rates(&self.stands, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
-            let sliding = rates.yielding();
-            let (settled, effort) = match self.guess(segment, factor, &rates, &sliding) {
+            let (settled, effort) = match self.guess(segment, factor, &rates) {
                 Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
                 _ => settle(&rates, settings),
             };
-            Decided { ahead, rates, sliding, settled, effort }
+            Decided { ahead, rates, settled, effort }
         };
         let Course::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
@@ -156,19 +141,14 @@ impl<const D: usize, const C: usize> Node<D, C> {
     }
 
     /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.
-    fn guess(
-        &self,
-        segment: &Segment<'_, D, C>,
-        factor: f64,
-        rates: &Problem<D, C>,
-        sliding: &[State<C>],
-    ) -> Verdict<D, C> {
+    fn guess(&self, segment: &Segment<'_, D, C>, factor: f64, rates: &Problem<D, C>) -> Verdict<D, C> {
         // Within a leg something has just left its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
+        let sliding = rates.yielding();
         // At the apex there is no telling: every state is as good a guess. On the round cone it opens, or Newton's
         // method starts from two of them.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
@@ -176,16 +156,16 @@ impl<const D: usize, const C: usize> Node<D, C> {
             if !rates.round {
                 return Verdict::Unbalanced;
             }
-            if let holds @ Verdict::Holds(_) = try_states(rates, sliding.to_vec()) {
+            if let holds @ Verdict::Holds(_) = try_states(rates, sliding.clone()) {
                 return holds;
             }
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Rolling } else { sliding[i] });
-            let found = [closed.collect(), sliding.to_vec()]
+            let found = [closed.collect(), sliding.clone()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
             return found.map_or(Verdict::Unbalanced, Verdict::Holds);
         }
-        try_states(rates, sliding.to_vec())
+        try_states(rates, sliding)
     }
 
     /// What touches without force, and gets none, does not drag the object along: where the contact may as well part from it, and

@@ -12,6 +12,7 @@ use crate::grasp::Grasp;
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
+#[derive(Debug, Clone)]
 pub(super) struct Segment<'g, const D: usize, const C: usize> {
     pub(super) grasp: &'g Grasp<D, C>,
     pub(super) cone: Cone,

@@ -7,7 +7,7 @@ use super::first_exits::Standing;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment};
 use super::watch::is_vanishing;
-use crate::contact::{Line, Mode, Stand, State, ZERO_SLACK, tangential};
+use crate::contact::{Line, Stand, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
@@ -29,22 +29,18 @@ fn carries_nothing<const D: usize, const C: usize>(
 
 impl<const D: usize, const C: usize> Node<D, C> {
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
-    /// say. What slipped from rest to here becomes memory. Without a start there is nowhere to stand.
-    pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Option<Found<D, C>>) -> Self {
+    /// say. What slipped from rest to here becomes memory.
+    pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Found<D, C>) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
-            states: vec![Mode::Open; n],
-            directions: vec![None; n],
+            directions: directions(&segment.problem, &found),
+            states: found.states,
             stands: vec![Stand::NOWHERE; n],
             holds: vec![false; n],
             sets_out: false,
-            at: PieceState { forces: vec![SVector::zeros(); n], twist: SVector::zeros() },
+            at: PieceState { forces: found.forces, twist: found.twist },
             ahead: 0.0,
         };
-        let Some(found) = found else { return node };
-        node.directions = directions(&segment.problem, &found);
-        node.states = found.states;
-        node.at = PieceState { forces: found.forces, twist: found.twist };
         if carries_nothing(segment, &node.at) {
             node.at.forces.fill(SVector::zeros());
         }

@@ -3,7 +3,8 @@
 
 use super::event::PathEnd;
 use super::first_exits::Standing;
-use super::path::LoadPath;
+use super::journey::Journey;
+use super::pieces::Pieces;
 use super::segment::Here;
 use crate::object::PieceState;
 use crate::search::Doubt;
@@ -14,10 +15,12 @@ const MOST_STALLS: usize = 64;
 /// A step is known to this part at least; a larger correction says that there is something else wrong with it.
 const ROUGHLY: f64 = 1e-6;
 
-impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
-    /// Goes along the present piece to its end: the next edge, or the end of the leg.
-    pub(super) fn advance_straight(&mut self) {
-        let Some(here) = self.here.clone() else { return };
+impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
+    /// Goes along the present piece to its end: the next edge, or the end of the leg. Whether that is done.
+    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<D, C>> {
+        let Some(here) = self.here.clone() else {
+            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
+        };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
         // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
@@ -43,23 +46,18 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         if self.stalls > MOST_STALLS {
             // Rounding chooses between continuations, one of which leads back to the other.
-            let (leg, fraction) = (self.program.leg, self.factor);
-            self.end = Some(PathEnd::Undecided { leg, fraction, doubt: Doubt::OnTheBoundary });
-            return;
+            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let there = self.state_after(&here, step);
         if let Some(energy) = self.energy.last_mut() {
             energy.add(&self.segment, &self.node.states, &here, self.factor, step);
         }
-        self.pieces.push(self.stretch(here.clone(), to, there.clone()));
+        self.behind.push(self.stretch(journey, here.clone(), to, there.clone()));
         self.node.arrive(&mut self.segment, &here, to, &there);
         self.node.reach(&standing);
         self.factor = to;
         self.at_node = true;
-        if leg_done {
-            self.program.leg += 1;
-            self.begin_leg();
-        }
+        Ok(leg_done)
     }
 
     /// Forces and twist after a step along the present piece.

@@ -13,6 +13,7 @@ use crate::object::{PieceState, Problem};
 use crate::search::{Effort, Found, Rung};
 
 /// What is needed to tell the state at any fraction on the way.
+#[derive(Debug)]
 pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) leg: usize,
     pub(super) from: f64,

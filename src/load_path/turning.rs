@@ -17,10 +17,11 @@ use nalgebra::SVector;
 
 use super::course::Course;
 use super::crossing::End;
-use super::event::{Loss, LossKind, PathEnd};
+use super::event::{LossKind, PathEnd};
 use super::first_exits::Standing;
 use super::flow::{Flow, Rule};
-use super::path::LoadPath;
+use super::journey::Journey;
+use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watched, watch};
 use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
@@ -46,10 +47,12 @@ const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
-impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
-    /// Makes one step along the arc, up to an event if one comes first.
-    pub(super) fn advance_along_arc(&mut self) {
-        let Some(here) = self.here.take() else { return };
+impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
+    /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
+    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<D, C>> {
+        let Some(here) = self.here.take() else {
+            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
+        };
         // From a node on arclength counts the motion beside the load: to begin with both alike.
         let here = if self.pace.unit.is_some() {
             here
@@ -60,53 +63,45 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         };
         self.here = Some(here.clone());
         if Self::slides_away(&here) {
-            self.end = Some(self.lost(LossKind::Asymptote, &here));
-            return;
+            return Err(self.lost(journey, LossKind::Asymptote, &here));
         }
-        if self.pace.steps >= self.settings.most_steps {
-            self.end = Some(self.gives_up(Doubt::OutOfSteps));
-            return;
+        if self.pace.steps >= journey.settings.most_steps {
+            return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
         if let Some(length) = self.straight_length(&here)
             && let Some(end) = self.step(&here, (length, 0), Rule::Straight)
         {
             self.node.sets_out = false;
-            self.arrive_at(&here, &end);
-            return;
+            return self.arrive_at(journey, &here, &end);
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&here));
         let length = length.min(self.way_to_apex(&here)).min(self.part_of_a_turn(&here));
-        let (length, rule) = self.stable(&here, length);
-        let dies_out = length <= SHORTEST * self.factor.max(f64::EPSILON);
-        if dies_out && self.node.let_go(&here) {
-            self.at_node = true;
-            return;
+        let tolerance = journey.settings.step_error * self.pace.looser;
+        let (length, rule) = self.stable(&here, length, tolerance);
+        if length <= SHORTEST * self.factor.max(f64::EPSILON) {
+            if self.node.let_go(&here) {
+                self.at_node = true;
+            } else if !self.pace.loosen(1.0 - self.factor) {
+                return Err(journey.undecided(self.factor, Doubt::Inaccurate));
+            }
+            return Ok(false);
         }
-        if dies_out && self.pace.loosen(1.0 - self.factor) {
-            return;
-        }
-        if dies_out {
-            self.end = Some(self.gives_up(Doubt::Inaccurate));
-            return;
-        }
-        let Some(end) = self.step(&here, (length, 0), rule) else {
-            self.pace.refuse(length, f64::INFINITY);
-            return;
-        };
-        let missed = end.reached.error / self.tolerance();
-        if missed > 1.0 {
+        let end = self.step(&here, (length, 0), rule);
+        let missed = end.as_ref().map_or(f64::INFINITY, |end| end.reached.error / tolerance);
+        let Some(end) = end.filter(|_| missed <= 1.0) else {
             self.pace.refuse(length, missed);
-            return;
-        }
+            return Ok(false);
+        };
         let start = watch(&self.segment, &self.node.states, (self.factor, &here));
-        match Self::first_crossing(&start, &end) {
-            None if end.reached.backwards => self.pace.refuse(length, f64::INFINITY),
-            None => self.arrive_at(&here, &end),
-            Some(contact) => match self.locate(&here, &start, end, contact) {
-                Some(end) => self.arrive_at(&here, &end),
-                None => self.pace.refuse(length, f64::INFINITY),
-            },
-        }
+        let end = match Self::first_crossing(&start, &end) {
+            None => Some(end).filter(|end| !end.reached.backwards),
+            Some(contact) => self.locate(&here, &start, end, contact),
+        };
+        let Some(end) = end else {
+            self.pace.refuse(length, f64::INFINITY);
+            return Ok(false);
+        };
+        self.arrive_at(journey, &here, &end)
     }
 
     /// How far the object moves for one unit of the factor to begin with; while the load turns, at a place where it moves fast.
@@ -115,7 +110,7 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         if let Course::Turn { angle, .. } = self.segment.course {
             let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
             let at_rest = vec![SVector::zeros(); self.node.states.len()];
-            if let Ok(rate) = here.piece.solve(self.grasp.sites(), &at_rest, &later) {
+            if let Ok(rate) = here.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
                 size = size.hypot(rate.twist.norm());
             }
         }
@@ -131,14 +126,14 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
     }
 
     /// The length of a step and how it is made, so that what the friction forces turn by is damped.
-    fn stable(&mut self, here: &Here<D, C>, length: f64) -> (f64, Rule) {
+    fn stable(&mut self, here: &Here<D, C>, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let stable = STABLE / flow.relaxation();
         let rest = (1.0 - self.factor) / here.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
         if self.pace.stiff && length > stable {
-            (length, Rule::Implicit { tolerance: self.tolerance() })
+            (length, Rule::Implicit { tolerance })
         } else {
             (length.min(stable), Rule::Explicit)
         }
@@ -167,10 +162,6 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         // Less is the rounding of forces that are none.
         let way = if force_way > NO_WAY * rest { rest.min(force_way) } else { rest };
         self.node.sets_out.then_some(SETTING_OUT * way)
-    }
-
-    fn tolerance(&self) -> f64 {
-        self.settings.step_error * self.pace.looser
     }
 
     fn first_length(&self, here: &Here<D, C>) -> f64 {
@@ -202,9 +193,15 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
         way
     }
 
-    /// Goes there, and stands on what is met there.
-    fn arrive_at(&mut self, here: &Here<D, C>, end: &End<D, C>) {
-        self.pace.accept(end.length, end.reached.error / self.tolerance(), end.located.is_some());
+    /// Goes there, and stands on what is met there. Whether the leg is done.
+    fn arrive_at(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        here: &Here<D, C>,
+        end: &End<D, C>,
+    ) -> Result<bool, PathEnd<D, C>> {
+        let tolerance = journey.settings.step_error * self.pace.looser;
+        self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
         let tops = end.located.is_some_and(|k| end.watches[k].what == Watched::Growth);
@@ -236,43 +233,23 @@ impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
             self.node.states[i].slides() && Stand::is_weightless(force, size)
         };
         stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
-        self.take(here, (end.length, end.rule), &end.reached);
+        self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
         for contact in sticks {
             self.node.stick(contact);
         }
+        self.at_node = leg_done || stops;
         // A maximum at the end of a leg is no end: the next one may go another way.
-        if tops && !leg_done {
-            self.end = Some(self.lost(LossKind::Fold, &there));
-        }
+        let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &there));
         self.here = Some(there);
-        if leg_done {
-            self.at_node = true;
-            self.program.leg += 1;
-            self.begin_leg();
-        } else {
-            self.at_node = stops;
-        }
-    }
-
-    /// The end of a path that stands here and cannot be followed further.
-    fn gives_up(&self, doubt: Doubt) -> PathEnd<D, C> {
-        PathEnd::Undecided { leg: self.program.leg, fraction: self.factor, doubt }
+        lost.map_or(Ok(leg_done), Err)
     }
 
     /// The end of an arc; the motion is that along it.
-    fn lost(&self, kind: LossKind, here: &Here<D, C>) -> PathEnd<D, C> {
-        let slides = |i: &usize| self.node.states[*i].slides();
-        let (contacts, drives) = self.grasp.sites_apart((0..self.node.states.len()).filter(slides).collect());
-        PathEnd::Lost(Loss {
-            leg: self.program.leg,
-            fraction: self.factor,
-            load: self.program.load_at(self.factor),
-            kind,
-            contacts,
-            drives,
-            motion: Some(self.grasp.outside(&here.twist_rate.normalize())),
-        })
+    fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<D, C> {
+        let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
+        let motion = journey.grasp.outside(&here.twist_rate.normalize());
+        PathEnd::Lost(journey.loss(self.factor, kind, slides.collect(), Some(motion)))
     }
 }
 

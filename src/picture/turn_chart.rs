@@ -53,7 +53,7 @@ pub fn chart_of_turn<const D: usize, const C: usize>(
     fractions.sort_by(f64::total_cmp);
     let mut curves = vec![Vec::with_capacity(fractions.len()); grasp.len()];
     let on_the_way = fractions.into_iter().map(|fraction| Some((fraction, path.state_at(0, fraction)?)));
-    let end = path.position().map(|(_, fraction, state)| (fraction, state));
+    let end = path.state().map(|state| (path.place().1, state));
     for (fraction, state) in on_the_way.chain([end]).flatten() {
         for ((curve, answer), contact) in curves.iter_mut().zip(&state.contacts).zip(grasp.contacts()) {
             curve.push((degrees(fraction), part_used(answer, contact.friction)));

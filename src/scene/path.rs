@@ -239,9 +239,9 @@ impl Places {
         path: &path::LoadPath<W, C>,
     ) -> PathEnd<D, C> {
         match path.end() {
-            Some(path::PathEnd::Completed) => PathEnd::Completed {
-                state: path.position().map(|(_, _, state)| Box::new(self.equilibrium(&state))),
-            },
+            Some(path::PathEnd::Completed) => {
+                PathEnd::Completed { state: path.state().map(|state| Box::new(self.equilibrium(&state))) }
+            }
             Some(path::PathEnd::Lost(loss)) => {
                 let beyond = path.beyond().unwrap_or(path::Beyond::Undecided(Doubt::OnTheBoundary));
                 PathEnd::Lost { loss: self.loss(loss), beyond: self.beyond(&beyond) }

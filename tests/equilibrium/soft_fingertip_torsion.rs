@@ -145,7 +145,7 @@ fn a_path_of_torsion() {
             }));
         }
         assert!(events.len() >= 3 && !matches!(path.end(), Some(PathEnd::Completed) | None));
-        let (_, fraction, state) = path.position().expect("where it stopped");
+        let ((_, fraction), state) = (path.place(), path.state().expect("where it stopped"));
         assert_relatively_close!(fraction, 0.5);
         assert!(state.contacts.iter().all(|c| (c.friction_used() / MU - 1.0).abs() < 1e-11));
     }

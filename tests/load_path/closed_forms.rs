@@ -102,7 +102,7 @@ fn a_wedge_at_its_locking_angle() {
         }
         if holds {
             assert!(completed(path.end()), "{:?}", path.end());
-            assert_close!(path.position().unwrap().2.twist.translation()[1], -n1 / (k * s));
+            assert_close!(path.state().unwrap().twist.translation()[1], -n1 / (k * s));
         } else {
             let loss = limit_load(&path);
             assert!(
@@ -138,7 +138,7 @@ fn a_continuation_lost_by_snapping() {
     let snap = 912.0 / 109.0;
     assert_close!(loss.fraction, snap / 10.0);
     assert_eq!(loss.contacts, [0]);
-    let (_, _, last) = path.position().unwrap();
+    let last = path.state().unwrap();
     assert_close!(last.contacts[0].normal_force(), 952.0 / 109.0);
     assert_close!(last.contacts[0].force_world[0], 1428.0 / 109.0);
     // It goes the way the friction gives way: u' reversed, (-30, 12).
@@ -197,7 +197,7 @@ fn the_order_of_loading_matters() {
         let mut path = grasp.follow(&planar::Wrench::ZERO, &legs).unwrap();
         assert_story(&path.run(), &expected);
         assert!(completed(path.end()));
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         for finger in &end.contacts[..2] {
             assert_close!(finger.normal_force(), k * tight);
             assert_close!(finger.force_world[1], friction);
@@ -239,7 +239,7 @@ fn frictionless_supports_open_one_by_one_and_close_again() {
     expected.extend(out.iter().rev().map(|&(m, f)| (1, 1.0 - f, vec![(m, "closes")])));
     assert_story(&events, &expected);
     assert!(path.energies().iter().all(|e| e.dissipated == 0.0));
-    for support in &path.position().unwrap().2.contacts[..n as usize] {
+    for support in &path.state().unwrap().contacts[..n as usize] {
         assert_close!(support.normal_force(), w / f64::from(n));
     }
 }
@@ -273,8 +273,8 @@ fn infinite_friction_never_slides() {
     assert_close!(closed.twist.translation()[0], p / kb);
     // Unsheared: it sticks at x = P/kb and now pulls back there with kt(P/kb - x) = kb x.
     let x = p / kb * kt / (kt + kb);
-    assert_close!(path.position().unwrap().2.twist.translation()[0], x);
-    assert_close!(path.position().unwrap().2.contacts[0].force_world[0], kb * x);
+    assert_close!(path.state().unwrap().twist.translation()[0], x);
+    assert_close!(path.state().unwrap().contacts[0].force_world[0], kb * x);
 }
 
 /// It would open with a tangential force in hand: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and
@@ -298,7 +298,7 @@ fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     assert_eq!(loss.kind, LossKind::LetsGo);
     assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0][..]));
     assert_close!(loss.fraction, 131.0 / 260.0);
-    let (_, _, last) = path.position().unwrap();
+    let last = path.state().unwrap();
     assert_close!(last.contacts[0].force[0], 0.0);
     assert_close!(last.contacts[0].force[1], -406.0 / 39.0);
     assert_close!(last.twist.translation()[1], a);

@@ -74,7 +74,7 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let beyond = [path, &pieces, &continued].map(LoadPath::beyond);
     let kinds = beyond.each_ref().map(|beyond| beyond.as_ref().map(std::mem::discriminant));
     prop_assert!(kinds[0] == kinds[1] && kinds[1] == kinds[2], "{:?}", beyond);
-    if let (Some((_, _, a)), Some((_, _, b))) = (path.position(), pieces.position()) {
+    if let (Some(a), Some(b)) = (path.state(), pieces.state()) {
         same_state(scene, &a, &b, 1e-9)?;
     }
     Ok(())
@@ -92,7 +92,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
     same_in_pieces(scene, &path, &events, &places)?;
-    tally.checked += usize::from(path.position().is_some());
+    tally.checked += usize::from(path.state().is_some());
     Ok(())
 }
 

@@ -16,7 +16,7 @@ fn energy_balances<const D: usize, const C: usize>(
     let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
-    let Some((last_leg, last, _)) = path.position() else { return Ok(()) };
+    let (last_leg, last) = path.place();
     for leg in 0..=last_leg {
         let mut marks = vec![0.0];
         marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));

@@ -18,7 +18,7 @@ fn pulled(
         grasp.follow_with(&Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("run to its end")?.clone();
-    let (_, _, state) = path.position().ok_or("it starts")?;
+    let state = path.state().ok_or("it starts")?;
     Ok((state, end, path.beyond()))
 }
 

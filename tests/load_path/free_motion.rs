@@ -55,7 +55,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
                 assert!(motion.translation()[0].abs() + motion.rotation().abs() < 1e-14, "{motion:?}");
             }
             (Some(PathEnd::Completed), None) => {
-                let end = path.position().unwrap().2;
+                let end = path.state().unwrap();
                 assert_close!(end.twist.translation()[1], a - b);
                 assert_close!(end.contacts[1].force[0], 0.5 * p + m);
                 assert_close!(end.contacts[2].force[0], 0.5 * p - m);
@@ -71,7 +71,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     assert!(completed(path.end()), "{:?}", path.end());
     assert_eq!(events.len(), 1, "{events:?}");
     assert_close!(events[0].fraction, 0.5);
-    let end = path.position().unwrap().2;
+    let end = path.state().unwrap();
     assert_close!(end.twist.translation()[1], a);
     assert_close!(end.contacts[0].gap, 0.0);
     assert_close!(end.contacts[0].force[0], 0.0);
@@ -79,7 +79,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     path.continue_with(&[load(0.0, -w, 0.0)]).unwrap();
     path.run();
     assert!(completed(path.end()), "{:?}", path.end());
-    let end = path.position().unwrap().2;
+    let end = path.state().unwrap();
     assert_close!(end.contacts[0].force[0], w);
     assert_close!(end.twist.translation()[1], a - w / k);
 }
@@ -217,7 +217,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
         assert_close!(loss.fraction, 0.5 * (1.0 - m / (mu * n0)));
         let motion = loss.motion.expect("a motion");
         assert!(motion.rotation()[0] * side > 0.1, "{motion:?}");
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         assert_close!(end.contacts[2].force_world[2], side * m);
         assert_close!(end.contacts[2].normal_force(), m / mu);
     }

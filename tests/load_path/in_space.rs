@@ -83,7 +83,7 @@ fn torsion_follows_masing() {
     assert_close!(cycle, area(most));
     let small: f64 = path.energies()[3..5].iter().map(|e| e.load_work).sum();
     assert_close!(small, area(0.6 * strong));
-    let end = path.position().unwrap().2;
+    let end = path.state().unwrap();
     assert_close!(end.twist.rotation()[2], most);
     for (i, c) in end.contacts[..4].iter().enumerate() {
         assert_close!(c.force[2], -strengths[i % 2]);

@@ -14,7 +14,7 @@ fn samples<const D: usize, const C: usize>(
     path: &LoadPath<'_, D, C>,
     events: &[Event<D, C>],
 ) -> Vec<Vec<(usize, f64, Equilibrium<D, C>)>> {
-    let Some((last_leg, last, _)) = path.position() else { return Vec::new() };
+    let (last_leg, last) = path.place();
     let mut pieces = Vec::new();
     for leg in 0..=last_leg {
         let end = if leg < last_leg { 1.0 } else { last };

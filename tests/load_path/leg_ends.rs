@@ -77,13 +77,13 @@ fn sliding_at_the_end_of_a_leg() {
         let mut path = body.grasp.follow(&body.load(0.0, 0.0), &legs).unwrap();
         assert_story(&path.run(), &[slides(1)]);
         let mut path = body.up_to_the_edge(edge, 0.0);
-        let stands = path.position().unwrap().2;
+        let stands = path.state().unwrap();
         assert_eq!(stands.contacts[0].state, ContactState::Rolling);
         assert!(stands.contacts[0].margin.abs() < 1e-12 * body.n);
         path.continue_with(&[body.leg(1.5 * edge, 0.0)]).unwrap();
         assert_story(&path.run(), &[slides(1)]);
         // All but μN of the shear is then on the springs, as if there had been no cut.
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         assert_close!(
             end.twist.translation()[0] * body.kb / body.n,
             (1.5 * edge - body.mu * body.n) / body.n
@@ -102,7 +102,7 @@ fn sliding_at_the_end_of_a_leg() {
         assert!(path.run().is_empty() && completed(path.end()));
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        assert!(path.position().unwrap().2.contacts[0].slip.norm() == 0.0);
+        assert!(path.state().unwrap().contacts[0].slip.norm() == 0.0);
         let rest = [body.leg(edge, 0.0), Leg::load_by(Wrench::ZERO), body.leg(1.1 * edge, 0.0)];
         let mut path = body.grasp.follow(&body.load(0.0, 0.0), &rest).unwrap();
         assert_story(&path.run(), &[slides(2)]);
@@ -122,28 +122,28 @@ fn opening_at_the_end_of_a_leg() {
     for body in scenes() {
         let edge = body.opens_at();
         let mut path = body.up_to_the_edge(0.0, edge);
-        assert!(path.position().unwrap().2.contacts[0].force.norm() < 1e-12 * body.n);
+        assert!(path.state().unwrap().contacts[0].force.norm() < 1e-12 * body.n);
         path.continue_with(&[body.leg(0.0, 2.0 * edge)]).unwrap();
         assert_story(&path.run(), &[(1, 0.0, vec![(0, "opens")])]);
         // It rises by a until it opens, and then on the springs alone.
         let gap = |lift: f64| (lift - edge) / body.kb;
-        let open = path.position().unwrap().2;
+        let open = path.state().unwrap();
         assert_close!(open.contacts[0].gap / gap(2.0 * edge), 1.0);
         // Down again to where it closes, and up once more: it touched and that was all.
         path.continue_with(&[body.leg(0.0, edge), body.leg(0.0, 1.5 * edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        assert_close!(path.position().unwrap().2.contacts[0].gap / gap(1.5 * edge), 1.0);
+        assert_close!(path.state().unwrap().contacts[0].gap / gap(1.5 * edge), 1.0);
         // Down to where it closes, and further down.
         path.continue_with(&[body.leg(0.0, edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert_story(&path.run(), &[(5, 0.0, vec![(0, "closes")])]);
-        assert_close!(path.position().unwrap().2.contacts[0].force[0] / body.n, 1.0);
+        assert_close!(path.state().unwrap().contacts[0].force[0] / body.n, 1.0);
         // Turned back where it would have opened, it has never been open.
         let mut path = body.up_to_the_edge(0.0, edge);
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        assert_close!(path.position().unwrap().2.contacts[0].force[0] / body.n, 1.0);
+        assert_close!(path.state().unwrap().contacts[0].force[0] / body.n, 1.0);
     }
 }
 
@@ -159,7 +159,7 @@ fn closing_at_the_end_of_a_leg_elsewhere() {
         assert!(completed(path.end()));
         path.continue_with(&[body.leg(shear, 0.0)]).unwrap();
         assert_story(&path.run(), &[(3, 0.0, vec![(0, "closes")])]);
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         assert_close!(end.contacts[0].force[0] / body.n, 1.0);
         assert!(end.contacts[0].force[1].abs() < 1e-12 * body.n, "{}", end.contacts[0].force);
         assert_close!(end.twist.translation()[0] * body.kb / shear, 1.0);
@@ -178,7 +178,7 @@ fn a_limit_load_at_the_end_of_a_leg() {
         let leg = |w: f64| Leg::load_to(Wrench::force([0.0, -w]));
         let mut path = grasp.follow(&Wrench::ZERO, &[leg(edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        assert_close!(path.position().unwrap().2.twist.translation()[1] * 2.0 * kt / edge, -1.0);
+        assert_close!(path.state().unwrap().twist.translation()[1] * 2.0 * kt / edge, -1.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO), leg(0.5 * edge), leg(edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()), "{:?}", path.end());
         path.continue_with(&[leg(1.1 * edge)]).unwrap();

@@ -9,6 +9,7 @@ mod ends;
 mod energy;
 mod everyday;
 mod fold;
+mod followers;
 mod free_motion;
 mod in_space;
 mod invariance;

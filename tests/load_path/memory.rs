@@ -29,7 +29,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
         let list = there.equilibria(&Wrench::from_vector(end.load)).unwrap();
         prop_assert!(!list.is_empty(), "the path found one");
         if list.len() == 1 {
-            same_state(&scene, &list[0], &path.position().unwrap().2, 1e-9)?;
+            same_state(&scene, &list[0], &path.state().unwrap(), 1e-9)?;
             tally.checked += usize::from(!events.is_empty());
         }
         Ok(())
@@ -52,12 +52,11 @@ fn a_path_without_events_can_be_reversed() {
         tally.count(&events, &path);
         let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };
         let quiet = start.contacts.iter().all(|c| !matches!(c.state, ContactState::Sliding { .. }));
-        let reached =
-            path.position().is_some_and(|(leg, f, _)| leg + 2 > there || (leg + 2 == there && f == 1.0));
+        let reached = path.place().0 + 2 > there || path.place() == (there - 2, 1.0);
         if quiet && reached && events.iter().all(|e| e.leg + 1 >= there) {
             prop_assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
             prop_assert!(events.is_empty(), "{:?}", events[0].changes);
-            same_state(&scene, &start, &path.position().unwrap().2, 1e-13)?;
+            same_state(&scene, &start, &path.state().unwrap(), 1e-13)?;
             tally.checked += 1;
         }
         Ok(())

@@ -139,7 +139,7 @@ fn pulled_at_a_corner_and_at_a_facet_nothing_turns() {
         assert_event(&events[0], 0, 1.0 / 3.0, "slides", Some(angle));
         assert_event(&events[1], 1, 0.0, "sticks", None);
         assert_event(&events[2], 1, 1.0 / 3.0, "slides", Some(angle + TAU / 2.0));
-        let (f, u) = foot(&path.position().unwrap().2);
+        let (f, u) = foot(&path.state().unwrap());
         assert!((f + at(angle) * strength).norm() < 1e-12);
         assert!((u - at(angle) * ((q - 4.0 * strength) / KB)).norm() < 1e-11);
     }
@@ -158,7 +158,7 @@ fn the_load_turns_and_the_feet_follow() {
         let more = 2.0 * 2.0 * r * FRAC_PI_8.tan() * all / (KT * (psi - 3.0 * FRAC_PI_8).sin().abs());
         let (path, events) = follow(&grasp, &[q, q + at(psi) * more]);
         assert_event(&events[0], 0, 0.5, "slides", Some(FRAC_PI_4));
-        let (f, _) = foot(&path.position().unwrap().2);
+        let (f, _) = foot(&path.state().unwrap());
         if sweeps {
             assert_event(&events[1], 1, 0.0, "turns", Some(3.0 * FRAC_PI_8));
             assert_event(&events[2], 1, 0.5, "turns", Some(psi));

@@ -237,7 +237,7 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
     }
     // Where the path ends only the way there tells it from a single leg: nothing does.
     let (straight, _) = pad.follow(&[q3]);
-    let (a, b) = (path.position().unwrap().2, straight.position().unwrap().2);
+    let (a, b) = (path.state().unwrap(), straight.state().unwrap());
     for (a, b) in a.contacts.iter().zip(&b.contacts) {
         assert_close!(a.force_world[0], b.force_world[0]);
         assert_close!(a.slip[1], b.slip[1]);

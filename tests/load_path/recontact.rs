@@ -71,7 +71,7 @@ fn it_sticks_where_its_force_vanishes() {
     let grasp = body(MU);
     let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, 2.0 * l)]);
     assert_story(&events, &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "sticks")])]);
-    let end = path.position().unwrap().2;
+    let end = path.state().unwrap();
     assert_close!(end.contacts[0].force[0], C * a);
     assert_close!(end.contacts[0].force[1], 0.0);
     assert_close!(end.contacts[0].slip[1], 2.0 * l);
@@ -100,7 +100,7 @@ fn it_closes_without_tangential_force() {
         let open = path.state_at(2, 1.0).unwrap();
         assert_close!(open.contacts[0].gap, a);
         assert_close!(open.twist.translation()[0], 0.0);
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         let friction = if how == "closes" { E * drag } else { MU * C * a };
         assert_close!(end.contacts[0].force[1], friction);
         assert_close!(end.contacts[0].slip[1], 1.0 + 2.0 * drag - friction / E);
@@ -122,7 +122,7 @@ fn a_clearance_is_travelled_first() {
         &[(0, 0.75, vec![(0, "closes")]), (2, slides, vec![(0, "slides")]), (2, 0.25, vec![(0, "opens")])],
     );
     assert_close!(path.state_at(1, 0.0).unwrap().contacts[0].force[0], C * 0.1);
-    assert_close!(path.position().unwrap().2.contacts[0].gap, 0.3);
+    assert_close!(path.state().unwrap().contacts[0].gap, 0.3);
 }
 
 /// Two fingers pinch a body (N = k a each) that weighs w and let go until 2μN = w. No load changes, the commands alone lose it: a
@@ -140,7 +140,7 @@ fn letting_go_drops_the_body() {
     assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0, 1][..]));
     assert_close!(loss.fraction, 1.0 - w / (2.0 * mu * k * a));
     assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
-    assert_close!(path.position().unwrap().2.twist.translation()[1], -w / (2.0 * kt));
+    assert_close!(path.state().unwrap().twist.translation()[1], -w / (2.0 * kt));
 }
 
 /// In space and without a load: a finger slides on a body that three bonded springs carry, is drawn off it while it slides, and comes

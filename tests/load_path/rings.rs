@@ -85,7 +85,7 @@ fn squeezed_turned_let_go_and_squeezed_again() {
         assert_story(&events, &[(2, 0.8 / 1.5, all(n, "slides")), (3, 0.0, all(n, "sticks"))]);
         let loose = path.state_at(2, 1.0).unwrap();
         assert_close!(loose.twist.rotation(), (torque - size * MU * K * 0.5 * A) / BASE);
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         for c in &end.contacts[..n] {
             assert_close!(c.normal_force(), 2.0 * K * A);
             // t = (n_y, -n_x) goes the way of a positive turn, friction against it.
@@ -146,7 +146,7 @@ fn a_side_load_goes_through_mirror_images() {
         assert_mirrored(n, &events);
         // Each contact slides, sticks, opens and closes a few times a leg.
         assert!(events.len() <= 3 * 4 * (n / 2 + 1), "{n}: {} events", events.len());
-        let end = path.position().unwrap().2;
+        let end = path.state().unwrap();
         assert!(
             end.twist.translation()[1].abs() + end.twist.rotation().abs() < 1e-12,
             "{n}: {:?}",
@@ -251,7 +251,7 @@ fn a_ring_in_space_let_go_and_squeezed_again() {
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
         assert_story(&events, &[(2, 0.8 / 1.5, all(n, "slides")), (3, 0.0, all(n, "sticks"))]);
-        for c in &path.position().unwrap().2.contacts[..n] {
+        for c in &path.state().unwrap().contacts[..n] {
             assert_close!(c.force_world[2], MU * K * 0.5 * A - share);
         }
     }

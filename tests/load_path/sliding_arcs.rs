@@ -136,7 +136,7 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let settings = Settings::default().with_step_error(1e-9);
     let mut path = grasp.follow_with(&Wrench::ZERO, &legs, &settings).unwrap();
     path.run();
-    let (last, end) = path.position().map(|(leg, _, state)| (leg, state)).unwrap();
+    let ((last, _), end) = (path.place(), path.state().unwrap());
     assert_eq!(last + 1, legs.len());
     // Where it is: the slip, from the centre of the circle.
     let slip = &end.contacts[0].slip;
@@ -192,7 +192,7 @@ fn springs_that_differ_along_the_tangents() {
     let (x, y) = (0.4, 1.1 * r / k2);
     let mut path = grasp.follow_with(&Wrench::ZERO, &[drag(0.0, y), drag(x, 0.0)], &to_all_digits()).unwrap();
     path.run();
-    let end = path.position().unwrap().2;
+    let end = path.state().unwrap();
     let reference = extrapolated(|n| returned(k1, k2, r, [0.0, y], [x, 0.0], n));
     assert!(
         (end.contacts[0].force[1] - reference[0]).abs() < 1e-9 * r,
@@ -252,6 +252,6 @@ fn a_leash_at_right_angles_gives_way_at_once() {
     let events = path.run();
     assert_eq!((events[0].leg, events[0].fraction), (1, 0.0));
     let turned = FRAC_PI_2 - 2.0 * (-1e-3_f64).exp().atan();
-    let force = &path.position().unwrap().2.contacts[0].force;
+    let force = &path.state().unwrap().contacts[0].force;
     assert_close!(force[1], MU * normal_force() * turned.sin());
 }

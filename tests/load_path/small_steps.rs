@@ -28,7 +28,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
     let events = path.run();
     tally.count(&events, &path);
     let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };
-    let (last_leg, last, end) = path.position().unwrap();
+    let ((last_leg, last), end) = (path.place(), path.state().unwrap());
     let width = 1.0 / STEPS as f64;
     let mut step = scene.first_step(&start);
     for leg in 0..=last_leg {

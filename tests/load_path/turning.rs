@@ -88,7 +88,7 @@ fn one_leg_of_many_turns_is_many_legs() -> Result<(), Error> {
     let legs = creep(1.0, 4)?;
     let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &[Leg::turn(&radial(1.0).up_to(4.0 * TAU))])?;
     path.run();
-    let end = path.position().expect("has passed").2;
+    let end = path.state().expect("has passed");
     assert!((end.twist.rotation() - legs[3]).abs() < 1e-14);
     Ok(())
 }
@@ -103,7 +103,7 @@ fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
             .collect();
         let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &legs)?;
         path.run();
-        Ok((path.position().expect("has passed").2.twist.rotation() - exact).abs())
+        Ok((path.state().expect("has passed").twist.rotation() - exact).abs())
     };
     // How large it is depends on where in a chord events fall: the worst of some numbers of chords near each other.
     let worst = |about: i32| {
@@ -146,7 +146,7 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(events.len() > 2, "{events:?}");
-    let exact = path.position().expect("has passed").2;
+    let exact = path.state().expect("has passed");
     let energy = path.energies()[1];
     assert!(energy.residual().abs() < 1e-11 && energy.dissipated > 1e-3, "{energy:?}");
     let chord_error = |chords: i32| -> Result<f64, Error> {
@@ -155,7 +155,7 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
         let legs: Vec<_> = start.iter().cloned().chain((1..=chords).map(chord)).collect();
         let mut path = grasp.follow_with(&weight, &legs, &settings)?;
         path.run();
-        let end = path.position().expect("has passed").2;
+        let end = path.state().expect("has passed");
         let apart = |(a, b): (&spatial::ContactAnswer, &spatial::ContactAnswer)| (a.force - b.force).norm();
         Ok(end.contacts.iter().zip(&exact.contacts).map(apart).fold(0.0, f64::max))
     };
@@ -171,10 +171,10 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let grasp = shaft(1.0);
     let turn = radial(1.0);
     let both = Leg::turn(&turn).and_commands_by([[1e-3, 0.0]; 8]);
-    let refused = grasp.follow(&Wrench::ZERO, &[both]).err().expect("refused");
+    let refused = grasp.follow(&Wrench::ZERO, &[both]).expect_err("refused");
     assert_eq!(refused.to_string(), "commands of a leg: change while the load turns, must stay");
     let refused = grasp.follow_patch(&Wrench::ZERO, &[Leg::turn(&turn)]).map(|_| ()).expect_err("refused");
     assert_eq!(refused.to_string(), "follow_patch: the load of a leg turns, must go straight");
-    let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).err().expect("refused");
+    let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");
     assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6");
 }

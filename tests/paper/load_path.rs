@@ -129,7 +129,7 @@ fn residual_forces_after_unloading() {
     assert_close!(events[0].fraction, 0.4);
     assert_close!(events[1].fraction, 0.0);
     assert_close!(events[2].fraction, 0.8);
-    let (leg, fraction, state) = path.position().expect("followed");
+    let ((leg, fraction), state) = (path.place(), path.state().expect("followed"));
     assert_eq!((leg, fraction), (1, 1.0));
     assert_close!(state.twist.translation()[0], 0.125);
     assert_close!(state.contacts[0].force_world[0], 1.0);
@@ -160,7 +160,7 @@ fn a_support_lets_go_and_takes_hold_again() {
     assert_eq!(events[0].changes, [(0, Change::Opens)]);
     assert_close!(events[1].fraction, 1.0 - 2.0 / 2.7);
     assert_eq!(events[1].changes, [(0, Change::Closes)]);
-    let (_, _, end) = path.position().unwrap();
+    let end = path.state().unwrap();
     for contact in &end.contacts[..3] {
         assert_close!(contact.normal_force(), w / 3.0);
     }
@@ -189,7 +189,7 @@ fn regrasping_starts_without_tangential_force() {
     // Four share the load (0.1 each); letting go, the second pair slides when 0.5 N = T, opens at N = 0, closes at N = 0.
     let kinds: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
     assert_eq!(kinds.first(), Some(&(1, 2)), "{events:#?}");
-    let (_, _, end) = path.position().unwrap();
+    let end = path.state().unwrap();
     for c in &end.contacts[..2] {
         assert_close!(c.force_world[1], w / 2.0);
     }

@@ -107,7 +107,7 @@ fn compare<const D: usize, const C: usize>(
         count.states += 1;
         Ok(())
     };
-    if let (Some(a), Some((_, _, b))) = (short.state(), long.position()) {
+    if let (Some(a), Some(b)) = (short.state(), long.state()) {
         alike(&a, &b)?;
     }
     tally.checked += 1;
@@ -123,7 +123,7 @@ fn compare<const D: usize, const C: usize>(
             told += 1;
         }
         if let (true, Some(a), Some(b)) = (slow.end().is_none(), slow.state(), long.state_at(leg, 0.5)) {
-            prop_assert_eq!(slow.position(), (leg, 0.5));
+            prop_assert_eq!(slow.place(), (leg, 0.5));
             alike(&a, &b)?;
         }
     }

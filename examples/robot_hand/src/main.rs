@@ -331,7 +331,7 @@ fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<Reach
         Some(PathEnd::Lost(loss)) => loss.fraction * MOST,
         end => return Err(format!("the path cannot be followed: {end:?}").into()),
     };
-    Ok(Reach { force, stalled, state: path.position().map(|(_, _, state)| state) })
+    Ok(Reach { force, stalled, state: path.state() })
 }
 
 /// Circles of latitude around a ball, between which it is shaded.

@@ -196,8 +196,9 @@ fn shown<const W: usize>(
                 );
                 page = page.frame(label, &event.state);
             }
-            match path.position() {
-                Some((leg, fraction, state)) => {
+            match path.state() {
+                Some(state) => {
+                    let (leg, fraction) = path.place();
                     page.frame(format!("{number}. leg {leg} at {fraction:.6}: the path's end"), &state)
                 }
                 None => page,

@@ -13,10 +13,11 @@ use nalgebra::SVector;
 
 use super::moving_contact::MovingContact;
 use super::patch_event::PatchEvent;
-use super::patch_path::{Due, PatchPath};
+use super::patch_path::{Due, Patch};
 use super::stand::Stand;
 use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
-use crate::load_path::event::{Loss, LossKind, PathEnd};
+use crate::load_path::event::{LossKind, PathEnd};
+use crate::load_path::journey::Journey;
 use crate::load_path::transition::change;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to
@@ -28,12 +29,12 @@ const STEPS: usize = 24;
 /// does move.
 const MOST_ROUNDING: f64 = 1e-10;
 
-impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
+impl<const D: usize, const C: usize> Patch<D, C> {
     /// Decides how the path goes on from here; the changes are told.
-    pub(super) fn decide(&mut self, due: Due) -> Result<(), PathEnd<D, C>> {
-        let decided = self.decide_among_stands(due);
+    pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<D, C>> {
+        let decided = self.decide_among_stands(journey, due);
         if decided.is_ok() {
-            self.take_over();
+            self.take_over(journey);
         } else {
             // The path ends in the states that it has come in.
             self.put_each(|_, stand| stand.was);
@@ -43,7 +44,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         decided
     }
 
-    fn decide_among_stands(&mut self, due: Due) -> Result<(), PathEnd<D, C>> {
+    fn decide_among_stands(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<D, C>> {
         for stand in &self.stands {
             self.balance.remember(stand.contact);
         }
@@ -59,15 +60,15 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
             self.newton()
         };
         if !found {
-            self.ask_about_all()?;
+            self.ask_about_all(journey)?;
         }
-        self.part_idle_contacts()?;
-        self.check_infinite_friction()
+        self.part_idle_contacts(journey)?;
+        self.check_infinite_friction(journey)
     }
 
     /// A contact that touches without force, and gets none, does not drag the object along. Where
     /// it may as well part from the object, which moves less then, it parts; forces are the same.
-    fn part_idle_contacts(&mut self) -> Result<(), PathEnd<D, C>> {
+    fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
         let balance = &self.balance;
         let is_idle = |stand: &&Stand<C>| {
             let contact = balance.contact(stand.contact);
@@ -93,7 +94,7 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         for (k, stand) in self.stands.iter().enumerate() {
             self.balance.put(stand.contact, states.get(k).copied().unwrap_or(stand.was));
         }
-        if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided()) }
+        if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided(journey)) }
     }
 
     fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &Stand<C>) -> PolygonState) {
@@ -150,18 +151,18 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
 
     /// Infinite friction keeps its tangential force until the normal force is gone, and loses it
     /// all at once.
-    fn check_infinite_friction(&mut self) -> Result<(), PathEnd<D, C>> {
+    fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
         for k in 0..self.stands.len() {
             let Stand { contact, was, .. } = self.stands[k];
             let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
-            if !opens || !self.grasp.sites()[contact as usize].friction.is_infinite() {
+            if !opens || !journey.grasp.sites()[contact as usize].friction.is_infinite() {
                 continue;
             }
             // It sticks up to here.
-            let motion = self.unit_motion();
+            let motion = self.unit_motion().map(|v| journey.grasp.outside(&v));
             self.balance.put(contact, was);
             if self.balance.holds_along(contact) {
-                return Err(PathEnd::Lost(Loss { kind: LossKind::LetsGo, ..self.loss(motion) }));
+                return Err(PathEnd::Lost(self.loss(journey, LossKind::LetsGo, motion)));
             }
             self.balance.put(contact, Mode::Open);
         }
@@ -169,16 +170,16 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     }
 
     /// Tells what has changed, and puts the contacts that stand here in line again.
-    fn take_over(&mut self) {
-        let load = self.program.load_at(self.balance.tau);
+    fn take_over(&mut self, journey: &Journey<'_, D, C>) {
+        let load = journey.program.load_at(self.balance.tau);
         self.told.clear();
         for stand in &self.stands {
             let number = stand.contact as usize;
             let is = self.balance.contacts[number].state;
-            let before = (State::from(stand.was), self.outward(number, stand.was));
-            let after = (State::from(is), self.slip_direction(number));
+            let before = (State::from(stand.was), outward(journey, number, stand.was));
+            let after = (State::from(is), self.slip_direction(journey, number));
             if let Some(change) = change(before, after) {
-                let (leg, fraction) = (self.program.leg, self.balance.tau);
+                let (leg, fraction) = (journey.program.leg, self.balance.tau);
                 self.told.push(PatchEvent { leg, fraction, load, contact: number, change });
             }
             if is.is_open() {
@@ -193,19 +194,11 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         self.told.sort_unstable_by_key(|event| std::cmp::Reverse(event.contact));
     }
 
-    /// The middle of the directions in which a sliding contact may slip, coordinate axes.
-    fn outward(&self, contact: usize, state: PolygonState) -> Option<SVector<f64, C>> {
-        let normals = &self.polygon.normals;
-        let [first, second] = state.own_facets(normals.len());
-        let outward = normals[first?] + second.map_or_else(SVector::zeros, |second| normals[second]);
-        Some(self.grasp.sites()[contact].frame * outward.normalize())
-    }
-
     /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip
     /// rate is zero, that in which it would start.
-    fn slip_direction(&self, contact: usize) -> Option<SVector<f64, C>> {
-        let (moving, site) = (&self.balance.contacts[contact], &self.grasp.sites()[contact]);
-        let outward = self.outward(contact, moving.state)?;
+    fn slip_direction(&self, journey: &Journey<'_, D, C>, contact: usize) -> Option<SVector<f64, C>> {
+        let (moving, site) = (&self.balance.contacts[contact], &journey.grasp.sites()[contact]);
+        let outward = outward(journey, contact, moving.state)?;
         let mut slip = self.balance.stretch_rate(moving) - self.balance.force_rate(moving);
         slip[0] = 0.0;
         for axis in 1..C {
@@ -214,4 +207,16 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
         let along = site.frame * slip;
         Some(if slip.norm() > 0.0 && along.dot(&outward) > 0.0 { along.normalize() } else { outward })
     }
+}
+
+/// The middle of the directions in which a sliding contact may slip, coordinate axes.
+fn outward<const D: usize, const C: usize>(
+    journey: &Journey<'_, D, C>,
+    contact: usize,
+    state: PolygonState,
+) -> Option<SVector<f64, C>> {
+    let normals = &journey.polygon.normals;
+    let [first, second] = state.own_facets(normals.len());
+    let outward = normals[first?] + second.map_or_else(SVector::zeros, |second| normals[second]);
+    Some(journey.grasp.sites()[contact].frame * outward.normalize())
 }

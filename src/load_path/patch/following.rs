@@ -1,15 +1,18 @@
 //! From event to event, leg by leg.
 
-use std::sync::Arc;
+use nalgebra::SVector;
 
 use super::bounds_ahead::Piece;
 use super::patch_event::PatchEvent;
-use super::patch_path::{Due, PatchPath};
-use crate::contact::{Polygon, PolygonCone};
+use super::patch_path::{Due, Patch, PatchPath};
+use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::leg::{Leg, Program};
+use crate::load_path::follower::{Came, Edge, Follower};
+use crate::load_path::journey::Journey;
+use crate::load_path::leg::Leg;
+use crate::load_path::path::Path;
 use crate::search::Settings;
 
 /// Steps of no length in a row that are still events of one node: with more, rounding goes in
@@ -23,49 +26,31 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// there is [`Self::follow_in_steps`]. See [`PatchPath`].
     ///
     /// # Errors
-    /// As for [`Self::follow`].
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::StraightOnly`] if the load of a leg turns.
     pub fn follow_patch(
         &self,
         start: &Wrench<D, C>,
         legs: &[Leg<D, C>],
     ) -> Result<PatchPath<'_, D, C>, Error> {
-        self.follow_patch_on(start, legs, PolygonCone::default())
+        self.follow_patch_with(start, legs, &Settings::default())
     }
 
-    /// The same on another polygonal cone; in the plane it is not looked at.
+    /// The same with other [`Settings`]: on another polygonal [cone](Settings::cone). Whether they ask for the round one is not looked at.
     ///
     /// # Errors
-    /// As for [`Self::follow`].
-    pub fn follow_patch_on(
+    /// As for [`Self::follow_patch`].
+    pub fn follow_patch_with(
         &self,
         start: &Wrench<D, C>,
         legs: &[Leg<D, C>],
-        cone: PolygonCone,
+        settings: &Settings,
     ) -> Result<PatchPath<'_, D, C>, Error> {
         self.refuse_hands("follow_patch")?;
-        let wrench = self.load_alone(start, "start load")?;
-        let mut program = Program::new(self, *start);
-        program.extend_straight(self, legs, "follow_patch")?;
-        let (polygon, settings) = (Arc::new(Polygon::new(&cone)), Settings::default().with_cone(cone));
-        Ok(PatchPath::new(self, program, polygon, settings.on_the_polygon(), &wrench))
+        Path::start(self, (start, legs), &settings.on_the_polygon(), Patch::at_start)
     }
 }
 
 impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
-    /// Appends legs to the program; a completed path goes on, one that has ended otherwise does
-    /// not.
-    ///
-    /// # Errors
-    /// As for [`Grasp::follow`].
-    pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
-        self.program.extend_straight(self.grasp, legs, "continue_with of a patch")?;
-        if matches!(self.end, Some(PathEnd::Completed)) && !legs.is_empty() {
-            self.end = None;
-            self.begin_leg();
-        }
-        Ok(())
-    }
-
     /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands
     /// there, or has ended before. To look at a state on the way, take events until there are none,
     /// then ask for [`state`](Self::state).
@@ -85,27 +70,82 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<D, C>> {
-        while self.told.is_empty() && self.end.is_none() {
-            match std::mem::take(&mut self.due) {
-                Due::Nothing => {
-                    let here = (self.program.leg, self.balance.tau);
-                    if here.0 > leg || (here.0 == leg && here.1 >= fraction) {
-                        return None;
-                    }
-                    self.advance(if here.0 == leg { fraction.min(1.0) } else { 1.0 });
-                }
-                due => match self.decide(due) {
-                    Err(end) => self.end = Some(end),
-                    Ok(()) if due == Due::Start => self.ahead.set_out(&mut self.balance),
-                    Ok(()) => self.ahead.requeue(&mut self.balance),
-                },
+        loop {
+            let patch = self.follower.as_ref()?;
+            let (here, stop) = (self.place(), (leg, fraction));
+            if self.end().is_some() || (here >= stop && patch.has_nothing_due()) {
+                return None;
+            }
+            let most = if here.0 == leg { fraction.min(1.0) } else { 1.0 };
+            if let event @ Some(_) = self.go(|patch, journey| patch.go_up_to(journey, most)) {
+                return event;
             }
         }
-        self.told.pop()
+    }
+}
+
+impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Patch<D, C> {
+    type Told = PatchEvent<D, C>;
+
+    const STRAIGHT_ONLY: Option<&'static str> = Some("follow_patch");
+
+    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>> {
+        self.begin_leg(journey)
     }
 
-    /// Goes on to the next event of the leg, or up to this fraction of it.
-    fn advance(&mut self, most: f64) {
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<PatchEvent<D, C>>, PathEnd<D, C>> {
+        self.go_up_to(journey, 1.0)
+    }
+
+    fn fraction(&self) -> f64 {
+        self.balance.tau
+    }
+
+    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>> {
+        Some(self.equilibrium(journey))
+    }
+
+    fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+        self.forces_at(journey.grasp.sites(), &self.balance.balanced())
+    }
+
+    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+        self.all_contacts(journey)
+    }
+}
+
+impl<'g, const D: usize, const C: usize> Patch<D, C> {
+    /// Whether nothing has to be told or decided before the path goes on.
+    fn has_nothing_due(&self) -> bool {
+        self.told.is_empty() && self.due == Due::Nothing
+    }
+
+    /// Goes on up to this fraction of the leg.
+    fn go_up_to(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        most: f64,
+    ) -> Result<Came<PatchEvent<D, C>>, PathEnd<D, C>> {
+        if let Some(event) = self.told.pop() {
+            return Ok(Came::To(event));
+        }
+        let leg_done = match std::mem::take(&mut self.due) {
+            Due::Nothing => self.advance(journey, most)?,
+            due => {
+                self.decide(journey, due)?;
+                if due == Due::Start {
+                    self.ahead.set_out(&mut self.balance);
+                } else {
+                    self.ahead.requeue(&mut self.balance);
+                }
+                false
+            }
+        };
+        Ok(if leg_done { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
+    }
+
+    /// Goes on to the next event of the leg, or up to this fraction of it. Whether the leg is done.
+    fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<D, C>> {
         let before = self.balance.tau;
         match self.ahead.first_exits(&mut self.balance, most - before) {
             Piece::ToAnEdge(step) => {
@@ -113,20 +153,18 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
                 self.ahead.correct(&mut self.balance, before);
                 self.stalls = if self.balance.tau > before { 0 } else { self.stalls + 1 };
                 if self.stalls > MOST_STALLS {
-                    self.end = Some(self.undecided());
-                    return;
+                    return Err(self.undecided(journey));
                 }
                 self.stand();
                 self.due = Due::Event;
+                Ok(false)
             }
             Piece::ToTheEnd => {
                 self.ahead.go_to(&mut self.balance, most);
                 if most < 1.0 {
                     self.ahead.requeue(&mut self.balance);
-                    return;
                 }
-                self.program.leg += 1;
-                self.begin_leg();
+                Ok(most >= 1.0)
             }
         }
     }
@@ -157,13 +195,5 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
                 }
             }
         }
-    }
-}
-
-impl<const D: usize, const C: usize> Iterator for PatchPath<'_, D, C> {
-    type Item = PatchEvent<D, C>;
-
-    fn next(&mut self) -> Option<PatchEvent<D, C>> {
-        self.next_before(usize::MAX, 0.0)
     }
 }

@@ -13,7 +13,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `patch_path`, `patch_event` | where the path stands, and what happens there |
+//! | `patch_path`, `patch_event` | the follower, and what happens where it stands |
 //! | `moving_contact` | one contact on its way, and what its law watches |
 //! | `stand` | what it stands on |
 //! | `trial_leg` | the elastic trial state along a leg |
@@ -22,9 +22,9 @@
 //! | `sliding_on` | which sliding contacts come to rest |
 //! | `start` | the equilibrium to start from, and the start of each leg |
 //! | `continuation` | what comes next at an event |
-//! | `all_contacts` | the same asked of all contacts, and the end of the path |
-//! | `following` | from event to event, leg by leg |
-//! | `state_on_the_way` | the state as physics |
+//! | `all_contacts` | the states of all contacts at once, and the end of the path |
+//! | `following` | from event to event |
+//! | `state_on_the_way` | the state as physics, and what stands on an edge |
 
 mod all_contacts;
 mod balance;
@@ -41,4 +41,4 @@ mod state_on_the_way;
 mod trial_leg;
 
 pub use patch_event::PatchEvent;
-pub use patch_path::PatchPath;
+pub use patch_path::{Patch, PatchPath};

@@ -1,6 +1,6 @@
-//! The path itself: where it stands, and what ends it there.
+//! The follower of thousands of contacts: where it stands, and what ends its path there.
 
-use std::sync::Arc;
+use nalgebra::SVector;
 
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
@@ -8,11 +8,11 @@ use super::patch_event::PatchEvent;
 use super::sliding_on::SlidingOn;
 use super::stand::Stand;
 use super::trial_leg::TrialLeg;
-use crate::contact::Polygon;
-use crate::grasp::{Grasp, Twist};
+use crate::grasp::Twist;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
-use crate::load_path::leg::Program;
-use crate::search::{Doubt, Settings};
+use crate::load_path::journey::Journey;
+use crate::load_path::path::Path;
+use crate::search::Doubt;
 
 /// What has to be decided before the path goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,7 +26,8 @@ pub(super) enum Due {
 }
 
 /// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one
-/// contact at a time. Made by [`Grasp::follow_patch`]; when the iterator has ended,
+/// contact at a time. Made by
+/// [`Grasp::follow_patch`](crate::grasp::Grasp::follow_patch); when the iterator has ended,
 /// [`end`](Self::end) says how the path did.
 ///
 /// The law is that of [`LoadPath`](crate::load_path::LoadPath), with slip memory, in space **on the
@@ -56,12 +57,11 @@ pub(super) enum Due {
 /// assert!(path.state().unwrap().twist.translation()[0] > 0.0);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
+pub type PatchPath<'g, const D: usize, const C: usize> = Path<'g, D, C, Patch<D, C>>;
+
+/// The follower of a [`PatchPath`].
 #[derive(Debug)]
-pub struct PatchPath<'g, const D: usize, const C: usize> {
-    pub(super) grasp: &'g Grasp<D, C>,
-    pub(super) settings: Settings,
-    pub(super) polygon: Arc<Polygon<C>>,
-    pub(super) program: Program<D, C>,
+pub struct Patch<const D: usize, const C: usize> {
     pub(super) trial: TrialLeg<D>,
     pub(super) balance: Balance<D, C>,
     pub(super) ahead: BoundsAhead<D>,
@@ -73,30 +73,18 @@ pub struct PatchPath<'g, const D: usize, const C: usize> {
     pub(super) stalls: usize,
     /// Events that have happened and were not told yet, the next one last.
     pub(super) told: Vec<PatchEvent<D, C>>,
-    pub(super) end: Option<PathEnd<D, C>>,
 }
 
 impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
-    /// How the path ended; `None` while there is more to follow.
-    #[must_use]
-    pub fn end(&self) -> Option<&PathEnd<D, C>> {
-        self.end.as_ref()
-    }
-
-    /// Where the path stands: leg, from 0, and fraction of it, from 0 to 1. Once completed the leg
-    /// is the number of legs.
-    #[must_use]
-    pub fn position(&self) -> (usize, f64) {
-        (self.program.leg, self.balance.tau)
-    }
-
     /// How often a contact has been looked at so far: a measure of the work that does not depend on
     /// the machine.
     #[must_use]
     pub fn contacts_looked_at(&self) -> usize {
-        self.balance.looked_at
+        self.follower.as_ref().map_or(0, |patch| patch.balance.looked_at)
     }
+}
 
+impl<const D: usize, const C: usize> Patch<D, C> {
     /// A contact that slides or stands elsewhere joins those that stand here.
     pub(super) fn join(&mut self, contact: u32) {
         self.stands.push(self.balance.stand_of(contact));
@@ -109,26 +97,28 @@ impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
     }
 
     /// Equilibrium is lost here, the object leaving with this motion.
-    pub(super) fn loss(&self, motion: Option<Twist<D, C>>) -> Loss<D, C> {
+    pub(super) fn loss(
+        &self,
+        journey: &Journey<'_, D, C>,
+        kind: LossKind,
+        motion: Option<Twist<D, C>>,
+    ) -> Loss<D, C> {
         let mut contacts: Vec<usize> = self.stands.iter().map(|stand| stand.contact as usize).collect();
         let all = &self.balance.contacts;
         contacts.extend((0..all.len()).filter(|&i| all[i].state.slides()));
         contacts.sort_unstable();
         contacts.dedup();
-        let (leg, fraction) = (self.program.leg, self.balance.tau);
-        let load = self.program.load_at(fraction);
-        Loss { leg, fraction, load, kind: LossKind::Corner, contacts, drives: Vec::new(), motion }
+        journey.loss(self.balance.tau, kind, contacts, motion)
     }
 
     /// Where rounding keeps the path from being followed further.
-    pub(super) fn undecided(&self) -> PathEnd<D, C> {
-        let (leg, fraction) = (self.program.leg, self.balance.tau);
-        PathEnd::Undecided { leg, fraction, doubt: Doubt::OnTheBoundary }
+    pub(super) fn undecided(&self, journey: &Journey<'_, D, C>) -> PathEnd<D, C> {
+        journey.undecided(self.balance.tau, Doubt::OnTheBoundary)
     }
 
-    /// The unit motion in which the object goes on, if it moves.
-    pub(super) fn unit_motion(&self) -> Option<Twist<D, C>> {
+    /// The unit motion in which the object goes on, if it moves, in inside coordinates.
+    pub(super) fn unit_motion(&self) -> Option<SVector<f64, D>> {
         let rate = self.balance.twist_rate(&self.trial);
-        (rate.norm() > 0.0).then(|| self.grasp.outside(&rate.normalize()))
+        (rate.norm() > 0.0).then(|| rate.normalize())
     }
 }

@@ -1,37 +1,31 @@
-//! The state on the way, as physics.
+//! The state on the way, as physics, and as the follower of few contacts has it.
 
 use nalgebra::SVector;
 
 use super::moving_contact::MovingContact;
-use super::patch_path::PatchPath;
-use crate::contact::State;
-use crate::equilibrium::{Cone, Equilibrium};
+use super::patch_path::Patch;
+use crate::contact::{PolygonState, Stand, State};
+use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
-use crate::load_path::segment::Segment;
-use crate::object::Load;
-use crate::search::{Effort, Found, Rung};
+use crate::load_path::follower::Edge;
+use crate::load_path::journey::Journey;
+use crate::search::Found;
 
-impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
-    /// Where the path stands: the whole equilibrium there, with residuals recomputed from the
-    /// grasp, the load and the slip so far; `None` if there was none to start from. It is not
-    /// checked against them: look at the residuals. Just after an event the states are those with
-    /// which the path goes on. One pass over all contacts.
-    #[must_use]
-    pub fn state(&self) -> Option<Equilibrium<D, C>> {
+impl<const D: usize, const C: usize> Patch<D, C> {
+    /// The whole equilibrium. Just after an event the states are those with which the path goes on. One pass over all contacts.
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<D, C> {
         let Self { balance, trial, .. } = self;
-        if balance.contacts.is_empty() {
-            return None;
-        }
         let (y, tau) = (balance.balanced(), balance.tau);
-        let segment = self.segment();
+        let memory = |contact: &MovingContact<D, C>| contact.memory;
+        let segment = journey.segment(self.slips(journey.grasp.sites(), memory));
         let problem = segment.problem_at(tau);
         let twist = balance.twist(trial, &y);
         // What vanishes here is known up to the rounding of what it was at the beginning of the
         // leg.
         let mut largest = problem.wrench.norm() + segment.course.rate_at(tau).norm() * tau;
         let mut travel = 0.0_f64;
-        let forces = self.forces_at(&y);
-        for (i, (contact, site)) in balance.contacts.iter().zip(self.grasp.sites()).enumerate() {
+        let forces = self.forces_at(problem.sites, &y);
+        for (i, (contact, site)) in balance.contacts.iter().zip(problem.sites).enumerate() {
             let rate = balance.force_rate(contact).component_mul(&site.springs.root());
             largest = largest.max(forces[i].norm() + rate.norm() * tau);
             travel = travel.max(site.span(&problem.drives[i], &twist));
@@ -42,43 +36,60 @@ impl<'g, const D: usize, const C: usize> PatchPath<'g, D, C> {
             sizes: [largest, travel],
             ..Found::new(states, forces, twist)
         };
-        let (load, cone) = (self.program.load_at(tau), self.cone_answered());
-        Some(self.grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone))
+        journey.equilibrium(&problem, tau, &found)
     }
 
-    /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…), in the
-    /// order of the grasp; empty if there was no equilibrium to start from. Cheaper than
-    /// [`Self::state`].
-    #[must_use]
-    pub fn forces(&self) -> Vec<SVector<f64, C>> {
-        self.forces_at(&self.balance.balanced())
-    }
-
-    fn forces_at(&self, y: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
+    /// Forces at a motion on top of the trial state, N.
+    pub(super) fn forces_at(&self, sites: &[Site<D, C>], y: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
         let force = |(contact, site): (&MovingContact<D, C>, &Site<D, C>)| {
             let x = contact.force(&contact.stretch(y, self.balance.tau), self.balance.facets(contact));
             x.component_mul(&site.springs.root())
         };
-        self.balance.contacts.iter().zip(self.grasp.sites()).map(force).collect()
+        self.balance.contacts.iter().zip(sites).map(force).collect()
     }
 
-    pub(super) fn cone_answered(&self) -> Cone {
-        Cone::of::<C>(&self.settings)
-    }
-
-    /// The present leg, as the path of few contacts has it, with the slip up to where each contact
-    /// has come into its state.
-    pub(super) fn segment(&self) -> Segment<'g, D, C> {
-        let [base, change] = self.program.drives(self.grasp);
-        let course = self.program.inside_course(self.grasp);
-        let mut problem = self.grasp.problem(self.polygon.clone(), false, base, &Load::from(&course.at(0.0)));
-        for (i, (contact, site)) in self.balance.contacts.iter().zip(self.grasp.sites()).enumerate() {
-            for axis in 1..site.springs.axes() {
-                let slip = contact.memory[axis] / site.springs.root_along(axis);
-                problem.slips[i][axis] = slip;
-                problem.drives[i][axis] -= slip;
+    /// The rates of all contacts, which have slipped up to here: those that do not stand here slide on or stay as they are.
+    pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+        let (balance, sites) = (&self.balance, journey.grasp.sites());
+        let remembered = |contact: &MovingContact<D, C>| {
+            let mut contact = *contact;
+            if contact.state.slides() {
+                contact.remember(&balance.stretch(&contact), balance.facets(&contact));
             }
+            contact.memory
+        };
+        let segment = journey.segment(self.slips(sites, remembered));
+        let normals = &journey.polygon.normals;
+        let mut states: Vec<_> = balance.contacts.iter().map(|contact| contact.state).collect();
+        let sliding = |state: &PolygonState| {
+            let own = state.own_facets(normals.len()).into_iter().flatten();
+            Stand { facets: own.map(|j| normals[j]).collect(), apex: false }
+        };
+        let mut stands: Vec<_> = states.iter().map(sliding).collect();
+        for stand in &self.stands {
+            let i = stand.contact as usize;
+            states[i] = stand.was;
+            let facets = stand.facets().iter().map(|&j| normals[usize::from(j)]).collect();
+            stands[i] = Stand { facets, apex: stand.apex };
         }
-        Segment { grasp: self.grasp, cone: self.cone_answered(), problem, change, course, largest: 0.0 }
+        let states: Vec<State<C>> = states.into_iter().map(State::from).collect();
+        let rates = segment.rates(0.0, segment.laws_of_rates(&stands, &states));
+        Edge { segment, rates, forces: self.forces_at(sites, &balance.balanced()) }
+    }
+
+    /// Slips, m, from what each contact has in memory.
+    fn slips(
+        &self,
+        sites: &[Site<D, C>],
+        memory: impl Fn(&MovingContact<D, C>) -> SVector<f64, C>,
+    ) -> Vec<SVector<f64, C>> {
+        let slip = |(contact, site): (&MovingContact<D, C>, &Site<D, C>)| {
+            let (mut slip, memory) = (SVector::zeros(), memory(contact));
+            for axis in 1..site.springs.axes() {
+                slip[axis] = memory[axis] / site.springs.root_along(axis);
+            }
+            slip
+        };
+        self.balance.contacts.iter().zip(sites).map(slip).collect()
     }
 }

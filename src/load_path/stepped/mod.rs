@@ -8,9 +8,9 @@
 //! | file | idea |
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
-//! | `stepped_path` | the path, and what it stands on |
+//! | `stepped_path` | the follower, and what it stands on |
 //! | `walking`, `pace` | steps as long as the error asked for allows |
-//! | `standing_at` | the state on the way, as physics |
+//! | `standing_at` | the state on the way, as physics, and what stands on an edge |
 //! | `ending`, `speeds` | a limit load, or a doubt |
 
 mod ending;
@@ -21,4 +21,4 @@ mod standing_at;
 mod stepped_path;
 mod walking;
 
-pub use stepped_path::{Step, SteppedPath};
+pub use stepped_path::{Step, SteppedPath, Steps};

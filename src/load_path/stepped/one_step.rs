@@ -3,10 +3,17 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
+use crate::load_path::course::Course;
+use crate::load_path::journey::Journey;
 use crate::object::{self, OneByOne, Problem};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
 const SETTLED: f64 = 1e-12;
+
+/// Forces of springs are rounded by this part of what their displacements would make; over [`SETTLED`], so that both are one size.
+const ROUNDED: f64 = 1e-3;
+/// Shorter parts of a leg than this are not tried: the path has an end there.
+pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Where a path stands, inside.
 #[derive(Debug, Clone)]
@@ -33,12 +40,46 @@ impl<const D: usize, const C: usize> Standing<D, C> {
     }
 }
 
-/// Forces of springs are rounded by this part of what their displacements would make; over [`SETTLED`], so that both are one size.
-const ROUNDED: f64 = 1e-3;
+/// What a step along a leg solves; drives and load are put in for each.
+#[derive(Debug)]
+pub(super) struct StepProblem<'g, const D: usize, const C: usize> {
+    pub(super) problem: Problem<'g, D, C>,
+    /// Commands less clearances at the beginning of the leg, and what they change by.
+    drives: [Vec<SVector<f64, C>>; 2],
+    pub(super) course: Course<SVector<f64, D>>,
+}
 
-/// The step from where a path stands to the end of a problem that counts slips from there. `before` has the stretches there, `near` a twist to
+impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
+    /// That of the present leg.
+    pub(super) fn along(journey: &Journey<'g, D, C>) -> Self {
+        let course = journey.program.inside_course(journey.grasp);
+        let drives = journey.program.drives(journey.grasp);
+        Self { problem: journey.problem(drives[0].clone(), &course.at(0.0)), drives, course }
+    }
+
+    /// The step of a length from where a path stands, sought near a twist. `None` where Newton's method does not arrive.
+    pub(super) fn step(
+        &mut self,
+        from: &Standing<D, C>,
+        length: f64,
+        near: SVector<f64, D>,
+    ) -> Option<Standing<D, C>> {
+        let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
+        let Self { problem, drives: [base, change], course } = self;
+        let mut before = Vec::with_capacity(base.len());
+        for (i, site) in problem.sites.iter().enumerate() {
+            let drive = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
+            before.push(site.stretch(&drive(from.fraction), &from.twist));
+            problem.drives[i] = drive(fraction);
+        }
+        (problem.wrench, problem.wrench_rest) = (course.at(fraction), SVector::zeros());
+        equilibrium_after(from, &before, problem, (fraction, near))
+    }
+}
+
+/// The equilibrium of a problem that counts slips from where a path stands. `before` has the stretches there, `near` a twist to
 /// start from. `None` where Newton's method does not arrive.
-pub(super) fn one_step<const D: usize, const C: usize>(
+fn equilibrium_after<const D: usize, const C: usize>(
     from: &Standing<D, C>,
     before: &[SVector<f64, C>],
     problem: &Problem<'_, D, C>,

@@ -1,46 +1,52 @@
-//! The state on the way, as physics.
+//! Where a path stands, as physics, and what stands on an edge there.
 
 use nalgebra::SVector;
 
 use super::one_step::Standing;
-use super::stepped_path::SteppedPath;
-use crate::contact::{Mode, Slide};
-use crate::equilibrium::{Cone, Equilibrium};
-use crate::search::{Effort, Found, Rung};
+use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
+use crate::equilibrium::Equilibrium;
+use crate::load_path::follower::Edge;
+use crate::load_path::journey::Journey;
+use crate::search::Found;
 
-impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
-    /// Where the path stands: the whole equilibrium there, with residuals recomputed from the grasp, the load and the slip so far; `None` if
-    /// there was none to start from. One pass over all contacts.
-    #[must_use]
-    pub fn state(&self) -> Option<Equilibrium<D, C>> {
-        let at = self.standing.as_ref()?;
-        let mut problem = self.problem.clone();
-        problem.wrench = self.course.at(at.fraction);
-        problem.wrench_rest = SVector::zeros();
-        problem.slips.clone_from(&at.slips);
-        let [base, change] = &self.drives;
-        let (mut largest, mut travel) = (at.largest_force(), 0.0_f64);
-        largest = largest.max(problem.wrench.norm());
-        for (i, site) in problem.sites.iter().enumerate() {
-            problem.drives[i] = base[i] + change[i] * at.fraction - at.slips[i];
-            travel = travel.max(site.span(&problem.drives[i], &at.twist));
-        }
+/// Friction in reserve, and forces that a gap would take to close, below this part of the largest force are none: the last steps are parts of
+/// 1e-12 of a leg. With less a contact that such a step would bring to its edge still holds, and the limit is not seen.
+const AT_AN_EDGE: f64 = 1e-9;
+
+impl<const D: usize, const C: usize> Standing<D, C> {
+    /// The whole equilibrium. One pass over all contacts.
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<D, C> {
+        let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
+        let spans =
+            problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));
+        let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // All slip so far is memory: what is left of a slide is its direction.
         let standing = |state: &Mode<Slide<C>>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
         };
-        let states = at.states.iter().map(standing).collect();
-        let sizes = [largest, travel];
-        let found = Found { sizes, ..Found::new(states, at.forces.clone(), at.twist) };
-        let (load, cone) = (self.program.load_at(at.fraction), Cone::of::<C>(&self.settings));
-        Some(self.grasp.equilibrium(&problem, &load, &found, Rung::LoadPath, &Effort::default(), cone))
+        let states = self.states.iter().map(standing).collect();
+        let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist) };
+        journey.equilibrium(&problem, self.fraction, &found)
     }
 
-    /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…), in the order of the grasp; empty if there was
-    /// no equilibrium to start from.
-    #[must_use]
-    pub fn forces(&self) -> &[SVector<f64, C>] {
-        self.standing.as_ref().map_or(&[], |at: &Standing<D, C>| &at.forces)
+    /// The rates, with edges as near as the last steps can tell.
+    pub(super) fn edge<'g>(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+        let segment = journey.segment(self.slips.clone());
+        let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
+        let near = largest * (AT_AN_EDGE / ZERO_SLACK);
+        let law = |i: usize| {
+            let (local, state) = (segment.problem.local(i), &self.states[i]);
+            let line =
+                Line { force: self.forces[i], rate: SVector::zeros(), force_size: near, rate_size: 0.0 };
+            let mut stand = local.stand(&line);
+            if state.is_open() {
+                let gap = -segment.problem.sites[i].stretch(&drives[i], &self.twist)[0];
+                stand.apex = local.springs.force_along(0, gap) <= AT_AN_EDGE * largest;
+            }
+            local.law_of_rates(&stand, state)
+        };
+        let laws = (0..segment.problem.len()).map(law).collect();
+        Edge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
     }
 }

@@ -1,36 +1,34 @@
-//! The path itself: what it stands on, and how it starts.
+//! The follower in steps: what it stands on, and how it starts.
 
 use nalgebra::SVector;
 
-use super::one_step::Standing;
+use super::one_step::{Standing, StepProblem};
 use super::pace::Pace;
-use crate::contact::Polygon;
-use crate::equilibrium::Cone;
+use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
-use crate::load_path::course::Course;
 use crate::load_path::event::PathEnd;
-use crate::load_path::leg::{Leg, Program};
-use crate::object::{Load, Problem};
-use crate::search::{Found, Settings, Settled, settle};
+use crate::load_path::follower::{Came, Edge, Follower};
+use crate::load_path::journey::Journey;
+use crate::load_path::leg::Leg;
+use crate::load_path::path::Path;
+use crate::object::Problem;
+use crate::search::{Found, Settings};
 
 /// A load program being followed in steps: an iterator over them, so that the caller may look at each and stop at any. Made by
 /// [`Grasp::follow_in_steps`]; when the iterator has ended, [`end`](Self::end) says how the path did.
 ///
 /// The law is that of [`LoadPath`](crate::load_path::LoadPath), on the round cone, with slip memory: contacts stick, slide in directions that turn, open
 /// and close again. Their events are not told one by one; [`state`](Self::state) tells the equilibrium where the path stands.
+pub type SteppedPath<'g, const D: usize, const C: usize> = Path<'g, D, C, Steps<'g, D, C>>;
+
+/// The follower of a [`SteppedPath`].
 #[derive(Debug)]
-pub struct SteppedPath<'g, const D: usize, const C: usize> {
-    pub(super) grasp: &'g Grasp<D, C>,
-    pub(super) settings: Settings,
-    pub(super) program: Program<D, C>,
-    /// The problem that is being looked at; loads and drives are put in for each step.
-    pub(super) problem: Problem<'g, D, C>,
-    /// Commands less clearances at the beginning of the leg, and what they change by.
-    pub(super) drives: [Vec<SVector<f64, C>>; 2],
-    pub(super) course: Course<SVector<f64, D>>,
-    /// `None` if there is no equilibrium to start from.
-    pub(super) standing: Option<Standing<D, C>>,
+pub struct Steps<'g, const D: usize, const C: usize> {
+    /// What a step solves.
+    pub(super) along: StepProblem<'g, D, C>,
+    /// Where the path stands.
+    pub(super) standing: Standing<D, C>,
     /// How the steps of the leg go.
     pub(super) pace: Pace<D>,
     /// What was asked for.
@@ -38,7 +36,6 @@ pub struct SteppedPath<'g, const D: usize, const C: usize> {
     /// The sum of those of steps along which contacts keep their states, and the largest of the others.
     pub(super) step_error: f64,
     pub(super) change_error: f64,
-    pub(super) end: Option<PathEnd<D, C>>,
 }
 
 /// One step of a [`SteppedPath`].
@@ -119,39 +116,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             return Err(Error::Argument { what: "error of a leg", value: error, allowed: "from 1e-9 to 1" });
         }
         let settings = Settings { round: true, ..*settings };
-        let wrench = self.load_alone(start, "start load")?;
-        let polygon = Polygon::shared(&settings.cone);
-        let problem = self.problem(polygon, settings.is_round::<C>(), self.drives(), &Load::from(&wrench));
-        let mut program = Program::new(self, *start);
-        program.extend(self, legs)?;
-        let (settled, effort) = settle(&problem, &settings);
-        let (standing, end) = match settled {
-            Settled::Found(found, _) => (Some(at_start(&problem, found)), None),
-            lost => {
-                let outcome = self.outcome(&problem, start, lost, &effort, Cone::of::<C>(&settings));
-                (None, Some(PathEnd::NoStart(Box::new(outcome))))
-            }
-        };
-        let (drives, course) = (program.drives(self), program.inside_course(self));
-        let grasp = self;
-        let mut path = SteppedPath {
-            grasp,
-            settings,
-            program,
-            problem,
-            drives,
-            course,
-            standing,
-            pace: Pace::along(&course),
-            error,
-            step_error: 0.0,
-            change_error: 0.0,
-            end,
-        };
-        if path.end.is_none() {
-            path.begin_leg();
-        }
-        Ok(path)
+        Path::start(self, (start, legs), &settings, |journey, problem| {
+            let standing = at_start(problem, journey.start(problem)?);
+            let along = StepProblem::along(journey);
+            let pace = Pace::along(&along.course);
+            Ok(Steps { along, standing, pace, error, step_error: 0.0, change_error: 0.0 })
+        })
     }
 }
 
@@ -172,30 +142,41 @@ fn at_start<const D: usize, const C: usize>(
 }
 
 impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
-    /// How the path has ended; `None` while it has not.
-    #[must_use]
-    pub fn end(&self) -> Option<&PathEnd<D, C>> {
-        self.end.as_ref()
-    }
-
     /// Estimated error of the forces, over the largest one: the sum of those of all steps, and the largest of where contacts have changed
     /// their states.
     #[must_use]
     pub fn step_error(&self) -> f64 {
-        self.step_error + self.change_error
+        self.follower.as_ref().map_or(0.0, |steps| steps.step_error + steps.change_error)
+    }
+}
+
+impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
+    type Told = Step<D, C>;
+
+    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>> {
+        self.along = StepProblem::along(journey);
+        self.pace = Pace::along(&self.along.course);
+        self.standing.fraction = 0.0;
+        Ok(())
     }
 
-    /// Sets out on the present leg, or completes the path.
-    pub(super) fn begin_leg(&mut self) {
-        if !self.program.begin_leg() {
-            self.end = Some(PathEnd::Completed);
-            return;
-        }
-        (self.drives, self.course) =
-            (self.program.drives(self.grasp), self.program.inside_course(self.grasp));
-        self.pace = Pace::along(&self.course);
-        if let Some(standing) = &mut self.standing {
-            standing.fraction = 0.0;
-        }
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<D, C>>, PathEnd<D, C>> {
+        if self.standing.fraction >= 1.0 { Ok(Came::ToTheEndOfTheLeg) } else { self.try_a_step(journey) }
+    }
+
+    fn fraction(&self) -> f64 {
+        self.standing.fraction
+    }
+
+    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>> {
+        Some(self.standing.equilibrium(journey))
+    }
+
+    fn forces(&self, _: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+        self.standing.forces.clone()
+    }
+
+    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+        self.standing.edge(journey)
     }
 }

@@ -14,7 +14,7 @@ use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, Wrench};
-use grasp_lcp::{Fit, PolygonCone};
+use grasp_lcp::{Fit, PolygonCone, Settings};
 
 const RADIUS: f64 = 0.006; // m
 const PRESSED: f64 = 10.0; // N
@@ -122,7 +122,7 @@ impl Patch {
             if !matches!(path.end(), Some(PathEnd::Completed)) {
                 return Err(format!("dragged along {i}: {:?}", path.end().map(ToString::to_string)).into());
             }
-            let (force, moment) = self.pull(path.forces());
+            let (force, moment) = self.pull(&path.forces());
             let exact = self.sliding(motion);
             off = off.max((force - exact.0).abs() / largest.0).max((moment - exact.1).abs() / largest.1);
             let point = (-force / largest.0, -moment / largest.1);
@@ -153,7 +153,7 @@ impl Patch {
             let mut path = self.grasp.follow_in_steps(&Self::weight(), &legs, 1e-5)?;
             let mut told = [0.0; 2];
             while let Some(step) = path.next() {
-                told[step.leg] = -self.pull(path.forces()).1;
+                told[step.leg] = -self.pull(&path.forces()).1;
             }
             if !matches!(path.end(), Some(PathEnd::Completed)) {
                 return Err(format!("turned: {:?}", path.end().map(ToString::to_string)).into());
@@ -256,7 +256,7 @@ fn cost(surface: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
                 steps = path.by_ref().count();
                 best = best.min(start.elapsed().as_secs_f64());
             }
-            Ok::<_, grasp_lcp::Error>((path.forces().to_vec(), path.step_error(), steps, best))
+            Ok::<_, grasp_lcp::Error>((path.forces(), path.step_error(), steps, best))
         };
         let (exact, ..) = follow(if count < 5_000 { 1e-7 } else { 1e-6 })?;
         let largest = exact.iter().take(count).map(SVector::norm).fold(0.0, f64::max);
@@ -277,7 +277,11 @@ fn cost(surface: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
         for facets in [8, 16, 32] {
             let cone = PolygonCone::new(facets, Fit::Balanced)?;
             let start = Instant::now();
-            let mut path = patch.grasp.follow_patch_on(&Patch::weight(), &legs, cone)?;
+            let mut path = patch.grasp.follow_patch_with(
+                &Patch::weight(),
+                &legs,
+                &Settings::default().with_cone(cone),
+            )?;
             let events = path.by_ref().count();
             let seconds = start.elapsed().as_secs_f64();
             let off = off(&path.forces());

@@ -60,8 +60,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
         other => println!("  the path ends: {other:?}"),
     }
-    let normal: f64 =
-        path.position().map_or(0.0, |(_, _, e)| e.contacts.iter().map(|c| 0.45 * c.normal_force()).sum());
+    let normal: f64 = path.state().map_or(0.0, |e| e.contacts.iter().map(|c| 0.45 * c.normal_force()).sum());
     println!("  sum of μ F_n over all fingers: {normal:.6} N\n");
 
     println!("  leg   work of the load   stored      to friction   balance (relative)");

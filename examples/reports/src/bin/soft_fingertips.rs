@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         if matches!(path.end(), Some(PathEnd::Completed)) {
             return Err("friction has a limit".into());
         }
-        let (_, reached, _) = path.position().ok_or("the path starts")?;
+        let (_, reached) = path.place();
         println!(
             "  {name:15} {:14.6} {onset:23.6} {:8.6} {:12.6} {limit:12.6}",
             tip.torsional_stiffness(&one),

@@ -31,7 +31,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     let followed = |step_error: f64| -> Result<Vec<Vector3<f64>>, Failure> {
         let mut path = grasp.follow_with(&start, &legs, &Settings::default().with_step_error(step_error))?;
         path.by_ref().for_each(drop);
-        let (.., state) = path.position().ok_or("it starts")?;
+        let state = path.state().ok_or("it starts")?;
         Ok(state.contacts.iter().map(|contact| contact.force).collect())
     };
     let exact = followed(1e-13)?;
@@ -52,14 +52,14 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
         let (forces, time) = timed(|| {
             let mut path = grasp.follow_in_steps(&start, &legs, error)?;
             path.by_ref().for_each(drop);
-            Ok(path.forces().to_vec())
+            Ok(path.forces())
         })?;
         panel.add("Grasp::follow_in_steps", format!("{error:.0e}"), off(&forces), time);
     }
     for facets in [8, 16, 32, 64, 128] {
         let cone = PolygonCone::new(facets, Fit::Balanced)?;
         let (forces, time) = timed(|| {
-            let mut path = grasp.follow_patch_on(&start, &legs, cone)?;
+            let mut path = grasp.follow_patch_with(&start, &legs, &Settings::default().with_cone(cone))?;
             path.by_ref().for_each(drop);
             let state = path.state().ok_or("it starts")?;
             Ok(state.contacts.iter().map(|contact| contact.force).collect::<Vec<_>>())
