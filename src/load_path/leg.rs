@@ -299,6 +299,17 @@ impl<const D: usize, const C: usize> Program<D, C> {
         true
     }
 
+    /// Whether there is a leg to go.
+    pub(super) fn goes(&self) -> bool {
+        self.leg < self.legs.len()
+    }
+
+    /// Goes on to the next leg; false if there is none.
+    pub(super) fn next_leg(&mut self) -> bool {
+        self.leg += 1;
+        self.begin_leg()
+    }
+
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
     pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
@@ -322,7 +333,7 @@ impl<const D: usize, const C: usize> Program<D, C> {
 
     /// The leg of which this fraction has been gone: the last one when all are done.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
-        if self.leg < self.legs.len() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
+        if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
     /// The load at a fraction of the present leg.

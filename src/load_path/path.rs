@@ -28,7 +28,7 @@ pub struct Path<'g, const D: usize, const C: usize, F> {
 }
 
 impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F> {
-    /// A path from rest under a load, where a follower begins at the equilibrium if there is one.
+    /// A path from rest under a load, where a follower begins at the equilibrium if there is one, with the first leg before it.
     pub(super) fn start(
         grasp: &'g Grasp<D, C>,
         (start, legs): (&Wrench<D, C>, &[Leg<D, C>]),
@@ -37,12 +37,13 @@ impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F
     ) -> Result<Self, Error> {
         let mut journey = Journey::new(grasp, start, settings)?;
         journey.extend(legs, F::STRAIGHT_ONLY)?;
-        let (follower, end) = match begin(&journey, &journey.problem_at_start()) {
-            Ok(follower) => (Some(follower), None),
-            Err(end) => (None, Some(end)),
+        let problem = journey.problem_at_start();
+        let goes = journey.program.begin_leg();
+        let mut path = match begin(&journey, &problem) {
+            Ok(follower) => Self { journey, follower: Some(follower), end: None },
+            Err(end) => Self { journey, follower: None, end: Some(end) },
         };
-        let mut path = Self { journey, follower, end };
-        path.set_out();
+        path.set_out(goes);
         Ok(path)
     }
 
@@ -89,8 +90,8 @@ impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F
     pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
         self.journey.extend(legs, F::STRAIGHT_ONLY)?;
         if matches!(self.end, Some(PathEnd::Completed)) {
-            self.end = None;
-            self.set_out();
+            let goes = self.journey.program.begin_leg();
+            self.set_out(goes);
         }
         Ok(())
     }
@@ -115,14 +116,11 @@ impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// Sets out on the present leg, or completes the path.
-    fn set_out(&mut self) {
-        let Some(follower) = &mut self.follower else { return };
-        self.end = if self.journey.program.begin_leg() {
-            follower.set_out(&self.journey).err()
-        } else {
-            Some(PathEnd::Completed)
-        };
+    /// Sets out on the present leg if there is one, or completes the path.
+    fn set_out(&mut self, goes: bool) {
+        if let Some(follower) = &mut self.follower {
+            self.end = if goes { follower.set_out(&self.journey).err() } else { Some(PathEnd::Completed) };
+        }
     }
 
     /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
@@ -134,8 +132,8 @@ impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F
             Ok(Came::To(told)) => return Some(told),
             Ok(Came::OnTheWay) => {}
             Ok(Came::ToTheEndOfTheLeg) => {
-                self.journey.program.leg += 1;
-                self.set_out();
+                let goes = self.journey.program.next_leg();
+                self.set_out(goes);
             }
             Err(end) => self.end = Some(end),
         }

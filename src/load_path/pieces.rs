@@ -8,6 +8,7 @@
 
 use nalgebra::SVector;
 
+use super::course::Course;
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
@@ -179,7 +180,11 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     /// Stands at the equilibrium to start from, if there is one.
     fn at_start(journey: &Journey<'g, D, C>, problem: &Problem<'g, D, C>) -> Result<Self, PathEnd<D, C>> {
         let found = journey.start(problem)?;
-        let mut segment = journey.segment(problem.slips.clone());
+        // At rest: nothing changes yet.
+        let change = journey.grasp.drive_changes(None, None);
+        let course = Course::Straight { from: problem.wrench, rate: SVector::zeros() };
+        let (grasp, cone, problem) = (journey.grasp, journey.cone(), problem.clone());
+        let mut segment = Segment { grasp, cone, problem, change, course, largest: 0.0 };
         Ok(Self {
             factor: 0.0,
             node: Node::at_start(&mut segment, found),

@@ -69,6 +69,8 @@ pub struct Patch<const D: usize, const C: usize> {
     /// The contacts that stand on an edge at the present event.
     pub(super) stands: Vec<Stand<C>>,
     pub(super) due: Due,
+    /// Whether the trial state is that of the present leg already: of the first one.
+    pub(super) is_laid: bool,
     /// Steps of no length in a row.
     pub(super) stalls: usize,
     /// Events that have happened and were not told yet, the next one last.

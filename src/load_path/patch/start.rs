@@ -27,10 +27,12 @@ impl<const D: usize, const C: usize> Patch<D, C> {
             sliding: SlidingOn::default(),
             stands: Vec::new(),
             due: Due::Nothing,
+            is_laid: false,
             stalls: 0,
             told: Vec::new(),
         };
         patch.lay_leg(journey);
+        patch.is_laid = journey.program.goes();
         if patch.trial.worked_on(&problem.wrench).is_some() || !patch.everything_sticks() {
             let found = journey.start(problem)?;
             patch.stand_at(problem, &found);
@@ -73,7 +75,9 @@ impl<const D: usize, const C: usize> Patch<D, C> {
 
     /// Sets out on the present leg.
     pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
-        self.lay_leg(journey);
+        if !std::mem::take(&mut self.is_laid) {
+            self.lay_leg(journey);
+        }
         let (_, change) = loads(journey.grasp, &journey.program);
         if let Some(v) = self.trial.worked_on(&change) {
             let motion = Some(journey.grasp.outside(&v));
