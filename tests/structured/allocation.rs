@@ -1,7 +1,9 @@
-//! A workspace that has held the largest scene allocates nothing: few contacts by Lemke's paths, many by Newton's method and by Lemke's.
+//! A workspace that has held the largest scene allocates nothing: few contacts by Lemke's paths, many by Newton's method and by Lemke's. Nor does
+//! an event of a path of many.
 
 use allocation_counter::measure;
 use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::planar;
 use grasp_lcp::structured::{Search, Workspace};
 use std::cell::RefCell;
 use support::random::{Spread, for_all, scene};
@@ -63,4 +65,41 @@ fn many_contacts_in_the_plane() {
 #[test]
 fn many_contacts_in_space() {
     allocates_only_at_first::<6, 3>(20..80, 60);
+}
+
+#[test]
+fn events_of_many_contacts_allocate_nothing() {
+    let place = |i: i32| f64::from(2 * i + 1) / 500.0 - 1.0;
+    let press = |i: i32| 1.0 - place(i) * place(i);
+    let spring = |i: i32| {
+        planar::Contact::new([place(i), 0.0], [0.0, 1.0])
+            .series_stiffness(1.0, 0.8)
+            .friction(0.3)
+            .command([press(i), 0.0])
+    };
+    let pad = planar::Grasp::new((0..500).map(spring)).expect("a pad");
+    let pressed: f64 = (0..500).map(press).sum();
+    let pull = |part: f64| planar::Wrench::new([part * 0.3 * pressed, -pressed], 0.0);
+    let cycle = [0.5, 0.0].map(|part| planar::Leg::load_to(pull(part)));
+    let mut path = pad.follow_patch(&pull(0.0), &cycle).expect("straight legs");
+    path.by_ref().for_each(drop);
+    let (mut events, mut within_legs, mut legs) = (0, 0, 0);
+    for _ in 0..3 {
+        path.continue_with(&cycle).expect("straight legs");
+        loop {
+            let (leg, _) = path.place();
+            let mut goes = true;
+            let counted = measure(|| goes = path.next().is_some());
+            // A leg lays out its commands and the elastic trial along it.
+            let same_leg = goes && path.place().0 == leg && events > 0;
+            (events, legs) = (events + u32::from(goes), legs + u32::from(!same_leg));
+            within_legs += if same_leg { counted.count_total } else { 0 };
+            if !goes {
+                break;
+            }
+        }
+    }
+    println!("{events} events, {legs} times another leg or none");
+    assert!(events > 500 && legs <= 9, "{events} {legs}");
+    assert_eq!(within_legs, 0);
 }

@@ -33,7 +33,7 @@ pub(super) enum Due {
 /// The law is that of [`LoadPath`](crate::load_path::LoadPath), with slip memory, in space **on the
 /// polygonal cone**; legs are the same. Between events [`state`](Self::state) tells the equilibrium
 /// where the path stands, [`next_before`](Self::next_before) stops anywhere on the way. It does not
-/// say whether the continuation is unique, and keeps neither the pieces behind it nor energies.
+/// say whether the continuation is unique, and keeps neither the pieces behind it nor energies. An event allocates nothing.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
