@@ -6,7 +6,6 @@
 use nalgebra::{Matrix, SVector};
 
 use super::onset::{Leaving, Onset, OnsetEvent};
-use super::ramp::Ramp;
 use super::segment::Segment;
 use super::turn::Turn;
 use crate::contact::{At, Exit, Line, LocalLaw, Stand};
@@ -26,11 +25,18 @@ const ROUGHLY: f64 = 1e-6;
 /// A factor at which the forces would be so many times as large as at the base may be that of rates which are rounding.
 const FAR: f64 = 1e6;
 
-/// The event, or `None` where the case is another one.
+/// Which contact leaves rolling first, and the state there.
+pub(super) struct FirstToLeave<const D: usize, const C: usize> {
+    pub(super) factor: f64,
+    contact: usize,
+    exit: Exit<C>,
+    there: PieceState<D, C>,
+}
+
+/// The first to leave along a ramp, or `None` where the case is another one.
 pub(super) fn first_to_leave<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    ramp: &Ramp<D, C>,
-) -> Option<OnsetEvent<D, C>> {
+) -> Option<FirstToLeave<D, C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -50,15 +56,23 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     factor += more;
     there.twist += rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
-    Some(event(segment, (factor, ramp.load_at(factor)), (contact, &exit), there))
+    Some(FirstToLeave { factor, contact, exit, there })
 }
 
-/// The same while a load turns: the event, or that there is none. `None` where the case is another one.
+/// What happens while a load turns.
+pub(super) enum WhileTurning<const D: usize, const C: usize> {
+    /// One contact leaves before all others.
+    First(FirstToLeave<D, C>),
+    /// Everything keeps rolling.
+    Never,
+}
+
+/// The first to leave while a load turns, or that there is none. `None` where the case is another one.
 pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
     turn: &Turn<D, C>,
     inside: &Harmonic<SVector<f64, D>>,
-) -> Option<Onset<D, C>> {
+) -> Option<WhileTurning<D, C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -91,7 +105,7 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     if !first.touches.is_empty() {
         return None;
     }
-    let Some((mut angle, standing)) = first.standing else { return Some(Onset::Never) };
+    let Some((mut angle, standing)) = first.standing else { return Some(WhileTurning::Never) };
     let [(contact, exits)] = &standing[..] else { return None };
     let [exit] = exits[..] else { return None };
     if exit.uncertainty > ROUGHLY * angle {
@@ -109,23 +123,22 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
         *force += wave.of.rate_at(angle) * more;
     }
     there.twist += turned.twist.rate_at(angle) * more;
-    Some(Onset::At(Box::new(event(segment, (angle, turn.load_at(angle)), (*contact, &exit), there))))
+    Some(WhileTurning::First(FirstToLeave { factor: angle, contact: *contact, exit, there }))
 }
 
-/// One contact leaves at a factor of the course, under the load there.
-fn event<const D: usize, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    place: (f64, Wrench<D, C>),
-    (contact, exit): (usize, &Exit<C>),
-    there: PieceState<D, C>,
-) -> OnsetEvent<D, C> {
-    let states = segment.problem.unjumped();
-    let mut stands = vec![Stand::NOWHERE; states.len()];
-    stands[contact].reach(&states[contact], &[*exit]);
-    let frame = &segment.problem.sites[contact].frame;
-    let leaving = vec![Leaving::driven_out(contact, &stands[contact], frame)];
-    let found = Found::new(states, there.forces, there.twist);
-    OnsetEvent::new(segment, place, leaving, stands, (found, Rung::EverythingRolls))
+impl<const D: usize, const C: usize> FirstToLeave<D, C> {
+    /// The onset on this segment, under the load there.
+    pub(super) fn onset(self, segment: Segment<'_, D, C>, load: Wrench<D, C>) -> Onset<D, C> {
+        let Self { factor, contact, exit, there } = self;
+        let states = segment.problem.unjumped();
+        let mut stands = vec![Stand::NOWHERE; states.len()];
+        stands[contact].reach(&states[contact], &[exit]);
+        let frame = &segment.problem.sites[contact].frame;
+        let leaving = vec![Leaving::driven_out(contact, &stands[contact], frame)];
+        let found = Found::new(states, there.forces, there.twist);
+        let event = OnsetEvent::new(segment, (factor, load), leaving, stands, (found, Rung::EverythingRolls));
+        Onset::At(Box::new(event))
+    }
 }
 
 /// Whether a contact meets all conditions of its unjumped state by more than rounding.

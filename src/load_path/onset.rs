@@ -97,25 +97,28 @@ pub(super) struct RollingState<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> OnsetEvent<D, C> {
     /// The event at a factor, with the load and the rolling state there and what contacts stand on.
     pub(super) fn new(
-        segment: &Segment<'_, D, C>,
+        segment: Segment<'_, D, C>,
         (factor, load): (f64, Wrench<D, C>),
         leaving: Vec<Leaving<C>>,
         stands: Vec<Stand<C>>,
         (found, rule): (Found<D, C>, Rung),
     ) -> Self {
+        let Segment { grasp, cone, problem, change: drive_rates, course, .. } = segment;
+        let mut drives = problem.drives;
+        drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);
         let local = RollingState {
             found,
             rule,
             stands,
             leaving: leaving.iter().map(|leaving| leaving.contact).collect(),
-            wrench: segment.course.at(factor),
-            wrench_rate: segment.course.rate_at(factor),
-            drives: segment.drives(factor),
-            drive_rates: segment.change.clone(),
-            slips: segment.problem.slips.clone(),
+            wrench: course.at(factor),
+            wrench_rate: course.rate_at(factor),
+            drives,
+            drive_rates,
+            slips: problem.slips,
         };
-        let (leaving, drives) = segment.grasp.leaving_apart(leaving);
-        Self { factor, load, leaving, drives, cone: segment.cone, local }
+        let (leaving, drives) = grasp.leaving_apart(leaving);
+        Self { factor, load, leaving, drives, cone, local }
     }
 }
 

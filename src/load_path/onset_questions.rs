@@ -110,8 +110,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let problem = self.problem(polygon, round, self.drives(), &Load::from(&base));
         let course = Course::Straight { from: base, rate: direction };
         let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
-        if let Some(event) = first_to_leave(&segment, ramp) {
-            return Ok(Onset::At(Box::new(event)));
+        if let Some(first) = first_to_leave(&segment) {
+            let load = ramp.load_at(first.factor);
+            return Ok(first.onset(segment, load));
         }
         let course = Course::Straight { from: ramp.base, rate: ramp.direction };
         Ok(self.walked(segment, (course, f64::INFINITY), settings).onset)

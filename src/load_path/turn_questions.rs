@@ -4,7 +4,7 @@
 //! margin, a trigonometric polynomial, first falls below zero: one of degree one for each facet, one of degree two on the round cone.
 
 use super::course::Course;
-use super::first_to_leave::first_to_leave_on_turn;
+use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
 use super::segment::Segment;
 use super::turn::{Touch, Turn};
@@ -76,7 +76,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let change = self.drive_changes(None, None);
         let course = Course::Turn { load: inside, angle: 1.0 };
         let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
-        if let Some(onset) = first_to_leave_on_turn(&segment, turn, &inside) {
+        if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
+            let onset = match happens {
+                WhileTurning::Never => Onset::Never,
+                WhileTurning::First(first) => {
+                    let load = turn.load_at(first.factor);
+                    first.onset(segment, load)
+                }
+            };
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
         let course = Course::Turn { load: turn.load, angle: 1.0 };

@@ -128,7 +128,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             ..Found::new(states, forces, here.twist)
         };
         let place = (self.factor, self.course.at(self.factor));
-        let event = OnsetEvent::new(segment, place, leaving, stands, (found, self.rule));
+        let event = OnsetEvent::new(segment.clone(), place, leaving, stands, (found, self.rule));
         match segment.grasp.state_at_onset(&event) {
             Some(state) if state.residuals.worst() > ACCURATE => {
                 Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })
