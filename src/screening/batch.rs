@@ -96,7 +96,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// When the first contact of each grasp leaves rolling as each of the loads grows, on one
     /// thread; for all cores there is [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch).
     /// The answers come grasp by grasp, for each in the order of the loads: what does not depend on
-    /// the load is done once. `answers` is cleared first and then holds the one of grasp g and pull
+    /// the load is done once. What `answers` held before is lost; then it holds the one of grasp g and pull
     /// p at `g * pulls.len() + p`; with room for all of them nothing is allocated.
     ///
     /// ```
@@ -155,7 +155,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = Part<'a, D, C, N, Q>> {
-        answers.clear();
+        // Every place is written below: what an earlier batch left there need not be wiped.
         answers.resize(self.len * questions.len(), Q::UNKNOWN);
         let size = blocks.max(1);
         let places = answers.chunks_mut((size * LANES * questions.len()).max(1));

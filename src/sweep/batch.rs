@@ -10,7 +10,7 @@ const BLOCKS: usize = 256;
 
 /// When the first contact of each grasp of a batch leaves rolling as each of the loads grows:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
-/// the loads. `answers` is cleared first; its memory is used again. [`Batch`] has an example.
+/// the loads. What `answers` held before is lost; its memory is used again. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
     pulls: &[Pull<D, C>],
