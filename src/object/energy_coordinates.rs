@@ -30,9 +30,9 @@ pub(crate) struct Facet<const C: usize> {
 }
 
 impl<const C: usize> Facet<C> {
-    /// The facet `μ F_n - h·F_t = 0`.
-    fn new(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> Self {
-        let row = law.springs.root().component_mul(&law.cone().facet_row(h));
+    /// The facet `μ F_n - h·F_t = 0`, with the roots of the stiffnesses.
+    fn new(law: &LocalLaw<'_, C>, root: &SVector<f64, C>, h: &SVector<f64, C>) -> Self {
+        let row = root.component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
         Self { row, unit: row.norm() }
     }
@@ -118,9 +118,10 @@ impl<const C: usize> EnergyCoordinates<C> {
         if law.may_open() {
             self.facets.push(Facet { row: normal(), unit: 1.0 });
         }
+        let root = law.springs.root();
         let mut count = 0;
         for h in law.facets() {
-            self.facets.push(Facet::new(law, h));
+            self.facets.push(Facet::new(law, &root, h));
             count += 1;
         }
         (first, count)
