@@ -80,7 +80,10 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let mut least = 0.0_f64;
         for local in &form.locals {
             for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
-                least = least.min(row.dot(&local.trial) / form.cover(local, pair, *unit));
+                let value = row.dot(&local.trial);
+                if value < 0.0 {
+                    least = least.min(value / form.cover(local, pair, *unit));
+                }
             }
         }
         if least >= 0.0 {

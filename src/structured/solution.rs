@@ -77,9 +77,9 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             }
             let mut least = 0.0_f64;
             for (pair, Facet { row, unit }) in path.form.pairs_of(local).iter().enumerate() {
-                let value = row.dot(&x) / unit;
-                if value < least && !active.has(pair) {
-                    least = value;
+                let value = row.dot(&x);
+                if value < 0.0 && !active.has(pair) {
+                    least = least.min(value / unit);
                 }
             }
             worst = worst.max(-least / force_level);
