@@ -24,6 +24,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Contacts that leave rolling, and drives that do by the names of their owners.
     pub(super) fn leaving_apart(&self, leaving: Vec<Leaving<C>>) -> Told<Leaving<C>> {
+        if self.linkage().is_none() {
+            return (leaving, Vec::new());
+        }
         let (contacts, drives): (Vec<_>, Vec<_>) = leaving.into_iter().partition(|l| l.contact < self.len());
         let named = |leaving: &Leaving<C>| {
             self.named(leaving.contact, matches!(leaving.how, Departure::Slides { .. } | Departure::Opens))
