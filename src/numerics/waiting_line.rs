@@ -11,7 +11,9 @@ use super::pairwise::in_halves;
 /// About one part in so many of a tier moves on at a time. A larger part sorts what is never asked for, a
 /// smaller one runs over the others too often.
 const PARTS: usize = 8;
-/// So many tell where that part ends; as few as these move on at once, which costs less than to part them.
+/// As few as these move on at once: to part them would cost more than to keep them in order.
+const FEW: usize = 256;
+/// So many of more than a few tell where that part ends. With more, to sort them costs more than it spares.
 const SAMPLE: usize = 32;
 /// Tiers: with fewer, those in order of a hundred thousand leave the nearest memory; with more, entries are moved more often.
 const TIERS: usize = 3;
@@ -134,7 +136,7 @@ impl WaitingLine {
 
 /// The last of about the first part of those in a tier; `None` if nobody is there.
 fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
-    if waiting.len() <= SAMPLE {
+    if waiting.len() <= FEW {
         return waiting.iter().copied().max();
     }
     let apart = waiting.len() / SAMPLE;
