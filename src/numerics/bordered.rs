@@ -9,9 +9,6 @@
 
 use nalgebra::{SMatrix, SVector};
 
-/// A pivot below this part of the largest entry counts as zero: less is rounding of the sums that T is made of.
-const SINGULAR: f64 = 0.0;
-
 /// One row of a bordered matrix.
 #[derive(Debug, Clone, Copy)]
 struct Row<const D: usize> {
@@ -30,6 +27,14 @@ pub(crate) struct Bordered<const D: usize> {
     order_of_border: usize,
 }
 
+impl<const D: usize> Default for Bordered<D> {
+    /// Those of no matrix yet.
+    fn default() -> Self {
+        let row = Row { body: [0.0; D], last: 0.0 };
+        Self { rows: [row; D], border: row, order: [0; D], order_of_border: 0 }
+    }
+}
+
 impl<const D: usize> Bordered<D> {
     /// `None` if the matrix is singular.
     pub(crate) fn new(
@@ -38,28 +43,33 @@ impl<const D: usize> Bordered<D> {
         gradient: &SVector<f64, D>,
         corner: f64,
     ) -> Option<Self> {
-        let largest =
-            [stiffness.amax(), cover.amax(), gradient.amax()].into_iter().fold(corner.abs(), f64::max);
-        let row = |i: usize| Row { body: std::array::from_fn(|j| stiffness[(i, j)]), last: cover[i] };
-        let mut factor = Self {
-            rows: std::array::from_fn(row),
-            border: Row { body: std::array::from_fn(|j| gradient[j]), last: corner },
-            order: std::array::from_fn(|i| i),
-            order_of_border: D,
-        };
+        let mut factors = Self::default();
+        factors.assign(stiffness, cover, gradient, corner)?;
+        Some(factors)
+    }
+
+    /// The factors of another matrix, in the same memory. `None` if it is singular: then they are those of none.
+    pub(crate) fn assign(
+        &mut self,
+        stiffness: &SMatrix<f64, D, D>,
+        cover: &SVector<f64, D>,
+        gradient: &SVector<f64, D>,
+        corner: f64,
+    ) -> Option<()> {
+        for (i, row) in self.rows.iter_mut().enumerate() {
+            *row = Row { body: std::array::from_fn(|j| stiffness[(i, j)]), last: cover[i] };
+        }
+        self.border = Row { body: std::array::from_fn(|j| gradient[j]), last: corner };
+        (self.order, self.order_of_border) = (std::array::from_fn(|i| i), D);
         for k in 0..D {
-            factor.eliminate(k, SINGULAR * largest)?;
+            self.eliminate(k)?;
         }
-        let pivot = factor.border.last;
-        if is_zero(pivot, SINGULAR * largest) {
-            return None;
-        }
-        factor.border.last = 1.0 / pivot;
-        Some(factor)
+        self.border.last = inverse(self.border.last)?;
+        Some(())
     }
 
     /// Makes column k zero below its pivot, which is the largest entry there.
-    fn eliminate(&mut self, k: usize, zero: f64) -> Option<()> {
+    fn eliminate(&mut self, k: usize) -> Option<()> {
         let Self { rows, border, order, order_of_border } = self;
         let (mut pivot, mut most) = (k, rows[k].body[k].abs());
         for i in k + 1..D {
@@ -70,24 +80,23 @@ impl<const D: usize> Bordered<D> {
         if border.body[k].abs() > most {
             std::mem::swap(&mut rows[k], border);
             std::mem::swap(&mut order[k], order_of_border);
-        } else {
+        } else if pivot != k {
             rows.swap(k, pivot);
             order.swap(k, pivot);
         }
-        if is_zero(rows[k].body[k], zero) {
-            return None;
-        }
-        let inverse = 1.0 / rows[k].body[k];
+        let inverse = inverse(rows[k].body[k])?;
         // Only needed to divide by.
         rows[k].body[k] = inverse;
-        let row = rows[k];
+        // With zeros up to the pivot every row is one loop of fixed length, which is faster.
+        let row = std::array::from_fn::<_, D, _>(|j| if j > k { rows[k].body[j] } else { 0.0 });
+        let last = rows[k].last;
         for below in rows[k + 1..].iter_mut().chain(std::iter::once(border)) {
             let factor = below.body[k] * inverse;
-            below.body[k] = factor;
-            for j in k + 1..D {
-                below.body[j] -= factor * row.body[j];
+            for j in 0..D {
+                below.body[j] -= factor * row[j];
             }
-            below.last -= factor * row.last;
+            below.body[k] = factor;
+            below.last -= factor * last;
         }
         Some(())
     }
@@ -146,7 +155,7 @@ impl<const D: usize> Bordered<D> {
     }
 }
 
-/// Whether a pivot is too small; so is one that is no number.
-fn is_zero(pivot: f64, zero: f64) -> bool {
-    pivot.abs().partial_cmp(&zero) != Some(std::cmp::Ordering::Greater)
+/// One over a pivot; `None` where that is no number, or hardly one.
+fn inverse(pivot: f64) -> Option<f64> {
+    pivot.is_normal().then(|| 1.0 / pivot)
 }

@@ -30,9 +30,9 @@ pub(crate) struct Facet<const C: usize> {
 }
 
 impl<const C: usize> Facet<C> {
-    /// The facet `μ F_n - h·F_t = 0`.
-    fn new(law: &LocalLaw<'_, C>, h: &SVector<f64, C>) -> Self {
-        let row = law.springs.root().component_mul(&law.cone().facet_row(h));
+    /// The facet `μ F_n - h·F_t = 0`, with the roots of the stiffnesses.
+    fn new(law: &LocalLaw<'_, C>, root: &SVector<f64, C>, h: &SVector<f64, C>) -> Self {
+        let row = root.component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
         Self { row, unit: row.norm() }
     }
@@ -49,7 +49,7 @@ pub(crate) struct EnergyContact<const D: usize, const C: usize> {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
     pub(crate) seen: SMatrix<f64, C, D>,
     /// Where its facets start, after the normal force if it may open.
-    first: usize,
+    first: u32,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
     pub(crate) gap: bool,
@@ -88,7 +88,7 @@ impl<const C: usize> EnergyCoordinates<C> {
         // Room for what only some scenes need, so that no later scene of this size has to allocate.
         self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
         let mut spring = 0;
-        let mut before: Option<(LocalLaw<'_, C>, (usize, u16))> = None;
+        let mut before: Option<(LocalLaw<'_, C>, (u32, u16))> = None;
         for law in problem.locals() {
             let mut seen = SMatrix::<f64, C, D>::zeros();
             if !law.is_absent() {
@@ -113,14 +113,16 @@ impl<const C: usize> EnergyCoordinates<C> {
         }
     }
 
-    fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (usize, u16) {
-        let first = self.facets.len();
+    fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (u32, u16) {
+        // More facets than these no memory holds.
+        let first = u32::try_from(self.facets.len()).unwrap_or(u32::MAX);
         if law.may_open() {
             self.facets.push(Facet { row: normal(), unit: 1.0 });
         }
+        let root = law.springs.root();
         let mut count = 0;
         for h in law.facets() {
-            self.facets.push(Facet::new(law, h));
+            self.facets.push(Facet::new(law, &root, h));
             count += 1;
         }
         (first, count)
@@ -135,7 +137,8 @@ impl<const C: usize> EnergyCoordinates<C> {
     /// The normal force of a contact if it may open, and its facets.
     #[inline]
     pub(crate) fn pairs<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
-        &self.facets[contact.first..contact.first + contact.pairs()]
+        let first = contact.first as usize;
+        &self.facets[first..first + contact.pairs()]
     }
 }
 

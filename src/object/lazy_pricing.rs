@@ -23,7 +23,7 @@ use crate::numerics::WaitingLine;
 /// with more, contacts are looked at too early.
 const ACROSS: f64 = 0.25;
 /// A clock that runs this much faster than the path is long: time for another e.
-const TURNED: f64 = 1.4;
+const TURNED: f64 = 1.25;
 /// Values are taken smaller by this part of their terms, which is more than their rounding: a contact
 /// that waits too long would be missed.
 pub(crate) const MARGIN: f64 = 1e-13;

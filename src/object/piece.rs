@@ -312,14 +312,15 @@ impl<const D: usize, const C: usize> Piece<D, C> {
                 left.add(-x);
             }
             for a in 0..C {
+                // Springs along the axes are the most, and have one component each.
                 if springs.iter().any(|spring| spring.right[a] != 0.0) {
                     let v = twist.stretch(site, a, drives[contact][a]);
-                    for (left, spring) in left.iter_mut().zip(springs) {
+                    for (left, spring) in left.iter_mut().zip(springs).filter(|(_, s)| s.right[a] != 0.0) {
                         left.add_product_of_twice((spring.right[a], spring.right_rest[a]), v);
                     }
                 }
                 let mut force = DoubleDouble::default();
-                for (spring, &x) in springs.iter().zip(x) {
+                for (spring, &x) in springs.iter().zip(x).filter(|(s, _)| s.left[a] != 0.0) {
                     force.add_product_of_twice((spring.left[a], spring.left_rest[a]), DoubleDouble::new(x));
                 }
                 if force.high != 0.0 {

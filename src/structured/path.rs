@@ -47,6 +47,8 @@ pub(crate) struct Path<const D: usize, const C: usize> {
     pub(crate) most_looks: Option<usize>,
     /// Pivots since the sums were made.
     pub(super) age: usize,
+    /// Of the system of the present step.
+    factors: Bordered<D>,
     pricing: LazyPricing<D>,
     candidates: Vec<Candidate>,
 }
@@ -78,7 +80,10 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let mut least = 0.0_f64;
         for local in &form.locals {
             for (pair, Facet { row, unit }) in form.pairs_of(local).iter().enumerate() {
-                least = least.min(row.dot(&local.trial) / form.cover(local, pair, *unit));
+                let value = row.dot(&local.trial);
+                if value < 0.0 {
+                    least = least.min(value / form.cover(local, pair, *unit));
+                }
             }
         }
         if least >= 0.0 {
@@ -124,7 +129,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
         if self.is_lazy() {
-            let Some((first, _)) = self.step(&entering) else { return End::Breakdown };
+            let Some(first) = self.step(&entering) else { return End::Breakdown };
             self.line_up(entering.contact, &at, &first.along);
         }
         loop {
@@ -134,14 +139,14 @@ impl<const D: usize, const C: usize> Path<D, C> {
             if are_stale(self.age, self.form.len()) {
                 self.refresh();
             }
-            let Some((step, factors)) = self.step(&entering) else {
+            let Some(step) = self.step(&entering) else {
                 if self.age == 0 {
                     return End::Breakdown;
                 }
                 self.refresh();
                 continue;
             };
-            let leaving = self.blocking(&step, &factors, &entering);
+            let leaving = self.blocking(&step, &entering);
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL * step.largest,
@@ -210,13 +215,13 @@ impl<const D: usize, const C: usize> Path<D, C> {
 
     /// The vertex at which both variables of the pair are zero, and the direction in which the
     /// entering one grows by one.
-    fn step(&self, entering: &Entering) -> Option<(Step<D>, Bordered<D>)> {
+    fn step(&mut self, entering: &Entering) -> Option<Step<D>> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
         let Facet { row, unit } = self.form.pairs_of(local)[entering.pair];
         let (felt, corner) = reaction.feels(&row, self.form.cover(local, entering.pair, unit));
         let gradient = -local.contact.seen.tr_mul(&felt);
-        let factors = Bordered::new(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
+        self.factors.assign(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
         let mut pushed = SVector::zeros();
         let mut last = 1.0;
         if entering.jump {
@@ -225,13 +230,13 @@ impl<const D: usize, const C: usize> Path<D, C> {
             last = -felt.dot(&column);
         }
         let sides = [(&self.sums.sides[TRIAL], -felt.dot(&local.trial)), (&pushed, last)];
-        let [here, along] = factors.solve_each(sides).map(|(y, s)| Point { y, s });
+        let [here, along] = self.factors.solve_each(sides).map(|(y, s)| Point { y, s });
         let largest = along.s.abs().max(along.y.amax() * self.form.widest).max(1.0);
-        Some((Step { here, along, largest }, factors))
+        Some(Step { here, along, largest })
     }
 
     /// The variable that reaches zero first as the entering one grows.
-    fn blocking(&mut self, step: &Step<D>, factors: &Bordered<D>, entering: &Entering) -> Leaving {
+    fn blocking(&mut self, step: &Step<D>, entering: &Entering) -> Leaving {
         let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
@@ -278,18 +283,18 @@ impl<const D: usize, const C: usize> Path<D, C> {
         match candidates.as_slice() {
             [] => Leaving::Nobody,
             [only] => Leaving::Variable(*only),
-            _ => self.break_tie(factors, entering),
+            _ => self.break_tie(entering),
         }
     }
 
     /// Among the candidates the one that leaves first when q is perturbed.
-    fn break_tie(&self, factors: &Bordered<D>, entering: &Entering) -> Leaving {
+    fn break_tie(&self, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
         let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
         let Facet { row, unit } = form.pairs_of(local)[entering.pair];
         let last = row.dot(pushed) - local.perturbation(entering.pair, unit);
-        let (y, z0) = factors.solve(&-self.sums.sides[PERTURBED], last);
+        let (y, z0) = self.factors.solve(&-self.sums.sides[PERTURBED], last);
         let ratio = |candidate: &Candidate| {
             let local = &form.locals[candidate.contact as usize];
             let active = &self.basis.active[candidate.contact as usize];

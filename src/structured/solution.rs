@@ -75,10 +75,14 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             for (z, _) in reaction.multipliers.iter().zip(active.iter()) {
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
             }
-            let pairs = path.form.pairs_of(local).iter().enumerate();
-            for (_, Facet { row, .. }) in pairs.filter(|(pair, _)| !active.has(*pair)) {
-                worst = worst.max(-row.dot(&x) / (force_level * row.norm()));
+            let mut least = 0.0_f64;
+            for (pair, Facet { row, unit }) in path.form.pairs_of(local).iter().enumerate() {
+                let value = row.dot(&x);
+                if value < 0.0 && !active.has(pair) {
+                    least = least.min(value / unit);
+                }
             }
+            worst = worst.max(-least / force_level);
             let force = &mut self.forces[contact];
             if local.contact.gap && active.has(0) {
                 // Nothing holds an open contact, whatever its friction.

@@ -90,8 +90,9 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         }
         let level = local.level(&stretch, z0);
         let own_size = if own { 1.0 } else { 0.0 };
+        let zero = -GREY * step.largest;
         let mut consider = |pair: usize, jump: bool, value: f64, rate: f64, size: f64| {
-            if rate >= -GREY * step.largest || (own && pair == entering.pair) {
+            if rate >= zero || (own && pair == entering.pair) {
                 return;
             }
             let terms = || size * (local.contact.seen.norm() * step.along.y.norm() + dz0.abs() + own_size);
@@ -109,9 +110,11 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         let x = reaction.hold * stretch - reaction.cover.of_x * z0;
         let dx = reaction.hold * change - reaction.cover.of_x * dz0;
         for (pair, Facet { row, unit }) in self.pairs_of(local).iter().enumerate() {
-            if !active.has(pair) {
-                let d = self.cover(local, pair, *unit);
-                consider(pair, false, row.dot(&x) + d * z0, row.dot(&dx) + d * dz0, *unit);
+            let d = self.cover(local, pair, *unit);
+            let rate = row.dot(&dx) + d * dz0;
+            // Most are told apart by their rates alone.
+            if rate < zero && !active.has(pair) {
+                consider(pair, false, row.dot(&x) + d * z0, rate, *unit);
             }
         }
     }

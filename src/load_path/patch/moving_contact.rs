@@ -16,8 +16,10 @@ use super::stand::{Bound, Stand};
 use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
 
-/// A contact on its way.
+/// A contact on its way. With a hundred thousand of them an event waits for memory: a contact takes two of its lines in the
+/// plane and four in space, none of which it shares.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
 pub(super) struct MovingContact<const D: usize, const C: usize> {
     pub(super) fixed: EnergyContact<D, C>,
     /// x⁰ at the beginning of the leg.
