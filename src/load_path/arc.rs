@@ -127,6 +127,16 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         factor: f64,
         across: &Direction<D>,
     ) -> Option<(Bordered<D>, f64)> {
+        let (stiffness, push) = self.balance(tangents, factor);
+        self.factored(stiffness, &push, across)
+    }
+
+    /// T and b at a factor.
+    pub(super) fn balance(
+        &self,
+        tangents: &[Tangent<C>],
+        factor: f64,
+    ) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
         let (mut t, mut push) = (self.fixed, self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
@@ -139,11 +149,26 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                 }
             }
         }
+        (t, push)
+    }
+
+    /// The factors of such a matrix, and the size of its entries. `None` if more than one direction is open.
+    pub(super) fn factored(
+        &self,
+        mut t: SMatrix<f64, D, D>,
+        push: &SVector<f64, D>,
+        across: &Direction<D>,
+    ) -> Option<(Bordered<D>, f64)> {
         t *= self.unit;
         let scale = t.amax().max(push.amax());
         let row = across.twist * (scale / self.unit);
         let bordered = Bordered::new(&t, &-push, &row, across.factor * scale)?;
         (bordered.least_pivot() > SINGULAR).then_some((bordered, scale))
+    }
+
+    /// Twist and factor of a solution.
+    pub(super) fn unscaled(&self, (x, factor): (SVector<f64, D>, f64)) -> Direction<D> {
+        Direction { twist: x * self.unit, factor }
     }
 
     /// The direction of the path at a factor with these tangents, for one unit of arclength, that goes along a given one.
@@ -208,8 +233,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                     ended = Some(carried);
                     break;
                 }
-                let (x, more) = bordered.solve(&left, 0.0);
-                let change = Direction { twist: x * self.unit, factor: more };
+                let change = self.unscaled(bordered.solve(&left, 0.0));
                 twist += change.twist;
                 factor += change.factor;
                 let rates = self.force_rates(&tangents, &change);

@@ -14,6 +14,7 @@ use nalgebra::SVector;
 
 use super::arc::{Arc, Direction};
 use super::energy::Energy;
+use super::relaxation::Relaxation;
 use super::segment::{Here, Segment};
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::{Stepped, explicit_step, implicit_step};
@@ -160,8 +161,13 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             }
             Rule::Explicit => explicit_step(length, &first, rate, size)?,
             Rule::Implicit { tolerance } => {
-                let sizes = self.begin.iter().flat_map(|f| std::iter::repeat_n(tangential_norm(f), C - 1));
-                implicit_step(length, &first, &sizes.collect::<Vec<_>>(), rate, size, tolerance)?
+                let relaxation = Relaxation::new(&self.arc, &self.begin, self.from, self.onward());
+                let damped = |part: f64| {
+                    let factors = relaxation.damped(part)?;
+                    let relaxation = &relaxation;
+                    Some(move |x: &mut [f64]| relaxation.solve(&factors, x))
+                };
+                implicit_step(length, &first, rate, damped, size, tolerance)?
             }
         };
         let twist = self.here.twist + SVector::<f64, D>::from_column_slice(&y[load - D..load]);

@@ -70,6 +70,7 @@ mod path;
 mod pieces;
 mod questions;
 mod ramp;
+mod relaxation;
 mod response;
 mod segment;
 mod sensitivity;

@@ -5,11 +5,9 @@
 //! ```
 //!
 //! Each column of the scheme takes one power of h from the error, and the difference of the last two estimates what is left. However fast
-//! a variable relaxes, a step damps it. The rates depend on the first variables alone: J has a column for each of them, from differences.
+//! a variable relaxes, a step damps it. Who knows J knows best how to solve with it.
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
-
-use nalgebra::DMatrix;
 
 use super::dormand_prince::Stepped;
 
@@ -17,48 +15,36 @@ use super::dormand_prince::Stepped;
 const MOST_ROWS: usize = 9;
 /// From this row on the error must fall.
 const PATIENCE: usize = 4;
-/// A difference of this part of a variable loses half of its digits to rounding.
-const DIFFERENCE: f64 = 1e-8;
 
-/// A step of this length from where `first` is the rate, the variables counted from there, with an error below the tolerance. The rates depend
-/// on the first variables alone, which are of these sizes.
-pub(crate) fn implicit_step(
+/// A step of this length from where `first` is the rate, the variables counted from there, with an error below the tolerance. For a length h
+/// `damped` gives what solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
+pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],
-    sizes: &[f64],
     mut rate: impl FnMut(&[f64], &mut [f64]) -> Option<()>,
+    damped: impl Fn(f64) -> Option<F>,
     size: impl Fn(&[f64]) -> f64,
     tolerance: f64,
 ) -> Option<Stepped> {
-    let (n, stiff) = (first.len(), sizes.len());
-    let mut jacobian = DMatrix::<f64>::zeros(n, stiff);
-    let (mut y, mut out) = (vec![0.0; n], vec![0.0; n]);
-    for (s, size) in sizes.iter().enumerate() {
-        let difference = DIFFERENCE * size;
-        y[s] = difference;
-        rate(&y, &mut out)?;
-        y[s] = 0.0;
-        let column = out.iter().zip(first).map(|(there, here)| (there - here) / difference);
-        jacobian.column_mut(s).iter_mut().zip(column).for_each(|(entry, value)| *entry = value);
-    }
+    let (mut y, mut change) = (vec![0.0; first.len()], vec![0.0; first.len()]);
     let mut before: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
     for j in 1..=MOST_ROWS {
         let part = length / j as f64;
-        let matrix = DMatrix::identity(stiff, stiff) - jacobian.rows(0, stiff) * part;
-        let factors = matrix.lu();
+        let solve = damped(part)?;
         y.fill(0.0);
         for k in 0..j {
             if k == 0 {
-                out.copy_from_slice(first);
+                change.copy_from_slice(first);
             } else {
-                rate(&y, &mut out)?;
+                rate(&y, &mut change)?;
             }
-            let side = DMatrix::from_fn(stiff, 1, |s, _| part * out[s]);
-            let change = factors.solve(&side)?;
-            let follow = &jacobian * &change;
-            for i in 0..n {
-                y[i] += if i < stiff { change[i] } else { part * (out[i] + follow[i]) };
+            for x in &mut change {
+                *x *= part;
+            }
+            solve(&mut change);
+            for (y, change) in y.iter_mut().zip(&change) {
+                *y += change;
             }
         }
         let mut row = vec![y.clone()];
@@ -98,7 +84,13 @@ mod tests {
             };
             let size = |e: &[f64]| e[0].hypot(e[1]);
             let first = [-c * f64::sin(start), f64::cos(start)];
-            let there = implicit_step(0.5, &first, &[1.0], rate, size, 1e-9);
+            let damped = |h: f64| {
+                Some(move |x: &mut [f64]| {
+                    x[0] /= 1.0 + h * c * start.cos();
+                    x[1] -= h * start.sin() * x[0];
+                })
+            };
+            let there = implicit_step(0.5, &first, rate, damped, size, 1e-9);
             let [angle, way] = there.map_or([f64::NAN; 2], |there| [there.change[0], there.change[1]]);
             let end = 2.0 * ((0.5 * start).tan() * f64::exp(-0.5 * c)).atan();
             assert!((start + angle - end).abs() < 1e-9, "{c:e}: {} {end}", start + angle);

@@ -1,0 +1,219 @@
+//! How directions of sliding relax along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
+//!
+//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact, and with it the rate `r = C s` of its own
+//! force. Through balance the way of the object changes, which all contacts feel. With φ = d·Δ / |F_t| of a change Δ of the friction forces
+//!
+//! ```text
+//! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
+//! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
+//! ```
+//!
+//! J is one number a contact beside a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
+//!
+//! ```text
+//! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
+//! T' δq - b' δλ = Σ G_i v_i (d_i·g_i) / e_i,     T' = T + h Σ G_i v_i (G_i c_i)ᵀ / e_i,     b' = b + h Σ G_i v_i (c_i·a_i') / e_i
+//! ```
+
+use nalgebra::{SMatrix, SVector};
+
+use super::arc::{Arc, Direction};
+use crate::contact::{Tangent, tangential_norm};
+use crate::numerics::Bordered;
+
+/// A direction that is turned by this angle to both sides, rad, for the derivative of a tangent: two thirds of the digits stay.
+const TURNED: f64 = 6e-6;
+
+/// A sliding contact at the start of a step.
+struct Turning<const D: usize, const C: usize> {
+    contact: usize,
+    tangent: Tangent<C>,
+    /// |F_t|, N.
+    size: f64,
+    /// d; zero without friction force, which has no direction to turn.
+    across: SVector<f64, C>,
+    /// v, N for one radian and one unit of arclength.
+    change: SVector<f64, C>,
+    /// G v.
+    push: SVector<f64, D>,
+    /// c = Cᵀ d, N/m.
+    felt: SVector<f64, C>,
+    /// G c.
+    pull: SVector<f64, D>,
+}
+
+/// J at the start of a step.
+pub(super) struct Relaxation<'f, 's, 'g, const D: usize, const C: usize> {
+    arc: &'f Arc<'s, 'g, D, C>,
+    contacts: Vec<Turning<D, C>>,
+    /// T and b.
+    stiffness: SMatrix<f64, D, D>,
+    load: SVector<f64, D>,
+    way: Direction<D>,
+}
+
+/// The factors of 1 - hJ.
+pub(super) struct Damped<const D: usize> {
+    length: f64,
+    /// Of `[T' | -b']` with the row of the path below.
+    bordered: Bordered<D>,
+    /// e, N.
+    sizes: Vec<f64>,
+}
+
+impl<'f, 's, 'g, const D: usize, const C: usize> Relaxation<'f, 's, 'g, D, C> {
+    /// Of these friction forces, on the way of the path there.
+    pub(super) fn new(
+        arc: &'f Arc<'s, 'g, D, C>,
+        frictions: &[SVector<f64, C>],
+        factor: f64,
+        way: Direction<D>,
+    ) -> Self {
+        let tangents = arc.tangents(frictions.iter().copied());
+        let (stiffness, load) = arc.balance(&tangents, factor);
+        let turning = |((&contact, friction), tangent): ((&usize, &SVector<f64, C>), Tangent<C>)| {
+            let size = tangential_norm(friction);
+            let across = match tangent {
+                Tangent::Sliding { across, .. } if size > 0.0 => across,
+                _ => SVector::zeros(),
+            };
+            let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
+            let [[_, less], [_, more]] =
+                [-TURNED, TURNED].map(|angle| arc.rates(contact, &turned(angle), &way));
+            let change = (more - less) / (2.0 * TURNED);
+            let felt = tangent.matrix().tr_mul(&across);
+            let map = &arc.sites()[contact].map;
+            Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }
+        };
+        let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).collect();
+        Self { arc, contacts, stiffness, load, way }
+    }
+
+    /// Factors of 1 - hJ for steps of length h. `None` where it is singular.
+    pub(super) fn damped(&self, length: f64) -> Option<Damped<D>> {
+        let (mut stiffness, mut load) = (self.stiffness, self.load);
+        let mut sizes = Vec::with_capacity(self.contacts.len());
+        for turning in &self.contacts {
+            let size = turning.size - length * turning.across.dot(&turning.change);
+            sizes.push(size);
+            if turning.size > 0.0 {
+                let push = turning.push * (length / size);
+                stiffness += push * turning.pull.transpose();
+                load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
+            }
+        }
+        let (bordered, _) = self.arc.factored(stiffness, &load, &self.way)?;
+        Some(Damped { length, bordered, sizes })
+    }
+
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay as they are: no rate depends on them, and their own follow
+    /// from the places that a step goes through.
+    pub(super) fn solve(&self, damped: &Damped<D>, side: &mut [f64]) {
+        let length = damped.length;
+        let mut left = SVector::zeros();
+        let mut angles = Vec::with_capacity(self.contacts.len());
+        let entries = side.chunks_exact(C - 1).zip(&self.contacts).zip(&damped.sizes);
+        for ((given, turning), size) in entries {
+            let along = (1..C).map(|a| turning.across[a] * given[a - 1]).sum::<f64>();
+            let angle = if turning.size > 0.0 { along / size } else { 0.0 };
+            left += turning.push * angle;
+            angles.push(angle);
+        }
+        let way = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
+        let (frictions, others) = side.split_at_mut(self.contacts.len() * (C - 1));
+        let entries = frictions.chunks_exact_mut(C - 1).zip(&self.contacts).zip(&damped.sizes);
+        for (((entry, turning), size), angle) in entries.zip(angles) {
+            let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);
+            let more = if turning.size > 0.0 { length * turning.felt.dot(&stretch) / size } else { 0.0 };
+            let change = (turning.change * (angle + more) + force) * length;
+            (1..C).for_each(|a| entry[a - 1] += change[a]);
+        }
+        (0..D).for_each(|k| others[k] += length * way.twist[k]);
+        others[D] += length * way.factor;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::DMatrix;
+
+    use super::super::course::Course;
+    use super::super::segment::Segment;
+    use super::*;
+    use crate::PolygonCone;
+    use crate::contact::{Polygon, Slide, State};
+    use crate::equilibrium::Cone;
+    use crate::object::Load;
+    use crate::spatial::{Contact, Grasp};
+
+    /// Fingers round a ball, softer one way than the other, all sliding but one; commands change with the factor.
+    fn fingers(ratio: f64) -> Grasp {
+        let finger = |i: u8| {
+            let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
+            let stiffness = [1.0, 0.8, 0.8 * ratio];
+            Contact::new([cos, sin, 0.2 * f64::from(i) - 0.3], [-cos, -sin, 0.1])
+                .series_stiffness_axes(stiffness)
+                .friction(0.5)
+        };
+        Grasp::new((0..5).map(finger)).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    #[test]
+    fn what_is_solved_for_obeys_difference_quotients() {
+        for ratio in [1.0, 1.7] {
+            let grasp = fingers(ratio);
+            let polygon = Polygon::shared(&PolygonCone::default());
+            let load = Load::from(&SVector::zeros());
+            let problem = grasp.problem(polygon, true, grasp.drives(), &load);
+            let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
+            let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]);
+            let course = Course::Straight { from: SVector::zeros(), rate };
+            let segment = Segment { grasp: &grasp, cone: Cone::Round, problem, change, course, largest: 0.0 };
+            let angle = |i: u8| 0.7 * f64::from(i) + 0.4;
+            let frictions: Vec<_> = (1..5)
+                .map(|i| SVector::from([0.0, angle(i).cos(), angle(i).sin()]) * (0.2 + 0.1 * f64::from(i)))
+                .collect();
+            let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
+            let states: Vec<_> = std::iter::once(State::Rolling).chain(sliding).collect();
+            let arc = Arc::new(&segment, &states, &[], 0.5);
+            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
+            let way = way.unwrap_or_else(Direction::onward);
+
+            // Rates of friction forces, twist and factor after a change of the friction forces.
+            let rates = |y: &[f64]| {
+                let moved = frictions.iter().zip(y.chunks_exact(2));
+                let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));
+                let tangents = arc.tangents(moved);
+                let way = arc.direction(&tangents, 0.0, &way).unwrap_or_else(Direction::onward);
+                let own =
+                    arc.sliding.iter().zip(&tangents).map(|(&i, tangent)| arc.rates(i, tangent, &way)[1]);
+                let own = own.flat_map(|force| [force[1], force[2]]);
+                own.chain(way.twist.iter().copied()).chain([way.factor]).collect::<Vec<_>>()
+            };
+            let n = 2 * frictions.len() + 7;
+            let mut jacobian = DMatrix::zeros(n, n);
+            for k in 0..2 * frictions.len() {
+                let [less, more] = [-1e-6, 1e-6].map(|step| {
+                    let mut y = vec![0.0; n];
+                    y[k] = step;
+                    rates(&y)
+                });
+                for row in 0..n {
+                    jacobian[(row, k)] = (more[row] - less[row]) / 2e-6;
+                }
+            }
+            let relaxation = Relaxation::new(&arc, &frictions, 0.0, way);
+            for length in [1e-3, 0.1, 10.0, 1e4] {
+                let given: Vec<f64> = (0..n).map(|k| (k as f64).sin()).collect();
+                let mut solved = given.clone();
+                relaxation.solve(&relaxation.damped(length).expect("regular"), &mut solved);
+                let matrix = DMatrix::identity(n, n) - &jacobian * length;
+                let size = matrix.abs() * DMatrix::from_column_slice(n, 1, &solved).abs();
+                let left = matrix * DMatrix::from_column_slice(n, 1, &solved)
+                    - DMatrix::from_column_slice(n, 1, &given);
+                let worst = left.component_div(&size).amax();
+                assert!(worst < 1e-7, "{ratio} {length:e}: {worst:e}");
+            }
+        }
+    }
+}
