@@ -121,7 +121,7 @@ impl<const D: usize, const C: usize> Line<'_, D, C> {
     fn follow(&self, settings: &Settings) -> Option<Agreement<D, C>> {
         let program = &self.program;
         let [forces, rates] = self.forces(&program.stuck)?;
-        let lcp = Lcp::new(program.matrix(), program.vector(&forces)).ok()?;
+        let lcp = Lcp::new(program.matrix()?, program.vector(&forces)).ok()?;
         let settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
         let mut path = Parametric::new(&lcp, &program.vector(&rates), settings).ok()?;
         let mut basis: Basis = path.start().solution()?.basis.clone();

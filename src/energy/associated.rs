@@ -1,8 +1,8 @@
 //! The associated friction law: what a grasp does under the convex contact law of many simulators.
 
-use nalgebra::{DMatrix, SVector};
+use nalgebra::SVector;
 
-use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, rows, values};
+use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
@@ -23,7 +23,7 @@ pub enum AssociatedOutcome<const D: usize, const C: usize> {
     Rest(Box<AssociatedState<D, C>>),
     /// No forces of the cones balance the load.
     NoBalance,
-    /// Rounding or a limit on pivots kept the solver from an answer.
+    /// Rounding or a limit on pivots or rows kept the solver from an answer: its matrix is dense, and more than 10 000 rows are not tried.
     Unsolved,
 }
 
@@ -199,7 +199,7 @@ impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
             let twist = trial.twist;
             return Some((trial, Vec::new(), twist));
         }
-        let matrix = DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i].past_the_object(&rows[j]));
+        let matrix = dense(rows.len(), |i, j| rows[i].past_the_object(&rows[j]))?;
         let Outcome::Solved(solution) = by_pivots(matrix, vector, settings)? else { return None };
         let travelled = rows.iter().zip(&solution.z).map(|(row, z)| row.seen * *z).sum();
         let near = trial.twist + self.stuck.motion(&travelled);

@@ -17,6 +17,11 @@ use crate::object::{Piece, Problem};
 /// Scenes with stiffness ratios of 1e14 leave rounding of 1e-14; a smaller part would refuse their answers.
 pub(super) const ROUNDING: f64 = 1e-12;
 
+/// Rows of a matrix of which all entries are kept, at most: some gigabyte. A thousand contacts in space on eight facets have 9 000.
+const MOST_ROWS: usize = 10_000;
+/// Operations on all entries of matrices, at most, unless the caller says how many pivots: they take some ten seconds.
+const MOST_OPERATIONS: f64 = 2e11;
+
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
 pub(super) struct Row<const D: usize, const C: usize> {
@@ -117,9 +122,20 @@ pub(super) fn values<'r, const D: usize, const C: usize>(
     DVector::from_vec(rows.into_iter().map(|row| row.value(forces) / row.length).collect())
 }
 
+/// The matrix with these entries; `None` if it has too many of them.
+pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
+    (rows <= MOST_ROWS).then(|| DMatrix::from_fn(rows, rows, entry))
+}
+
 /// What Lemke's method says of one of the problems made of such rows; `None` if a number overflows.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
-    let settings =
-        lcp::Settings { max_pivots: settings.max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
+    let default = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
+    let entries = vector.len() as f64 * vector.len() as f64;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
+    let affordable = (MOST_OPERATIONS / entries.max(1.0)) as usize;
+    let max_pivots = settings
+        .max_pivots
+        .or_else(|| Some(affordable).filter(|most| *most < default.pivot_limit(vector.len())));
+    let settings = lcp::Settings { max_pivots, ..default };
     Some(Lcp::new(matrix, vector).ok()?.solve_with(&settings))
 }

@@ -27,7 +27,8 @@ pub enum MinimumOutcome<const D: usize, const C: usize> {
         /// Work of the load on it, positive, J.
         work: f64,
     },
-    /// Rounding or a limit on pivots kept the solver from an answer.
+    /// Rounding or a limit on pivots or rows kept the solver from an answer: its matrix is dense, and more than 10 000 rows (a thousand contacts
+    /// in space on eight facets) are not tried.
     Unsolved,
 }
 

@@ -25,7 +25,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, rows, values};
+use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::object::{Piece, PieceState, Problem};
@@ -81,11 +81,11 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         values(self.rows(), stuck)
     }
 
-    /// Its matrix.
-    pub(super) fn matrix(&self) -> DMatrix<f64> {
+    /// Its matrix; `None` if it is too large.
+    pub(super) fn matrix(&self) -> Option<DMatrix<f64>> {
         let rows: Vec<_> = self.rows().collect();
         let gaps = self.gaps.len();
-        DMatrix::from_fn(rows.len(), rows.len(), |i, j| match (i < gaps, j < gaps) {
+        dense(rows.len(), |i, j| match (i < gaps, j < gaps) {
             (_, true) => rows[i].past_the_object(rows[j]),
             (true, false) => -rows[i].past_the_object(rows[j]),
             (false, false) => rows[i].through_the_object(rows[j]),
@@ -98,7 +98,8 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         stuck: &PieceState<D, C>,
         settings: &Settings,
     ) -> Result<(Faces, usize, SVector<f64, D>), Failure> {
-        match by_pivots(self.matrix(), self.vector(&stuck.forces), settings) {
+        let matrix = self.matrix().ok_or(Failure::Unsolved)?;
+        match by_pivots(matrix, self.vector(&stuck.forces), settings) {
             Some(Outcome::Solved(solution)) => {
                 let mut travelled = SVector::zeros();
                 for (i, (row, z)) in self.rows().zip(solution.z.iter()).enumerate() {
