@@ -9,7 +9,8 @@ use grasp_lcp::grasp::{Grasp, Wrench};
 use grasp_lcp::structured::{Search, Workspace};
 
 use crate::Outcome;
-use crate::report::{best, row};
+use crate::limits::{Cores, Limit, Needs};
+use crate::report::{Beside, best, row};
 use crate::today::rolls;
 use support::patches::{fingers, planar_patch, spatial_patch};
 
@@ -25,8 +26,7 @@ pub fn few_contacts() -> Outcome {
         row(
             &format!("equilibrium, {count} contacts in space, 8 facets"),
             time,
-            dense,
-            program_once(&grasp, &load, 20),
+            Beside { in_general: dense, today: program_once(&grasp, &load, 20), ..Beside::NOTHING },
             &found(&mut workspace, &grasp, &load)?,
         );
     }
@@ -61,12 +61,33 @@ fn patch<const D: usize, const C: usize>(
     let (dense, today) =
         if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
     let name = format!("equilibrium, patch {place}, n = {}", grasp.len());
-    row(&format!("{name}, Lemke"), lemke, dense, today, &remarks);
+    let beside = Beside { in_general: dense, today, ..Beside::NOTHING };
+    row(&format!("{name}, Lemke"), lemke, beside, &remarks);
     let newton = best(runs, || {
         black_box(workspace.solve(grasp, load).is_ok());
     });
-    row(&format!("{name}, Newton first"), newton, dense, today, &found(&mut workspace, grasp, load)?);
+    let limit = match workspace.solve(grasp, load)? {
+        Search::Found(view) => view.newton_steps().map(|steps| Limit::of(&needs::<D, C>(grasp.len(), steps))),
+        _ => None,
+    };
+    let beside = Beside { limit: limit.unwrap_or(Beside::NOTHING.limit), ..beside };
+    row(&format!("{name}, Newton first"), newton, beside, &found(&mut workspace, grasp, load)?);
     Ok(())
+}
+
+/// Of each contact in each step and at the start G_i, springs, friction, command and force; its stretch, its force, what it adds to the imbalance and
+/// to half of the stiffness, three dyads.
+fn needs<const D: usize, const C: usize>(contacts: usize, steps: usize) -> Needs {
+    let [d, c] = [D, C].map(|n| n as f64);
+    let bytes = 8.0 * (d * c + 3.0 * c + 1.0);
+    let operations = 2.0 * (2.0 * d * c) + 4.0 * c + c * (d + d * (d + 1.0));
+    let visits = contacts as f64 * (steps as f64 + 1.0);
+    Needs {
+        bytes: visits * bytes,
+        among: contacts as f64 * bytes,
+        operations: visits * operations,
+        cores: Cores::All,
+    }
 }
 
 /// The exponent p of n^p between 10³ and 10⁵ contacts in the plane.
@@ -96,14 +117,9 @@ pub fn whole_solve() -> Outcome {
                 worst = outcome.equilibrium().map_or(f64::NAN, |e| e.residuals.worst());
             }
         });
-        row(&format!("building the grasp, plane, n = {n}"), build, f64::NAN, f64::NAN, "");
-        row(
-            &format!("Grasp::solve, plane, n = {n}"),
-            solve,
-            f64::NAN,
-            f64::NAN,
-            &format!("residual {worst:.1e}"),
-        );
+        row(&format!("building the grasp, plane, n = {n}"), build, Beside::NOTHING, "");
+        let residual = format!("residual {worst:.1e}");
+        row(&format!("Grasp::solve, plane, n = {n}"), solve, Beside::NOTHING, &residual);
     }
     Ok(())
 }

@@ -2,11 +2,13 @@
 //!
 //! `cargo run --release -p reports --bin scaling` prints each figure, best of several runs, as ratios beside two others of the same run where those are
 //! still affordable: what the crate does in general for a few contacts (the dense form for an equilibrium, `Grasp::onset`, `Grasp::follow`), and what one
-//! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). With
+//! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). The
+//! column "of the limit" says which part of the least time that the machine takes for the bytes and operations of the work, see [`limits`]. With
 //! `--features simd` batches use wider vectors.
 #![allow(clippy::doc_markdown, unreachable_pub)]
 
 mod equilibria;
+mod limits;
 mod onsets;
 mod paths;
 mod report;
@@ -15,6 +17,7 @@ mod today;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 fn main() -> Outcome {
+    limits::print_machine();
     report::head();
     onsets::rows()?;
     equilibria::few_contacts()?;

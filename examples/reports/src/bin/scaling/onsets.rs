@@ -11,7 +11,8 @@ use grasp_lcp::sweep::onsets_of_batch;
 use grasp_lcp::{planar, spatial};
 
 use crate::Outcome;
-use crate::report::{best, row};
+use crate::limits::{Cores, Limit, Needs};
+use crate::report::{Beside, best, row};
 use crate::today::bisected_onset;
 use support::patches::uneven;
 
@@ -61,7 +62,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
         many.push(grasp);
     }
     let on_all_cores = each / 10.0
-        * best(20, || {
+        * best(100, || {
             onsets_of_batch(&many, black_box(&[pull]), &mut all);
         });
 
@@ -89,21 +90,48 @@ fn family<const D: usize, const C: usize, const N: usize>(
     let today = best(3, || found = bisected_onset(&grasps[0], direction).unwrap_or(f64::NAN));
     let bisected = (found / few[0].1 - 1.0).abs();
 
-    row(&format!("making ready {name}, with its validation"), ready, f64::NAN, f64::NAN, "");
+    row(&format!("making ready {name}, with its validation"), ready, Beside::NOTHING, "");
+    let beside = Beside { in_general: whole, today, ..Beside::NOTHING };
     row(
         &format!("onset of {name}, one at a time"),
         alone,
-        whole,
-        today,
+        beside,
         &format!("off Grasp::onset by {off:.0e}, the bisection by {bisected:.0e}"),
     );
-    let rate = |time: f64| format!("{:.1} million a second", 1e-6 / time);
-    row(&format!("onset of {name}, batch on one thread"), together, whole, today, &rate(together));
-    row(&format!("onset of {name}, batch on all cores"), on_all_cores, whole, today, &rate(on_all_cores));
-    let of_many = format!("onset of {name}, batch of 16 loads each, all cores");
-    row(&of_many, of_many_loads, whole, today, &rate(of_many_loads));
+    let batch_row = |how: &str, time: f64, needs: &Needs| {
+        let beside = Beside { limit: Limit::of(needs), ..beside };
+        row(
+            &format!("onset of {name}, {how}"),
+            time,
+            beside,
+            &format!("{:.1} million a second", 1e-6 / time),
+        );
+    };
+    batch_row("batch on one thread", together, &needs::<C, N>(1.0, GRASPS, Cores::One));
+    batch_row("batch on all cores", on_all_cores, &needs::<C, N>(1.0, 10 * GRASPS, Cores::All));
+    let of_many = needs::<C, N>(16.0, 10 * GRASPS, Cores::All);
+    batch_row("batch of 16 loads each, all cores", of_many_loads, &of_many);
     turns(name, (&fingers, &batch), &grasps, direction)?;
     squeezes(name, (&fingers, &batch), &grasps, direction)
+}
+
+/// What the onset under one of several loads needs, in a batch of so many grasps: operations are counted in the formulas of the room `screening`, those
+/// that make a grasp ready and those for a load that starts at zero.
+fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores) -> Needs {
+    let n = N as f64;
+    let (ready, load) = match (C, N) {
+        (2, 2) => (57.0, 94.0),
+        (2, _) => (90.0 * n + 66.0, 55.0 * n + 49.0),
+        _ => (197.0 * n + 212.0, 140.0 * n + 117.0),
+    };
+    let data = 8.0 * (n * (3.0 * C as f64 + 4.0) + 3.0);
+    let answer = 16.0;
+    Needs {
+        bytes: data / loads + answer,
+        among: grasps as f64 * (data + loads * answer),
+        operations: ready / loads + load,
+        cores,
+    }
 }
 
 /// The angle at which contacts leave while a load turns: a light one that all hold, and one under which many slide.
@@ -131,8 +159,9 @@ fn turns<const D: usize, const C: usize, const N: usize>(
         let leave = answers.iter().filter(|answer| answer.angle().is_some()).count();
         let remark = format!("{:.0} % leave", 100.0 * leave as f64 / GRASPS as f64);
         let name = format!("{how} load that turns, {name}");
-        row(&format!("{name}, one at a time"), alone, whole, f64::NAN, &remark);
-        row(&format!("{name}, batch on one thread"), together, whole, f64::NAN, &remark);
+        let beside = Beside { in_general: whole, ..Beside::NOTHING };
+        row(&format!("{name}, one at a time"), alone, beside, &remark);
+        row(&format!("{name}, batch on one thread"), together, beside, &remark);
     }
     Ok(())
 }
@@ -161,14 +190,9 @@ fn squeezes<const D: usize, const C: usize, const N: usize>(
     }) / grasps.len() as f64;
     let known = answers.iter().filter(|answer| answer.factor().is_some()).count();
     let remark = format!("a factor for {:.0} %", 100.0 * known as f64 / GRASPS as f64);
-    row(&format!("least squeeze for two loads, {name}, one at a time"), alone, whole, f64::NAN, &remark);
-    row(
-        &format!("least squeeze for two loads, {name}, batch on one thread"),
-        together,
-        whole,
-        f64::NAN,
-        &remark,
-    );
+    let beside = Beside { in_general: whole, ..Beside::NOTHING };
+    row(&format!("least squeeze for two loads, {name}, one at a time"), alone, beside, &remark);
+    row(&format!("least squeeze for two loads, {name}, batch on one thread"), together, beside, &remark);
     Ok(())
 }
 

@@ -8,8 +8,10 @@ use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
 
 use crate::Outcome;
-use crate::report::{best, row};
-use support::patches::{planar_patch, spatial_patch};
+use crate::limits::{Cores, Limit, Needs};
+use crate::report::{Beside, best, row};
+use grasp_lcp::spatial;
+use support::patches::{planar_patch, spatial_patch, uneven};
 
 /// Whole load paths, pressed to begin with and sheared up to where most of the patch slides, and back: every event exact, from the
 /// public question on, with the equilibrium to start from; beside `Grasp::follow` where that is still affordable.
@@ -22,6 +24,36 @@ pub fn rows() -> Outcome {
         let (grasp, load) = spatial_patch(n)?;
         whole_path("in space", &grasp, &load, n <= 100)?;
     }
+    for n in [30, 100, 300] {
+        round_a_ball(n)?;
+    }
+    Ok(())
+}
+
+/// The whole path of many fingers that press on a ball from all sides, on the round cone: from no load to where many slide, each of them along a
+/// direction that turns.
+fn round_a_ball(n: usize) -> Outcome {
+    let finger = |i: usize| {
+        let u = |k: usize| uneven(13 * i + k) - 0.5;
+        let height = 1.6 * u(1);
+        let radius = (1.0 - height * height).sqrt();
+        let (sin, cos) = (std::f64::consts::TAU * u(2)).sin_cos();
+        let [x, y, z] = [radius * cos, radius * sin, height];
+        spatial::Contact::new([x, y, z], [-x + 0.2 * u(3), -y + 0.2 * u(4), -z + 0.2 * u(5)])
+            .series_stiffness(900.0 * (1.0 + u(6)), 600.0 * (1.0 + u(7)))
+            .friction(0.5 + 0.4 * u(8))
+            .command([0.01, 0.0, 0.0])
+    };
+    let grasp = Grasp::new((0..n).map(finger))?;
+    let load = spatial::Wrench::new([0.2, 0.1, -1.0], [0.05, 0.1, 0.02]) * n as f64;
+    let legs = [Leg::load_to(load * 10.0)];
+    let mut remark = String::new();
+    let time = best(if n < 100 { 5 } else { 1 }, || {
+        let Ok(mut path) = grasp.follow(&Wrench::ZERO, &legs) else { return };
+        let events = path.run().len();
+        remark = format!("{events} events, {}, error {:.0e}", how(path.end()), path.step_error());
+    });
+    row(&format!("load path on the round cone, {n} fingers"), time, Beside::NOTHING, &remark);
     Ok(())
 }
 
@@ -40,20 +72,42 @@ fn whole_path<const D: usize, const C: usize>(
         let events = path.by_ref().count();
         let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
         let looked = path.contacts_looked_at() as f64 / events as f64;
-        let how = if matches!(path.end(), Some(PathEnd::Completed)) { "" } else { ", not completed" };
+        let how = how(path.end());
         let time = best((20_000 / grasp.len()).clamp(5, 50), || {
             black_box(grasp.follow_patch(&press, legs).map_or(0, Iterator::count));
         });
         let settings = Settings::default().on_the_polygon();
         let whole = || grasp.follow_with(&press, legs, &settings).map(|mut path| path.run().len());
         let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
+        let limit = Limit::of(&needs::<D, C>(grasp.len(), events as f64, looked));
         row(
             &format!("load path{name}, patch {place}, n = {}", grasp.len()),
             time,
-            long,
-            f64::NAN,
-            &format!("{events} events of {looked:.0} contacts, residual {residual:.1e}{how}"),
+            Beside { in_general: long, limit, ..Beside::NOTHING },
+            &format!("{events} events of {looked:.0} contacts, residual {residual:.1e}, {how}"),
         );
     }
     Ok(())
+}
+
+fn how<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> &'static str {
+    if matches!(end, Some(PathEnd::Completed)) { "completed" } else { "not completed" }
+}
+
+/// Of an event the factors and the motion of the object; of each contact that is looked at its data, and where it would leave its state. What it takes
+/// to start is left out.
+fn needs<const D: usize, const C: usize>(contacts: usize, events: f64, looked: f64) -> Needs {
+    // The lines of memory of a contact on its way.
+    let contact = if C == 2 { 128.0 } else { 256.0 };
+    let [d, c] = [D, C].map(|n| n as f64);
+    // A dyad leaves the stiffness and one enters; it is factored by reflections and solved with.
+    let event = 4.0 * d * d + 4.0 / 3.0 * d * d * d + 4.0 * d * d;
+    // u = x⁰ + τ x⁰' - m - Q y and its rate, and three conditions on both.
+    let look = 2.0 * (2.0 * c * d + 3.0 * c) + 12.0 * c;
+    Needs {
+        bytes: events * looked * contact,
+        among: contacts as f64 * contact,
+        operations: events * (event + looked * look),
+        cores: Cores::One,
+    }
 }

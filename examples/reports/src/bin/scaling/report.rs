@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use crate::limits::Limit;
+
 /// Best time of several runs, s.
 pub fn best(runs: usize, mut work: impl FnMut()) -> f64 {
     (0..runs)
@@ -16,20 +18,41 @@ pub fn best(runs: usize, mut work: impl FnMut()) -> f64 {
 /// Heads of the columns.
 pub fn head() {
     println!(
-        "{:<56} {:>10} {:>10} {:>8} {:>10} {:>9}  remarks",
-        "work", "time", "in general", "ratio", "today", "ratio"
+        "{:<62} {:>10} {:>10} {:>6} {:>10} {:>7} {:>15}  remarks",
+        "work", "time", "in general", "ratio", "today", "ratio", "of the limit"
     );
 }
 
-/// One row; times that are not numbers are left out.
-pub fn row(work: &str, time: f64, in_general: f64, today: f64, remarks: &str) {
+/// What stands beside a time, s; what is not a number is left out.
+#[derive(Clone, Copy)]
+pub struct Beside {
+    /// What the crate takes in general.
+    pub in_general: f64,
+    /// What one does without it.
+    pub today: f64,
+    /// What this machine takes at least.
+    pub limit: Limit,
+}
+
+impl Beside {
+    pub const NOTHING: Self =
+        Self { in_general: f64::NAN, today: f64::NAN, limit: Limit { time: f64::NAN, by: "" } };
+}
+
+/// One row.
+pub fn row(work: &str, time: f64, beside: Beside, remarks: &str) {
+    let Beside { in_general, today, limit } = beside;
     let ratio = |other: f64| match other / time {
         r if r.is_nan() => String::new(),
         r if r < 100.0 => format!("{r:.1}"),
         r => format!("{r:.0}"),
     };
+    let reached = match limit.time / time {
+        part if part.is_nan() => String::new(),
+        part => format!("{:.0} % {}", 100.0 * part, limit.by),
+    };
     println!(
-        "{work:<56} {:>10} {:>10} {:>8} {:>10} {:>9}  {remarks}",
+        "{work:<62} {:>10} {:>10} {:>6} {:>10} {:>7} {reached:>15}  {remarks}",
         unit(time),
         unit(in_general),
         ratio(in_general),

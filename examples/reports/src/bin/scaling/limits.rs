@@ -1,0 +1,140 @@
+//! What the machine can do at most.
+//!
+//! Work moves bytes and does operations. Each takes at least as long as in a loop that does nothing else, and the longer of the two times is the limit of
+//! the work. Bytes are those of its data and answers, each counted once. Operations are the additions, multiplications, divisions and roots of its
+//! formulas. Neither comparisons, choices and integers are counted, nor that a division takes longer than a product: the real limit is nearer.
+
+use std::hint::black_box;
+
+use rayon::prelude::*;
+
+use crate::report::best;
+
+/// What a piece of work needs.
+pub struct Needs {
+    /// Bytes of data and answers.
+    pub bytes: f64,
+    /// Bytes of all data that the work goes through before it comes back to the first: they say which memory holds them.
+    pub among: f64,
+    /// Operations in floating point.
+    pub operations: f64,
+    pub cores: Cores,
+}
+
+#[derive(Clone, Copy)]
+pub enum Cores {
+    One,
+    All,
+}
+
+/// The least time for what some work needs.
+#[derive(Clone, Copy)]
+pub struct Limit {
+    /// s
+    pub time: f64,
+    /// What sets it.
+    pub by: &'static str,
+}
+
+impl Limit {
+    /// Measures what this machine can do and says how long the work takes at least.
+    pub fn of(needs: &Needs) -> Self {
+        let memory = needs.bytes / bandwidth(needs.among, needs.cores);
+        let arithmetic = needs.operations / peak(needs.cores);
+        if memory > arithmetic {
+            Self { time: memory, by: "memory" }
+        } else {
+            Self { time: arithmetic, by: "arithmetic" }
+        }
+    }
+}
+
+/// Prints what the limits are made of.
+pub fn print_machine() {
+    for (cores, name) in [(Cores::One, "one core"), (Cores::All, "all cores")] {
+        let [near, far] = [1e6, 1e8].map(|among| 1e-9 * bandwidth(among, cores));
+        let peak = 1e-9 * peak(cores);
+        println!(
+            "this machine, {name}: {peak:.0}e9 products and sums a second, {near:.0} GB/s read from 1 MB, {far:.0} GB/s from 100 MB"
+        );
+    }
+}
+
+/// Bytes a second that are read from so many, again and again. All cores do at least what one of them does: small work is not handed out.
+fn bandwidth(among: f64, cores: Cores) -> f64 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a length
+    let array = vec![1.0_f64; (among / 8.0).max(1024.0) as usize];
+    let runs = (100_000_000 / array.len()).clamp(10, 1000);
+    let mut time = best(runs, || _ = black_box(sum(black_box(&array))));
+    if matches!(cores, Cores::All) {
+        let part = array.len().div_ceil(4 * rayon::current_num_threads());
+        time =
+            time.min(best(runs, || _ = black_box(black_box(&array).par_chunks(part).map(sum).sum::<f64>())));
+    }
+    8.0 * array.len() as f64 / time
+}
+
+/// In so many sums that none waits for memory because of another.
+fn sum(array: &[f64]) -> f64 {
+    let mut sums = [0.0; 32];
+    wide(|| {
+        for chunk in array.as_chunks::<32>().0 {
+            for (sum, x) in sums.iter_mut().zip(chunk) {
+                *sum += x;
+            }
+        }
+    });
+    sums.iter().sum()
+}
+
+/// Products and sums a second, as many of the one as of the other: polynomials of degree four at places in the nearest memory. No place waits for
+/// another.
+fn peak(cores: Cores) -> f64 {
+    const PLACES: usize = 512;
+    const ROUNDS: usize = 2000;
+    let work = || {
+        let places: [f64; PLACES] = black_box(std::array::from_fn(|k| 1e-3 * k as f64));
+        let coefficients = black_box([0.5, 0.25]);
+        let mut values = [0.0; PLACES];
+        for _ in 0..ROUNDS {
+            polynomials(&places, &mut values, coefficients);
+            black_box(&mut values);
+        }
+    };
+    let each = (8 * PLACES * ROUNDS) as f64;
+    match cores {
+        Cores::One => each / best(100, work),
+        Cores::All => {
+            let threads = rayon::current_num_threads();
+            each * threads as f64 / best(100, || (0..threads).into_par_iter().for_each(|_| work()))
+        }
+    }
+}
+
+#[inline(never)]
+fn polynomials<const N: usize>(places: &[f64; N], values: &mut [f64; N], [a, b]: [f64; 2]) {
+    wide(|| {
+        for (value, x) in values.iter_mut().zip(places) {
+            *value = (((a * x + b) * x + a) * x + b) * x + a;
+        }
+    });
+}
+
+/// A loop compiled for the vectors that the crate uses.
+#[cfg(feature = "simd")]
+fn wide(work: impl FnOnce()) {
+    struct Wide<W>(W);
+    impl<W: FnOnce()> pulp::NullaryFnOnce for Wide<W> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            (self.0)();
+        }
+    }
+    pulp::Arch::new().dispatch(Wide(work));
+}
+
+#[cfg(not(feature = "simd"))]
+fn wide(work: impl FnOnce()) {
+    work();
+}
