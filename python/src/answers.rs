@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use serde::Serialize;
 
 use crate::errors::{refused, wrong};
-use crate::grasp::Kept;
+use crate::kept::Kept;
 use crate::pictures::Drawn;
 
 /// What is answered from Python.

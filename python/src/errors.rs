@@ -86,3 +86,10 @@ fn named(what: &'static str) -> &'static str {
         other => other,
     }
 }
+
+/// What serde says of a part of a scene; where in the text, nobody has written.
+pub(crate) fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or(&message);
+    wrong(format_args!("{argument}: {message}"))
+}

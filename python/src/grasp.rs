@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use grasp_lcp::Error;
 use grasp_lcp::Settings;
-use grasp_lcp::grasp::Grasp as Built;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Turn;
 use grasp_lcp::scene::{Answer, Answers, Commands, Question, RampAsked, Scene, Setup, Space};
@@ -14,16 +12,11 @@ use pyo3::prelude::*;
 
 use crate::answers::{Raw, Reply, json};
 use crate::columns::{Columns, GivenColumns};
-use crate::errors::{refused, wrong};
+use crate::errors::{of_json, refused, wrong};
+use crate::kept::Kept;
 use crate::loads::wrench;
 use crate::pictures::Drawn;
 use crate::quality::Quality;
-
-/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it.
-pub(crate) struct Kept<const D: usize, const C: usize> {
-    pub(crate) setup: Setup<D, C>,
-    grasp: Option<Built<D, C>>,
-}
 
 /// The plane or space: what differs between them.
 pub(crate) trait Held: Send + Sync {
@@ -46,16 +39,6 @@ pub(crate) struct AskedRamp<'a, 'py> {
 }
 
 impl<const D: usize, const C: usize> Kept<D, C> {
-    fn new(setup: Setup<D, C>) -> Result<Arc<Self>, Error> {
-        let grasp = if setup.is_held_by_a_hand() { None } else { Some(setup.grasp()?) };
-        Ok(Arc::new(Self { setup, grasp }))
-    }
-
-    /// The grasp, for questions that know no joints.
-    pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Built<D, C>, Error> {
-        self.grasp.as_ref().ok_or(Error::NotForHands { question })
-    }
-
     fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<RampAsked<D, C>> {
         let mut ramp = RampAsked::along(wrench("direction", asked.direction)?);
         if let Some(base) = asked.base {
@@ -175,13 +158,6 @@ where
         let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
         json(&told.map_err(refused)?)
     }
-}
-
-/// What serde says of a part of a scene; where in the text, nobody has written.
-pub(crate) fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
-    let message = error.to_string();
-    let message = message.split(" at line ").next().unwrap_or(&message);
-    wrong(format_args!("{argument}: {message}"))
 }
 
 /// Contacts, or a hand, that hold an object; see `grasp_lcp.Grasp`.

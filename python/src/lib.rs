@@ -11,6 +11,7 @@ mod equilibria;
 mod errors;
 mod friction;
 mod grasp;
+mod kept;
 mod lcp;
 mod loads;
 mod onsets;

@@ -5,7 +5,7 @@ use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
 use pyo3::PyResult;
 
 use crate::errors::{refused, wrong};
-use crate::grasp::Kept;
+use crate::kept::Kept;
 
 /// What is drawn in the plane and in space.
 pub(crate) trait Drawn<const D: usize, const C: usize> {

@@ -9,8 +9,8 @@ use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
-use crate::errors::{refused, wrong};
-use crate::grasp::{Kept, of_json};
+use crate::errors::{of_json, refused, wrong};
+use crate::kept::Kept;
 use crate::loads::{point, wrench};
 
 type Given<'a, 'py> = Option<&'a Bound<'py, PyAny>>;

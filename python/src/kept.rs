@@ -1,0 +1,25 @@
+//! What is kept of a grasp between questions.
+
+use std::sync::Arc;
+
+use grasp_lcp::Error;
+use grasp_lcp::grasp::Grasp;
+use grasp_lcp::scene::Setup;
+
+/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it.
+pub(crate) struct Kept<const D: usize, const C: usize> {
+    pub(crate) setup: Setup<D, C>,
+    pub(crate) grasp: Option<Grasp<D, C>>,
+}
+
+impl<const D: usize, const C: usize> Kept<D, C> {
+    pub(crate) fn new(setup: Setup<D, C>) -> Result<Arc<Self>, Error> {
+        let grasp = if setup.is_held_by_a_hand() { None } else { Some(setup.grasp()?) };
+        Ok(Arc::new(Self { setup, grasp }))
+    }
+
+    /// The grasp, for questions that know no joints.
+    pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Grasp<D, C>, Error> {
+        self.grasp.as_ref().ok_or(Error::NotForHands { question })
+    }
+}
