@@ -83,7 +83,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         factor: f64,
         near: Option<&SVector<f64, D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
-        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
+        let piece = self.problem.piece(states);
         let rate = match &self.course {
             Course::Straight { rate, .. } => rate,
             Course::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),

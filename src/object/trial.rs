@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::piece::Piece;
 use super::problem::Problem;
+use crate::contact::State;
 
 /// Grasps of more sites than this do not keep their factors: many sites take memory, and many questions are asked of few.
 const MOST_KEPT: usize = 256;
@@ -17,5 +18,10 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
             Some(kept) if self.len() <= MOST_KEPT => kept.get(make),
             _ => Arc::new(make()),
         }
+    }
+    /// The piece of these states; that of the elastic trial where they are its states.
+    pub(crate) fn piece(&self, states: &[State<C>]) -> Arc<Piece<D, C>> {
+        let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
+        if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }
     }
 }
