@@ -225,13 +225,16 @@ pub(crate) fn spring_rows<const D: usize, const C: usize>(
     })
 }
 
-/// K^{1/2}v for these stretches of the contacts, spring by spring.
-pub(crate) fn stretched<const D: usize, const C: usize>(
+/// K^{1/2}v for these stretches of the contacts, spring by spring, in memory that is asked for once.
+pub(crate) fn stretched_into<const D: usize, const C: usize>(
     sites: &[Site<D, C>],
     stretch: impl Fn(usize) -> SVector<f64, C>,
-) -> impl Iterator<Item = f64> {
-    sites.iter().enumerate().flat_map(move |(contact, site)| {
+    x: &mut Vec<f64>,
+) {
+    x.clear();
+    x.reserve(C * sites.len());
+    for (contact, site) in sites.iter().enumerate() {
         let v = stretch(contact);
-        (0..site.springs.axes()).map(move |axis| site.springs.root_along(axis) * v[axis])
-    })
+        x.extend((0..site.springs.axes()).map(|axis| site.springs.root_along(axis) * v[axis]));
+    }
 }

@@ -35,7 +35,7 @@ mod tangent;
 mod trial;
 
 pub(crate) use energy_coordinates::{
-    EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched,
+    EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched_into,
 };
 pub(crate) use free_motions::worked_on;
 pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Grasp, Site, Twist, Wrench};
 use crate::numerics::{Orthogonal, without};
-use crate::object::{Problem, spring_rows, stretched, worked_on};
+use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
@@ -261,8 +261,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         if worked_on(&free[..D - self.factor.rank()], &problem.wrench).is_some() {
             return false;
         }
-        self.x.clear();
-        self.x.extend(stretched(sites, |contact| problem.drives[contact]));
+        stretched_into(sites, |contact| problem.drives[contact], &mut self.x);
         self.travelled = self.factor.project(&mut self.x, &problem.wrench);
         true
     }

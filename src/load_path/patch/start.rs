@@ -10,7 +10,7 @@ use super::trial_leg::{TrialLeg, loads};
 use crate::contact::{Mode, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::object::{Problem, stretched};
+use crate::object::{Problem, stretched_into};
 use crate::search::Found;
 
 impl<const D: usize, const C: usize> Patch<D, C> {
@@ -65,7 +65,8 @@ impl<const D: usize, const C: usize> Patch<D, C> {
             self.balance.put(contact, state.on_polygon().unwrap_or(Mode::Open));
         }
         let sites = problem.sites;
-        let x: Vec<f64> = stretched(sites, |i| sites[i].map.tr_mul(&found.twist)).collect();
+        let mut x = Vec::new();
+        stretched_into(sites, |i| sites[i].map.tr_mul(&found.twist), &mut x);
         let travelled = self.trial.factor.coordinates(&x) - self.trial.travelled;
         self.balance.y = travelled * self.balance.scale();
         self.balance.renew();

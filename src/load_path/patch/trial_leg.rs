@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::grasp::{Grasp, Site};
 use crate::load_path::leg::Program;
 use crate::numerics::{Orthogonal, without};
-use crate::object::{spring_rows, stretched, worked_on};
+use crate::object::{spring_rows, stretched_into, worked_on};
 
 /// The springs of all contacts, and the motion of the object if all of them hold.
 #[derive(Debug)]
@@ -34,7 +34,10 @@ impl<const D: usize> TrialLeg<D> {
         program: &Program<D, C>,
     ) -> [Vec<f64>; 2] {
         let (from, change) = loads(grasp, program);
-        let mut x = program.drives(grasp).map(|v| stretched(grasp.sites(), |i| v[i]).collect::<Vec<_>>());
+        let mut x = [Vec::new(), Vec::new()];
+        for (x, v) in x.iter_mut().zip(program.drives(grasp)) {
+            stretched_into(grasp.sites(), |i| v[i], x);
+        }
         self.travelled = self.factor.project(&mut x[0], &from);
         self.rate = self.factor.project(&mut x[1], &change);
         x
