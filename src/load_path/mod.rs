@@ -28,7 +28,7 @@
 //!
 //! | path | follower | tells | affordable |
 //! |---|---|---|---|
-//! | [`LoadPath`] | [`Pieces`]: whole pieces, kept behind | every event, energies, states anywhere | some dozens of contacts |
+//! | [`LoadPath`] | [`Pieces`]: whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`PatchPath`] | [`Patch`]: sums and queues, on polygons | every event, one contact at a time | 10⁵ |
 //! | [`SteppedPath`] | [`Steps`]: steps of exact slips, on the round cone | the steps | 10⁵ |
 //!

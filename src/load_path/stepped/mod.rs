@@ -1,6 +1,6 @@
 //! Load programs followed in steps for any number of contacts on the round cone.
 //!
-//! [`LoadPath`](super::LoadPath) finds every event of a few dozen contacts, [`PatchPath`](super::PatchPath) every one of thousands on a polygon. Where
+//! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts, [`PatchPath`](super::PatchPath) every one of thousands on a polygon. Where
 //! thousands slide on the round cone their directions of slip turn all the time. Here a step takes all contacts along straight stretches,
 //! each with its exact slip, and Newton's method finds the motion of the object that balances the load at its end. What is left is that
 //! stretches are not straight between; a step is made once, and again in two halves, to tell how much that matters.
