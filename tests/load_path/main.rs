@@ -16,6 +16,7 @@ mod invariance;
 mod law;
 mod leg_ends;
 mod memory;
+mod oblique_loading;
 mod on_facets;
 mod pace;
 mod partial_slip;

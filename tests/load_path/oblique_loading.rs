@@ -1,0 +1,151 @@
+//! A rough ball on independent springs, pressed and sheared at once, then sheared further and back: the tractions of Jäger and of Ciavarella.
+//!
+//! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of
+//! the springs' ends, and they lie alike on both sides, so that nothing tilts. From a pressed ball on
+//!
+//! ```text
+//! P and Q grow, dQ = ρ dP, ρ < μ:     all springs stick,      t_i = ρ (n_i - n_i⁰)
+//! Q grows at this P:                  t_i = min(ρ (n_i - n_i⁰) + k_t v, μ n_i)
+//! Q falls at this P:                  t_i = max(t_i - k_t w, -μ n_i)
+//! ```
+//!
+//! With `n_i⁰ = 0` the second is `μ n_i - (μ - ρ) n_i*` with the pressures n* of a ball that is pressed less: the superposition of J. Jäger (A new
+//! principle in contact mechanics, J. Tribology 120 (1998) 677) and M. Ciavarella (Tangential loading of general three-dimensional contacts,
+//! J. Appl. Mech. 65 (1998) 998).
+
+use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::load_path::{Leg, PathEnd};
+use grasp_lcp::{planar, spatial};
+use nalgebra::{Matrix, SVector};
+
+const MU: f64 = 0.4;
+/// Normal stiffness of a spring, N/m, and tangential.
+const K: f64 = 1000.0;
+const KT: f64 = 700.0;
+/// 2R, m.
+const DIAMETER: f64 = 100.0;
+/// How far the ball has come down before it is sheared, and after the oblique leg, m.
+const DEPTHS: [f64; 2] = [2e-3, 9e-3];
+/// dQ / dP of the oblique leg.
+const RHO: f64 = 0.25;
+/// Of μP, the shear after the second leg and after the third.
+const SHEARS: [f64; 2] = [0.9, -0.6];
+
+/// `r²` of every spring, m².
+struct Springs(Vec<f64>);
+
+impl Springs {
+    fn pressures(&self, depth: f64) -> Vec<f64> {
+        self.0.iter().map(|square| K * (depth - square / DIAMETER).max(0.0)).collect()
+    }
+
+    /// `[P, Q]` at the start and after each leg, and the friction after each.
+    fn closed_form(&self) -> ([[f64; 2]; 4], [Vec<f64>; 3]) {
+        let [before, pressed] = DEPTHS.map(|depth| self.pressures(depth));
+        let [start, total] = [&before, &pressed].map(|n| n.iter().sum::<f64>());
+        let oblique: Vec<f64> = pressed.iter().zip(&before).map(|(n, less)| RHO * (n - less)).collect();
+        let further = |v: f64| -> Vec<f64> {
+            let sheared = oblique.iter().zip(&pressed);
+            sheared.map(|(t, n)| if *n > 0.0 { (t + KT * v).min(MU * n) } else { 0.0 }).collect()
+        };
+        let [most, back] = SHEARS.map(|part| part * MU * total);
+        let sheared = further(solved(|v| further(v).iter().sum::<f64>() - most));
+        let returned = |w: f64| -> Vec<f64> {
+            let sheared = sheared.iter().zip(&pressed);
+            sheared.map(|(t, n)| if *n > 0.0 { (t - KT * w).max(-MU * n) } else { 0.0 }).collect()
+        };
+        let returned = returned(solved(|w| back - returned(w).iter().sum::<f64>()));
+        let loads = [[start, 0.0], [total, RHO * (total - start)], [total, most], [total, back]];
+        (loads, [oblique, sheared, returned])
+    }
+}
+
+/// The root of a function that grows, by halving.
+fn solved(f: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        *(if f(middle) < 0.0 { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * (low + high)
+}
+
+fn spring<const C: usize>(contact: Contact<C>, square: f64) -> Contact<C> {
+    contact.series_stiffness(K, KT).friction(MU).clearance(square / DIAMETER)
+}
+
+/// Friction along the shear after a leg, against the closed form, over the largest force.
+fn off<const C: usize>(
+    forces: &[SVector<f64, C>],
+    along: impl Fn(&SVector<f64, C>) -> f64,
+    exact: &[f64],
+) -> f64 {
+    let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+    forces.iter().zip(exact).map(|(f, t)| (along(f) - t).abs() / largest).fold(0.0, f64::max)
+}
+
+#[test]
+fn in_the_plane_every_event_is_exact() {
+    let places: Vec<f64> =
+        (0..41).map(|i| (f64::from(i) - 20.0) / 20.0 + 1e-3 * (f64::from(i) - 20.0)).collect();
+    let springs = Springs(places.iter().map(|x| x * x).collect());
+    let contacts = places.iter().map(|x| spring(planar::Contact::new([*x, 0.0], [0.0, 1.0]), x * x));
+    let grasp = Grasp::new(contacts).unwrap();
+    let (loads, exact) = springs.closed_form();
+    let load = |[p, q]: [f64; 2]| planar::Wrench::force([q, -p]);
+    let legs: Vec<_> = loads[1..].iter().map(|pq| Leg::load_to(load(*pq))).collect();
+    for (count, exact) in (1..).zip(&exact) {
+        let legs = &legs[..count];
+        let mut path = grasp.follow(&load(loads[0]), legs).unwrap();
+        path.run();
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+        // Friction on the body pulls against the shear.
+        let error = off(&world(&grasp, &path.forces()), |f| -f[0], exact);
+        assert!(error < 1e-12, "leg {count}: {error:e}");
+        let mut path = grasp.follow_patch(&load(loads[0]), legs).unwrap();
+        path.run();
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+        let error = off(&world(&grasp, &path.forces()), |f| -f[0], exact);
+        assert!(error < 1e-12, "patch, leg {count}: {error:e}");
+    }
+}
+
+#[test]
+fn on_the_round_cone_events_are_exact_and_steps_within_their_error() {
+    let places: Vec<[f64; 2]> = (-6_i8..=6)
+        .flat_map(|i| (-6_i8..=6).map(move |j| [f64::from(i) / 6.5, f64::from(j) / 6.1]))
+        .filter(|[x, y]| x * x + y * y < 1.0)
+        .collect();
+    let square = |[x, y]: &[f64; 2]| x * x + y * y;
+    let springs = Springs(places.iter().map(square).collect());
+    let contacts = places.iter().map(|place| {
+        spring(spatial::Contact::new([place[0], place[1], 0.0], [0.0, 0.0, 1.0]), square(place))
+    });
+    let grasp: spatial::Grasp = Grasp::new(contacts).unwrap();
+    let (loads, exact) = springs.closed_form();
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let load = |[p, q]: [f64; 2]| spatial::Wrench::force([q * cos, q * sin, -p]);
+    let legs: Vec<_> = loads[1..].iter().map(|pq| Leg::load_to(load(*pq))).collect();
+    let along = |f: &SVector<f64, 3>| -(f[0] * cos + f[1] * sin);
+    for (count, exact) in (1..).zip(&exact) {
+        let legs = &legs[..count];
+        let mut path = grasp.follow(&load(loads[0]), legs).unwrap();
+        path.run();
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+        let error = off(&world(&grasp, &path.forces()), along, exact);
+        assert!(error < 1e-10, "leg {count}: {error:e}");
+        let mut path = grasp.follow_in_steps(&load(loads[0]), legs, 1e-6).unwrap();
+        path.run();
+        assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+        let error = off(&world(&grasp, &path.forces()), along, exact);
+        assert!(error < 1e-6, "steps, leg {count}: {error:e}");
+    }
+}
+
+/// Forces along the coordinate axes.
+fn world<const D: usize, const C: usize>(
+    grasp: &Grasp<D, C>,
+    forces: &[SVector<f64, C>],
+) -> Vec<SVector<f64, C>> {
+    grasp.frames().zip(forces).map(|(frame, force)| frame * force).collect()
+}
