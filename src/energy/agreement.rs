@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::energy_rows::{ROUNDING, Row};
+use super::energy_rows::{ROUNDING, Row, most_pivots};
 use super::minimum::{MinimumEnergy, MinimumOutcome};
 use super::optimality::{Faces, Program};
 use crate::Settings;
@@ -122,7 +122,8 @@ impl<const D: usize, const C: usize> Line<'_, D, C> {
         let program = &self.program;
         let [forces, rates] = self.forces(&program.stuck)?;
         let lcp = Lcp::new(program.matrix()?, program.vector(&forces)).ok()?;
-        let settings = lcp::Settings { max_pivots: settings.max_pivots, ..lcp::Settings::default() };
+        let max_pivots = most_pivots(lcp.len(), settings);
+        let settings = lcp::Settings { max_pivots, ..lcp::Settings::default() };
         let mut path = Parametric::new(&lcp, &program.vector(&rates), settings).ok()?;
         let mut basis: Basis = path.start().solution()?.basis.clone();
         for next in path.by_ref() {

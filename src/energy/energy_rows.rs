@@ -127,15 +127,18 @@ pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Opti
     (rows <= MOST_ROWS).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
+/// Pivots on a dense matrix of so many rows, at most: what the caller says, else what is affordable.
+pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
+    let entries = (rows * rows).max(1) as f64;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
+    let affordable = (MOST_OPERATIONS / entries) as usize;
+    let default = lcp::Settings::default().pivot_limit(rows);
+    settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
+}
+
 /// What Lemke's method says of one of the problems made of such rows; `None` if a number overflows.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
-    let default = lcp::Settings { enumerate_up_to: 0, ..lcp::Settings::default() };
-    let entries = vector.len() as f64 * vector.len() as f64;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
-    let affordable = (MOST_OPERATIONS / entries.max(1.0)) as usize;
-    let max_pivots = settings
-        .max_pivots
-        .or_else(|| Some(affordable).filter(|most| *most < default.pivot_limit(vector.len())));
-    let settings = lcp::Settings { max_pivots, ..default };
+    let max_pivots = most_pivots(vector.len(), settings);
+    let settings = lcp::Settings { max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };
     Some(Lcp::new(matrix, vector).ok()?.solve_with(&settings))
 }

@@ -135,7 +135,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// How fast friction forces turn towards their slips at the start, for one unit of arclength: `κ γ / |F_t|` of the fastest.
-    pub(super) fn relaxation(&self) -> f64 {
+    pub(super) fn fastest_relaxation(&self) -> f64 {
         let rate = |(&i, friction): (&usize, &SVector<f64, C>)| {
             let tangent = self.arc.tangent(i, friction);
             let Tangent::Sliding { stiffness, .. } = tangent else { return 0.0 };

@@ -155,7 +155,7 @@ mod tests {
                 .series_stiffness_axes(stiffness)
                 .friction(0.5)
         };
-        Grasp::new((0..5).map(finger)).unwrap_or_else(|error| panic!("{error}"))
+        Grasp::new((0..5).map(finger)).expect("a grasp")
     }
 
     #[test]
@@ -177,14 +177,14 @@ mod tests {
             let states: Vec<_> = std::iter::once(State::Rolling).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, &[], 0.5);
             let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
-            let way = way.unwrap_or_else(Direction::onward);
+            let way = way.expect("one direction");
 
             // Rates of friction forces, twist and factor after a change of the friction forces.
             let rates = |y: &[f64]| {
                 let moved = frictions.iter().zip(y.chunks_exact(2));
                 let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));
                 let tangents = arc.tangents(moved);
-                let way = arc.direction(&tangents, 0.0, &way).unwrap_or_else(Direction::onward);
+                let way = arc.direction(&tangents, 0.0, &way).expect("one direction");
                 let own =
                     arc.sliding.iter().zip(&tangents).map(|(&i, tangent)| arc.rates(i, tangent, &way)[1]);
                 let own = own.flat_map(|force| [force[1], force[2]]);

@@ -129,7 +129,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     fn stable(&mut self, here: &Here<D, C>, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let stable = STABLE / flow.relaxation();
+        let stable = STABLE / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / here.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
         if self.pace.stiff && length > stable {

@@ -19,6 +19,7 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
             _ => Arc::new(make()),
         }
     }
+
     /// The piece of these states; that of the elastic trial where they are its states.
     pub(crate) fn piece(&self, states: &[State<C>]) -> Arc<Piece<D, C>> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);

@@ -24,7 +24,8 @@ pub struct Settings {
     /// the plane.
     pub round: bool,
     /// Pivots of Lemke's method on one form of a scene. `None` allows as many as take a second or so: with thousands of contacts that
-    /// Newton's method has not settled it gives up, with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots).
+    /// Newton's method has not settled it gives up, with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
+    /// [`energy`](crate::energy) may take some ten seconds.
     pub max_pivots: Option<usize>,
     /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
     /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone
