@@ -119,20 +119,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let search = search(&problem, false);
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<D, C>> = Vec::new();
-        let mut add = |found: &Found<D, C>, rule, effort: &Effort| {
+        let mut add = |found: Found<D, C>, rule, effort: &Effort| {
             let equilibrium = self.equilibrium(&problem, load, found, rule, effort, Cone::of::<C>(settings));
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
         };
-        for found in &search.found {
+        for found in search.found {
             add(found, Rung::Enumeration, &effort);
         }
         // The round cone may have an equilibrium where the polygon inside has none, or one far from it.
         if problem.round
             && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
         {
-            add(&found, rule, &effort);
+            add(found, rule, &effort);
         }
         Ok(list)
     }
@@ -160,7 +160,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let motion_and_work = |v: &SVector<f64, D>| (self.outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
-                let equilibrium = self.equilibrium(problem, load, &found, rule, effort, cone);
+                let equilibrium = self.equilibrium(problem, load, found, rule, effort, cone);
                 if accurate(&equilibrium) {
                     Outcome::Equilibrium(Box::new(equilibrium))
                 } else {

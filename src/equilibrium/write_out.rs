@@ -15,12 +15,12 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         &self,
         problem: &Problem<D, C>,
         load: &Wrench<D, C>,
-        found: &Found<D, C>,
+        found: Found<D, C>,
         rule: Rung,
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<D, C> {
-        let solved = self.contacts().iter().zip(solved_sites(problem, found));
+        let solved = self.contacts().iter().zip(solved_sites(problem, &found));
         let contacts: Vec<_> = solved.map(|(contact, solved)| solved.answer(contact)).collect();
         let twist = self.outside(&found.twist);
         let motions =
@@ -32,10 +32,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let stored = linkage.drives.iter().zip(&drive_forces).map(|(drive, force)| drive.stored(force));
             stored_energy += stored.sum::<f64>();
         }
-        let (joints, tendons) = self.hand_answers(problem, found);
+        let (joints, tendons) = self.hand_answers(problem, &found);
         Equilibrium {
             load: *load,
-            residuals: self.residuals(problem, load, &twist, (&contacts, found), cone),
+            residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist,
             contacts,
             joints,
@@ -57,7 +57,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             cone,
             change_from_polygon: found.from_polygon,
             local: LocalAnswer {
-                states: found.states.clone(),
+                states: found.states,
                 drive_forces,
                 twist: found.twist,
                 drives: problem.drives.clone(),

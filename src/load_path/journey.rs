@@ -78,7 +78,7 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
         &self,
         problem: &Problem<'g, D, C>,
         fraction: f64,
-        found: &Found<D, C>,
+        found: Found<D, C>,
     ) -> Equilibrium<D, C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         self.grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())

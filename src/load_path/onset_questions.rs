@@ -152,8 +152,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     #[must_use]
     pub fn state_at_onset(&self, event: &OnsetEvent<D, C>) -> Option<Equilibrium<D, C>> {
         let problem = self.problem_at_onset(event)?;
-        let (local, effort) = (&event.local, Effort::default());
-        Some(self.equilibrium(&problem, &event.load, &local.found, local.rule, &effort, event.cone))
+        let (found, rule) = (event.local.found.clone(), event.local.rule);
+        Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), event.cone))
     }
 
     /// What comes after an onset, with default [`Settings`]; see [`Self::beyond_with`].

@@ -77,7 +77,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
             ..Found::new(self.states.clone(), forces, twist)
         };
-        Some(self.equilibrium(grasp, cone, fraction, &segment.problem_at(fraction), &found))
+        Some(self.equilibrium(grasp, cone, fraction, &segment.problem_at(fraction), found))
     }
 
     fn on_the_bend(
@@ -117,7 +117,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
                 problem.slips[i] += slip;
             }
         }
-        Some(self.equilibrium(grasp, cone, fraction, &problem, &found))
+        Some(self.equilibrium(grasp, cone, fraction, &problem, found))
     }
 
     fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
@@ -131,7 +131,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         cone: Cone,
         fraction: f64,
         problem: &Problem<'g, D, C>,
-        found: &Found<D, C>,
+        found: Found<D, C>,
     ) -> Equilibrium<D, C> {
         let load = self.load.at(fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)

@@ -45,9 +45,20 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
     }
     let piece = Piece::new(problem, &states);
     match piece.solve(problem.sites, &problem.drives, problem.load()) {
-        Ok(state) => admit(problem, states, &piece, state),
+        Ok(state) => match admit(problem, states, &piece, state) {
+            Ok(found) => Verdict::Holds(found),
+            Err(Refused { doubtful, .. }) => Verdict::Violated { doubtful },
+        },
         Err(_) => Verdict::Unbalanced,
     }
+}
+
+/// A proposal that does not hold, given back as it came.
+pub(super) struct Refused<const D: usize, const C: usize> {
+    pub(super) states: Vec<State<C>>,
+    pub(super) at: PieceState<D, C>,
+    /// So close that rounding could have done it.
+    doubtful: bool,
 }
 
 /// Checks every inequality for a solution of the piece with these states.
@@ -55,13 +66,13 @@ pub(super) fn admit<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
     piece: &Piece<D, C>,
-    mut state: PieceState<D, C>,
-) -> Verdict<D, C> {
+    at: PieceState<D, C>,
+) -> Result<Found<D, C>, Refused<D, C>> {
     let growth = piece.growth();
     let rounding = (ROUNDING * growth).min(MOST_ROUNDING);
     let doubtful = (DOUBTFUL * growth).min(MOST_ROUNDING);
-    let (values, sizes) = slacks(problem, &states, &state.forces, &state.twist);
-    let mut worst = violation(&values, &sizes);
+    let mut worst = violation(problem, &states, &at);
+    let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
     if worst > rounding && !(free_motions.is_empty() && neutral_motions.is_empty()) {
@@ -69,24 +80,29 @@ pub(super) fn admit<const D: usize, const C: usize>(
         let free = free_motions.iter().map(|v| (*v, vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (*v, piece.forces_along(problem, v)));
         let motions: Vec<_> = free.chain(neutral).collect();
+        let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
+            let there = shifted.insert(at.clone());
             for ((motion, along), tau) in motions.iter().zip(tau.iter()) {
-                state.twist += motion * *tau;
-                for (f, change) in state.forces.iter_mut().zip(along) {
+                there.twist += motion * *tau;
+                for (f, change) in there.forces.iter_mut().zip(along) {
                     *f += change * *tau;
                 }
             }
             // Against the sizes of before: a shift so long that its own rounding shows is none.
-            worst = violation(&slacks(problem, &states, &state.forces, &state.twist).0, &sizes);
+            let values = slacks(problem, &states, there).0;
+            worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if worst > rounding {
-        return Verdict::Violated { doubtful: worst <= doubtful };
+        return Err(Refused { states, at, doubtful: worst <= doubtful });
     }
-    if out_of_balance(problem, &state.forces, &state.twist) > OUT_OF_BALANCE {
-        return Verdict::Violated { doubtful: true };
+    let there = shifted.as_ref().unwrap_or(&at);
+    if out_of_balance(problem, &there.forces, &there.twist) > OUT_OF_BALANCE {
+        return Err(Refused { states, at, doubtful: true });
     }
-    Verdict::Holds(Found { free_motions, neutral_motions, ..Found::new(states, state.forces, state.twist) })
+    let PieceState { forces, twist } = shifted.unwrap_or(at);
+    Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
 }
 
 /// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
@@ -134,27 +150,31 @@ fn out_of_balance<const D: usize, const C: usize>(
 fn slacks<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
-    forces: &[SVector<f64, C>],
-    twist: &SVector<f64, D>,
+    at: &PieceState<D, C>,
 ) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
-    for_each_condition(problem, states, forces, twist, |value, size| {
+    for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         values.push(value);
         sizes.push(size);
     });
     (values, sizes)
 }
 
-/// The worst violation of an inequality, relative to its size.
-fn violation(values: &[f64], sizes: &[f64]) -> f64 {
-    let mut worst = 0.0_f64;
-    for (value, size) in values.iter().zip(sizes) {
-        if value.is_nan() {
-            return f64::INFINITY;
-        }
-        worst = worst.max(-value / size);
-    }
+/// The worst violation of an inequality, relative to its size; infinite where one is not a number.
+fn violation<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    at: &PieceState<D, C>,
+) -> f64 {
+    let mut worst = 0.0;
+    for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
+        worst = worse(worst, value, size);
+    });
     worst
+}
+
+fn worse(worst: f64, value: f64, size: f64) -> f64 {
+    if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
 /// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes

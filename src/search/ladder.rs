@@ -1,12 +1,13 @@
 //! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that there
 //! is none.
 
-use super::answer::{Doubt, Effort, Settled};
+use super::answer::{Doubt, Effort, Rung, Settled};
+use super::candidate::{Refused, admit};
 use super::least_motion::at_the_least_motion;
 use super::rungs::{
-    every_case, every_combination, everything_rolls, everything_yields, force_form, kinematic_form,
-    kinematic_form_on_states, kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone,
-    separating_motion, separating_motion_of_many, touching_contacts_roll,
+    every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_on_states,
+    kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
+    separating_motion_of_many, touching_contacts_roll,
 };
 use super::scene::{Attempt, Log, Scene};
 use super::settings::Settings;
@@ -19,8 +20,7 @@ pub(crate) fn settle<const D: usize, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
-    let ladder: [TryRung<D, C>; 13] = [
-        everything_rolls,
+    let ladder: [TryRung<D, C>; 12] = [
         touching_contacts_roll,
         newton_on_answers,
         newton_on_the_round_cone,
@@ -44,6 +44,14 @@ pub(crate) fn settle<const D: usize, const C: usize>(
             let on_the_boundary = Settled::Undecided(Doubt::OnTheBoundary);
             return (unbalanced.motion.map_or(on_the_boundary, Settled::FreeMotion), log.effort);
         }
+    };
+    // The lowest rung: everything rolls.
+    let (unjumped, state) = match admit(problem, unjumped, &trial, state) {
+        Ok(found) => {
+            let found = at_the_least_motion(problem, found);
+            return (Settled::Found(found, Rung::EverythingRolls), log.effort);
+        }
+        Err(Refused { states, at, .. }) => (states, at),
     };
     let scene = Scene::new(problem, settings, unjumped, trial, state);
     for attempt in ladder {

@@ -7,7 +7,7 @@
 use nalgebra::SVector;
 
 use super::answer::Found;
-use super::candidate::{Verdict, admit, admit_regular};
+use super::candidate::{admit, admit_regular};
 use super::newton::Arrived;
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem};
@@ -146,10 +146,7 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
         if whole && states.iter().any(|state| state.slide().is_some()) {
             return admit_regular(problem, states, at);
         }
-        match admit(problem, states, piece, at) {
-            Verdict::Holds(found) => Some(found),
-            _ => None,
-        }
+        admit(problem, states, piece, at).ok()
     }
 
     /// Whether a motion turns the friction of a sliding contact: it is not free then, only resisted by less than rounding of the stiffest

@@ -1,7 +1,6 @@
 //! The rungs of the ladder, each a way to find an equilibrium or to prove that there is none.
 
 use super::answer::{Doubt, Rung, Settled};
-use super::candidate::{Verdict, admit};
 use super::enumerate::search;
 use super::polish::polish_from;
 use super::proposals::{MANY, climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
@@ -17,17 +16,6 @@ use crate::structured::propose_by_newton;
 /// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
 /// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
 const STRUCTURED_FROM: usize = 8;
-
-/// Every contact keeps the state of the elastic trial.
-pub(super) fn everything_rolls<const D: usize, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
-    _: &mut Log,
-) -> Attempt<D, C> {
-    match admit(scene.problem, scene.unjumped.clone(), &scene.trial, scene.state.clone()) {
-        Verdict::Holds(found) => Attempt::Found(found, Rung::EverythingRolls),
-        _ => Attempt::Nothing,
-    }
-}
 
 /// What would pull is open, and the rest sticks.
 pub(super) fn touching_contacts_roll<const D: usize, const C: usize>(

@@ -1,7 +1,7 @@
 //! The rolling equilibrium of what touches: contacts that would pull are open, and everything closed sticks.
 
 use super::answer::Found;
-use super::candidate::{Verdict, admit};
+use super::candidate::admit;
 use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 
@@ -49,10 +49,7 @@ pub(super) fn touching_contacts<const D: usize, const C: usize>(
             }
         }
         if changed.is_empty() {
-            return match admit(problem, states, &piece?, solved) {
-                Verdict::Holds(found) => Some(found),
-                _ => None,
-            };
+            return admit(problem, states, &piece?, solved).ok();
         }
         for &i in &changed {
             states[i] = next;

@@ -36,7 +36,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
             sizes: [largest, travel],
             ..Found::new(states, forces, twist)
         };
-        journey.equilibrium(&problem, tau, &found)
+        journey.equilibrium(&problem, tau, found)
     }
 
     /// Forces at a motion on top of the trial state, N.

@@ -27,7 +27,7 @@ impl<const D: usize, const C: usize> Standing<D, C> {
         };
         let states = self.states.iter().map(standing).collect();
         let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist) };
-        journey.equilibrium(&problem, self.fraction, &found)
+        journey.equilibrium(&problem, self.fraction, found)
     }
 
     /// The rates, with edges as near as the last steps can tell.
