@@ -49,6 +49,8 @@ pub type Turn = crate::load_path::Turn<3, 2>;
 pub type TurnOnset<const D: usize = 3> = crate::load_path::TurnOnset<D, 2>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
 pub type Onset<const D: usize = 3> = crate::load_path::Onset<D, 2>;
+/// Memory for one onset after another; see [`crate::load_path::OnsetWorkspace`].
+pub type OnsetWorkspace<const D: usize = 3> = crate::load_path::OnsetWorkspace<D, 2>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
 pub type OnsetEvent<const D: usize = 3> = crate::load_path::OnsetEvent<D, 2>;
 /// A contact that leaves rolling; see [`crate::load_path::Leaving`].

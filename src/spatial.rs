@@ -50,6 +50,8 @@ pub type Turn = crate::load_path::Turn<6, 3>;
 pub type TurnOnset<const D: usize = 6> = crate::load_path::TurnOnset<D, 3>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
 pub type Onset<const D: usize = 6> = crate::load_path::Onset<D, 3>;
+/// Memory for one onset after another; see [`crate::load_path::OnsetWorkspace`].
+pub type OnsetWorkspace<const D: usize = 6> = crate::load_path::OnsetWorkspace<D, 3>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
 pub type OnsetEvent<const D: usize = 6> = crate::load_path::OnsetEvent<D, 3>;
 /// A contact that leaves rolling; see [`crate::load_path::Leaving`].

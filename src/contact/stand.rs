@@ -28,6 +28,12 @@ impl<const C: usize> Stand<C> {
         !self.apex && self.facets.is_empty()
     }
 
+    /// Nowhere again.
+    pub(crate) fn leave(&mut self) {
+        self.facets.clear();
+        self.apex = false;
+    }
+
     /// Whether this force is one that a contact at the apex of its cone carries.
     pub(crate) fn is_weightless(force: &SVector<f64, C>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size

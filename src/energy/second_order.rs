@@ -9,7 +9,7 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
 use crate::numerics::unit;
-use crate::object::{Load, Problem};
+use crate::object::{Lists, Load, Problem};
 use crate::search::{Settled, settle};
 /// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
 const MOST_ITERATIONS: usize = 100;
@@ -181,7 +181,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let wrench = load.as_vector().component_mul(&in_units);
         let polygon = Polygon::shared(&settings.cone);
         let round = settings.is_round::<C>();
-        let problem = Problem::at_rest(&sites, polygon, round, drives, &Load::from(&wrench));
+        let problem = Problem::at_rest(
+            &sites,
+            polygon,
+            round,
+            Lists { drives, ..Lists::default() },
+            &Load::from(&wrench),
+        );
         let (Settled::Found(found, _), _) = settle(&problem, settings) else { return None };
         Some(Step {
             twist: found.twist.component_mul(&in_units),

@@ -337,11 +337,24 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         commands: Option<&[SVector<f64, C>]>,
         of_joints: Option<&[f64]>,
     ) -> Vec<SVector<f64, C>> {
-        let mut changes = commands.map_or_else(|| vec![SVector::zeros(); self.len()], <[_]>::to_vec);
+        let mut changes = Vec::with_capacity(self.sites.len());
+        self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
+        changes
+    }
+
+    /// [`Self::drive_changes`] in memory that is there; commands that are missing stay.
+    pub(crate) fn changed_by(
+        &self,
+        commands: impl Iterator<Item = SVector<f64, C>>,
+        of_joints: Option<&[f64]>,
+        changes: &mut Vec<SVector<f64, C>>,
+    ) {
+        changes.clear();
+        changes.extend(commands);
+        changes.resize(self.len(), SVector::zeros());
         match (self.linkage(), of_joints) {
             (Some(linkage), Some(commands)) => changes.extend(linkage.changes(commands)),
             _ => changes.resize(self.sites.len(), SVector::zeros()),
         }
-        changes
     }
 }

@@ -6,13 +6,14 @@
 use nalgebra::{Matrix, SVector};
 
 use super::onset::{Leaving, Onset, OnsetEvent};
+use super::onset_workspace::OnsetMemory;
 use super::segment::Segment;
 use super::turn::Turn;
 use crate::contact::{At, Exit, Line, LocalLaw, Stand};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::Harmonic;
-use crate::object::{Piece, PieceState};
+use crate::object::PieceState;
 use crate::search::{Found, Rung};
 
 /// Conditions at the base must hold by this part of their size: less may be rounding or an edge on which a contact stands, which is for
@@ -36,6 +37,7 @@ pub(super) struct FirstToLeave<const D: usize, const C: usize> {
 /// The first to leave along a ramp, or `None` where the case is another one.
 pub(super) fn first_to_leave<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
+    memory: &mut OnsetMemory<D, C>,
 ) -> Option<FirstToLeave<D, C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -43,12 +45,15 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
         return None;
     }
     let direction = segment.course.rate_at(0.0);
-    let rate = piece.solve_roughly(&segment.change, &direction);
-    let First { contact, exit, line } = first_exit(segment, &piece, (&direction, &rate))?;
+    let OnsetMemory { solution, base, rate, there, driven, .. } = memory;
+    piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
+    piece.solve_roughly_into(&problem.drives, &problem.wrench, (solution, base));
+    let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
     // Again at the onset: found from afar the factor carries the rounding of what the forces are at the base.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
-    let mut there = piece.solve(problem.sites, &segment.drives(factor), &load).ok()?;
+    segment.drives_into(factor, driven);
+    piece.solve_into(problem.sites, driven, &load, (solution, there)).ok()?;
     let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
     if more.abs() > ROUGHLY * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
@@ -56,7 +61,7 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
     factor += more;
     there.twist += rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
-    Some(FirstToLeave { factor, contact, exit, there })
+    Some(FirstToLeave { factor, contact, exit, there: std::mem::take(there) })
 }
 
 /// What happens while a load turns.
@@ -128,16 +133,30 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
 
 impl<const D: usize, const C: usize> FirstToLeave<D, C> {
     /// The onset on this segment, under the load there.
-    pub(super) fn onset(self, segment: Segment<'_, D, C>, load: Wrench<D, C>) -> Onset<D, C> {
+    pub(super) fn onset(
+        self,
+        mut segment: Segment<'_, D, C>,
+        load: Wrench<D, C>,
+        memory: &mut OnsetMemory<D, C>,
+    ) -> Onset<D, C> {
         let Self { factor, contact, exit, there } = self;
-        let states = segment.problem.unjumped();
-        let mut stands = vec![Stand::NOWHERE; states.len()];
+        let OnsetMemory { states, stands, leaving, sites, .. } = memory;
+        states.clear();
+        states.extend(segment.problem.locals().map(|local| local.unjumped()));
+        stands.resize(states.len(), Stand::NOWHERE);
+        stands.iter_mut().for_each(Stand::leave);
         stands[contact].reach(&states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
-        let leaving = vec![Leaving::driven_out(contact, &stands[contact], frame)];
-        let found = Found::new(states, there.forces, there.twist);
-        let event = OnsetEvent::new(segment, (factor, load), leaving, stands, (found, Rung::EverythingRolls));
-        Onset::At(Box::new(event))
+        leaving.clear();
+        leaving.push(Leaving::driven_out(contact, &stands[contact], frame));
+        sites.clear();
+        sites.push(contact);
+        let found = Found::new(std::mem::take(states), there.forces, there.twist);
+        let leaving = (std::mem::take(leaving), std::mem::take(sites));
+        let stands = std::mem::take(stands);
+        memory.lists.laws = std::mem::take(&mut segment.problem.laws);
+        let rolls = (found, Rung::EverythingRolls);
+        Onset::At(memory.put(OnsetEvent::new(segment, (factor, load), leaving, stands, rolls)))
     }
 }
 
@@ -158,11 +177,10 @@ struct First<const C: usize> {
 /// The first way out, if everything clearly rolls at the base and no other comes near it.
 fn first_exit<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    piece: &Piece<D, C>,
+    base: &PieceState<D, C>,
     (direction, rate): (&SVector<f64, D>, &PieceState<D, C>),
 ) -> Option<First<C>> {
     let problem = &segment.problem;
-    let base = piece.solve_roughly(&problem.drives, &problem.wrench);
     let largest = problem.largest_force(&base.forces, &base.twist);
     let fastest = rate.forces.iter().map(Matrix::norm).fold(direction.norm(), f64::max);
     let mut first: Option<First<C>> = None;

@@ -99,7 +99,7 @@ impl<const D: usize, const C: usize> OnsetEvent<D, C> {
     pub(super) fn new(
         segment: Segment<'_, D, C>,
         (factor, load): (f64, Wrench<D, C>),
-        leaving: Vec<Leaving<C>>,
+        (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),
         stands: Vec<Stand<C>>,
         (found, rule): (Found<D, C>, Rung),
     ) -> Self {
@@ -110,7 +110,7 @@ impl<const D: usize, const C: usize> OnsetEvent<D, C> {
             found,
             rule,
             stands,
-            leaving: leaving.iter().map(|leaving| leaving.contact).collect(),
+            leaving: sites,
             wrench: course.at(factor),
             wrench_rate: course.rate_at(factor),
             drives,

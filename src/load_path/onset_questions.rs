@@ -10,6 +10,7 @@ use super::course::Course;
 use super::first_to_leave::first_to_leave;
 use super::loss::leaving_motion;
 use super::onset::{Onset, OnsetEvent};
+use super::onset_workspace::OnsetMemory;
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::turn_questions::TurnOnset;
@@ -101,18 +102,23 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// # Errors
     /// As for [`Self::onset`].
     pub fn onset_with(&self, ramp: &Ramp<D, C>, settings: &Settings) -> Result<Onset<D, C>, Error> {
+        self.onset_in(ramp, settings, &mut OnsetMemory::default())
+    }
+
+    /// [`Self::onset_with`] in memory that is there.
+    pub(super) fn onset_in(
+        &self,
+        ramp: &Ramp<D, C>,
+        settings: &Settings,
+        memory: &mut OnsetMemory<D, C>,
+    ) -> Result<Onset<D, C>, Error> {
         let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
-        let change = ramp.drive_changes(self)?;
-        let cone = Cone::of::<C>(settings);
-        let polygon = Polygon::shared(&settings.cone);
-        let round = cone == Cone::Round;
-        let problem = self.problem(polygon, round, self.drives(), &Load::from(&base));
-        let course = Course::Straight { from: base, rate: direction };
-        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
-        if let Some(first) = first_to_leave(&segment) {
+        ramp.drive_changes_into(self, &mut memory.change)?;
+        let segment = memory.segment(self, settings, Course::Straight { from: base, rate: direction });
+        if let Some(first) = first_to_leave(&segment, memory) {
             let load = ramp.load_at(first.factor);
-            return Ok(first.onset(segment, load));
+            return Ok(first.onset(segment, load, memory));
         }
         let course = Course::Straight { from: ramp.base, rate: ramp.direction };
         Ok(self.walked(segment, (course, f64::INFINITY), settings).onset)

@@ -91,13 +91,26 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
 
     /// What the drives of a grasp change by for each unit of the factor.
     pub(crate) fn drive_changes(&self, grasp: &Grasp<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
+        let mut changes = Vec::with_capacity(grasp.sites().len());
+        self.drive_changes_into(grasp, &mut changes)?;
+        Ok(changes)
+    }
+
+    /// [`Self::drive_changes`] in memory that is there.
+    pub(super) fn drive_changes_into(
+        &self,
+        grasp: &Grasp<D, C>,
+        changes: &mut Vec<SVector<f64, C>>,
+    ) -> Result<(), Error> {
         if let Some(change) = &self.command_change {
             grasp.check_commands(change, "command changes", Field::CommandChange)?;
         }
         if let Some(change) = &self.joint_change {
             grasp.check_joint_commands(change, "changes of joint commands")?;
         }
-        Ok(grasp.drive_changes(self.command_change.as_deref(), self.joint_change.as_deref()))
+        let commands = self.command_change.iter().flatten().copied();
+        grasp.changed_by(commands, self.joint_change.as_deref(), changes);
+        Ok(())
     }
 
     /// The load at a factor, `base + τ direction`.

@@ -227,7 +227,15 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
 
     /// The drives at a factor.
     pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, C>> {
-        self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor).collect()
+        let mut drives = Vec::with_capacity(self.change.len());
+        self.drives_into(factor, &mut drives);
+        drives
+    }
+
+    /// [`Self::drives`] in memory that is there.
+    pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
+        drives.clear();
+        drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
     /// The local problem at a factor.

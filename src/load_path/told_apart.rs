@@ -24,7 +24,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// Contacts that leave rolling, and drives that do by the names of their owners.
     pub(super) fn leaving_apart(&self, leaving: Vec<Leaving<C>>) -> Told<Leaving<C>> {
-        if self.linkage().is_none() {
+        if leaving.iter().all(|leaving| leaving.contact < self.len()) {
             return (leaving, Vec::new());
         }
         let (contacts, drives): (Vec<_>, Vec<_>) = leaving.into_iter().partition(|l| l.contact < self.len());

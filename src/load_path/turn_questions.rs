@@ -6,13 +6,10 @@
 use super::course::Course;
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
-use super::segment::Segment;
+use super::onset_workspace::OnsetMemory;
 use super::turn::{Touch, Turn};
-use crate::contact::Polygon;
-use crate::equilibrium::Cone;
 use crate::error::Error;
 use crate::grasp::Grasp;
-use crate::object::Load;
 use crate::search::Settings;
 
 /// The answer to "at which angle does the first contact leave rolling?"
@@ -69,19 +66,15 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     ) -> Result<TurnOnset<D, C>, Error> {
         turn.check()?;
         let inside = turn.inside(self);
-        let base = inside.at(0.0);
-        let cone = Cone::of::<C>(settings);
-        let polygon = Polygon::shared(&settings.cone);
-        let problem = self.problem(polygon, cone == Cone::Round, self.drives(), &Load::from(&base));
-        let change = self.drive_changes(None, None);
-        let course = Course::Turn { load: inside, angle: 1.0 };
-        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
+        let mut memory = OnsetMemory::default();
+        memory.change = self.drive_changes(None, None);
+        let segment = memory.segment(self, settings, Course::Turn { load: inside, angle: 1.0 });
         if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
             let onset = match happens {
                 WhileTurning::Never => Onset::Never,
                 WhileTurning::First(first) => {
                     let load = turn.load_at(first.factor);
-                    first.onset(segment, load)
+                    first.onset(segment, load, &mut memory)
                 }
             };
             return Ok(TurnOnset { onset, touches: Vec::new() });

@@ -120,7 +120,8 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             }
             Some(_) => None,
         };
-        let leaving = standing.filter_map(leaves).collect();
+        let leaving: Vec<_> = standing.filter_map(leaves).collect();
+        let sites = leaving.iter().map(|leaving| leaving.contact).collect();
         let forces = here.lines.iter().map(|line| line.force).collect();
         let found = Found {
             free_motions: here.free_motions.clone(),
@@ -128,7 +129,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             ..Found::new(states, forces, here.twist)
         };
         let place = (self.factor, self.course.at(self.factor));
-        let event = OnsetEvent::new(segment.clone(), place, leaving, stands, (found, self.rule));
+        let event = OnsetEvent::new(segment.clone(), place, (leaving, sites), stands, (found, self.rule));
         match segment.grasp.state_at_onset(&event) {
             Some(state) if state.residuals.worst() > ACCURATE => {
                 Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })

@@ -11,9 +11,10 @@
 
 use nalgebra::SVector;
 
-use super::piece::{MOST_CORRECTIONS, NEARLY, Piece};
+use super::piece::Piece;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
+use super::solution::{MOST_CORRECTIONS, NEARLY};
 use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, without};
 

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `problem` | laws, drives and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
+//! | `solution` | its forces and twist, to the last digits |
 //! | `free_motions` | motions that no spring resists |
 //! | `energy_coordinates` | contacts where stiffness ratios do not show |
 //! | `sums` | balance there, as sums that change by a few terms |
@@ -30,6 +31,7 @@ mod piece;
 mod precise;
 mod problem;
 mod sizes;
+mod solution;
 mod sums;
 mod tangent;
 mod trial;
@@ -42,9 +44,10 @@ pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Answers, Imbalance, newton};
 pub(crate) use one_by_one::OneByOne;
-pub(crate) use piece::{Piece, PieceState, Unbalanced, least_combination, least_forces};
+pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
-pub(crate) use problem::Problem;
+pub(crate) use problem::{Lists, Problem};
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
+pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
 pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
 pub(crate) use tangent::{balance, tangent_stiffness};

@@ -41,6 +41,20 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) trial: Option<&'g Remembered>,
 }
 
+/// What a problem says of each contact, as memory for another one.
+#[derive(Debug, Clone)]
+pub(crate) struct Lists<const C: usize> {
+    pub(crate) laws: Vec<Law<C>>,
+    pub(crate) drives: Vec<SVector<f64, C>>,
+    pub(crate) slips: Vec<SVector<f64, C>>,
+}
+
+impl<const C: usize> Default for Lists<C> {
+    fn default() -> Self {
+        Self { laws: Vec::new(), drives: Vec::new(), slips: Vec::new() }
+    }
+}
+
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// The problem at rest of this grasp.
     pub(crate) fn problem(
@@ -50,8 +64,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         drives: Vec<SVector<f64, C>>,
         load: &Load<D>,
     ) -> Problem<'_, D, C> {
+        let lists = Lists { drives, ..Lists::default() };
+        self.problem_in(lists, polygon, round, load)
+    }
+
+    /// [`Self::problem`] in lists that are there, with the drives of theirs.
+    pub(crate) fn problem_in(
+        &self,
+        lists: Lists<C>,
+        polygon: Arc<Polygon<C>>,
+        round: bool,
+        load: &Load<D>,
+    ) -> Problem<'_, D, C> {
         let trial = Some(self.remembered_trial());
-        Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, drives, load) }
+        Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
     /// The problem at rest under a load of the caller's, with polygons in place of round cones.
@@ -75,15 +101,19 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         sites: &'g [Site<D, C>],
         polygon: Arc<Polygon<C>>,
         round: bool,
-        drives: Vec<SVector<f64, C>>,
+        Lists { mut laws, drives, mut slips }: Lists<C>,
         load: &Load<D>,
     ) -> Self {
+        laws.clear();
+        laws.extend(sites.iter().map(Site::whole_law));
+        slips.clear();
+        slips.resize(sites.len(), SVector::zeros());
         Self {
             sites,
             polygon,
             turned: Vec::new(),
-            laws: sites.iter().map(Site::whole_law).collect(),
-            slips: vec![SVector::zeros(); sites.len()],
+            laws,
+            slips,
             drives,
             wrench: load.wrench,
             wrench_rest: load.rest,

@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::piece::PieceState;
 use super::problem::Problem;
+use super::solution::PieceState;
 use crate::contact::At;
 use crate::grasp::Site;
 

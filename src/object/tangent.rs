@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::piece::PieceState;
+use super::solution::PieceState;
 use crate::grasp::Site;
 use crate::numerics::{PartialPivoting, in_halves};
 

@@ -11,4 +11,5 @@ mod search;
 mod sensitivity;
 mod turn;
 mod turn_exact;
+mod workspace;
 mod worst_case;

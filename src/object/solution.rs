@@ -1,0 +1,250 @@
+//! Forces and twist of a piece, to the last digits.
+//!
+//! What a solution leaves of its equations is evaluated in twice the working precision and solved for again:
+//!
+//! ```text
+//! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
+//! ```
+
+use nalgebra::SVector;
+
+use super::free_motions::{NO_WORK, worked_on};
+use super::load::Load;
+use super::piece::Piece;
+use super::precise::{PreciseBalance, PreciseTwist};
+use super::problem::Problem;
+use crate::grasp::Site;
+use crate::numerics::{DoubleDouble, without};
+
+/// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
+pub(super) const NEARLY: f64 = 1e-8;
+/// Corrections at most: where a force is zero exactly each leaves 1e-16 of what was there before.
+pub(super) const MOST_CORRECTIONS: usize = 4;
+
+/// Forces and a twist of one linear piece.
+#[derive(Debug, Clone)]
+pub(crate) struct PieceState<const D: usize, const C: usize> {
+    /// F_i in the contact frames.
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    /// The twist of least norm, in inside coordinates.
+    pub(crate) twist: SVector<f64, D>,
+}
+
+impl<const D: usize, const C: usize> Default for PieceState<D, C> {
+    fn default() -> Self {
+        Self { forces: Vec::new(), twist: SVector::zeros() }
+    }
+}
+
+/// Memory for one solution after another: what springs carry, and what that changes by.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SolutionMemory {
+    x: Vec<f64>,
+    change: Vec<f64>,
+}
+
+/// Why a piece has no solution under a load.
+#[derive(Debug, Clone)]
+pub(crate) struct Unbalanced<const D: usize> {
+    /// The unit motion on which the load works and no contact of this piece resists; `None` when the springs do
+    /// resist it but friction lets them not push that way.
+    pub(crate) motion: Option<SVector<f64, D>>,
+}
+
+impl<const D: usize, const C: usize> Piece<D, C> {
+    /// Forces and the twist of least norm under these drives and this load. The sites are those the piece was made of.
+    pub(crate) fn solve(
+        &self,
+        sites: &[Site<D, C>],
+        drives: &[SVector<f64, C>],
+        load: impl Into<Load<D>>,
+    ) -> Result<PieceState<D, C>, Unbalanced<D>> {
+        let mut state = PieceState::default();
+        self.solve_into(sites, drives, load, (&mut SolutionMemory::default(), &mut state))?;
+        Ok(state)
+    }
+
+    /// [`Self::solve`] in memory that is there.
+    pub(crate) fn solve_into(
+        &self,
+        sites: &[Site<D, C>],
+        drives: &[SVector<f64, C>],
+        load: impl Into<Load<D>>,
+        (memory, state): (&mut SolutionMemory, &mut PieceState<D, C>),
+    ) -> Result<(), Unbalanced<D>> {
+        let load = load.into();
+        if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
+            return Err(Unbalanced { motion: Some(motion) });
+        }
+        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
+        let SolutionMemory { x, change } = memory;
+        self.stretched_into(x, |contact| drives[contact]);
+        let pulled = balance.load_coordinates(&load.wrench);
+        let pushed = balance.coordinates(x);
+        let step = match &self.left {
+            None => pushed + pulled,
+            Some((_, coupling)) => {
+                let (step, unreached) = coupling.solve(&(pushed + pulled));
+                // Near a solution the sum is a difference, known up to the rounding of its terms.
+                let known = NO_WORK * pushed.amax().max(pulled.amax());
+                if unreached > known && unreached > known * coupling.growth() {
+                    return Err(Unbalanced { motion: None });
+                }
+                step
+            }
+        };
+        self.right.subtract(x, &step);
+        let mut twist = PreciseTwist::new(self.right.preimage(&step));
+        // Again for what is left of the equations.
+        change.resize(x.len(), 0.0);
+        for _ in 0..MOST_CORRECTIONS {
+            let rest = self.excess(sites, (drives, &load), (x, &twist), change);
+            twist.add(&self.respond(change, &rest));
+            let (mut largest, mut changed) = (0.0_f64, 0.0_f64);
+            for ((x, change), spring) in x.iter_mut().zip(change.iter()).zip(&self.springs) {
+                *x += change;
+                let push = spring.left.amax();
+                largest = largest.max(push * x.abs());
+                changed = changed.max(push * change.abs());
+            }
+            if changed <= NEARLY * largest {
+                break;
+            }
+        }
+        state.twist = without(twist.value(), &self.free);
+        self.forces_into(&mut state.forces, x, drives.len());
+        Ok(())
+    }
+
+    /// Forces and the twist of least norm where everything sticks and every motion is resisted, without the steps in twice the precision:
+    /// the projection is applied twice, which leaves a few roundings of the largest force.
+    pub(crate) fn solve_roughly(
+        &self,
+        drives: &[SVector<f64, C>],
+        wrench: &SVector<f64, D>,
+    ) -> PieceState<D, C> {
+        let mut state = PieceState::default();
+        self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
+        state
+    }
+
+    /// [`Self::solve_roughly`] in memory that is there.
+    pub(crate) fn solve_roughly_into(
+        &self,
+        drives: &[SVector<f64, C>],
+        wrench: &SVector<f64, D>,
+        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<D, C>),
+    ) {
+        self.stretched_into(x, |contact| drives[contact]);
+        let load = self.right.load_coordinates(wrench);
+        let mut travelled = SVector::zeros();
+        for _ in 0..2 {
+            let step = self.right.coordinates(x) + load;
+            self.right.subtract(x, &step);
+            travelled += step;
+        }
+        state.twist = self.right.preimage(&travelled);
+        self.forces_into(&mut state.forces, x, drives.len());
+    }
+
+    /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
+    pub(super) fn respond(&self, x: &mut [f64], wrench: &SVector<f64, D>) -> SVector<f64, D> {
+        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
+        let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
+        let step = self.left.as_ref().map_or(excess, |(_, coupling)| coupling.solve(&excess).0);
+        self.right.subtract(x, &step);
+        self.right.preimage(&step)
+    }
+
+    /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
+    pub(crate) fn forces_of(
+        &self,
+        stretches: &[SVector<f64, C>],
+        load: &SVector<f64, D>,
+    ) -> Vec<SVector<f64, C>> {
+        let mut x = self.stretched(|contact| stretches[contact]);
+        self.respond(&mut x, load);
+        self.forces(&x, stretches.len())
+    }
+
+    /// Change of the forces along a motion of the object with everything else at rest.
+    pub(crate) fn forces_along(
+        &self,
+        problem: &Problem<D, C>,
+        motion: &SVector<f64, D>,
+    ) -> Vec<SVector<f64, C>> {
+        let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
+        self.forces(&x, problem.len())
+    }
+
+    /// x for these stretches of the contacts.
+    pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, C>) -> Vec<f64> {
+        let mut x = Vec::new();
+        self.stretched_into(&mut x, stretch);
+        x
+    }
+
+    fn stretched_into(&self, x: &mut Vec<f64>, stretch: impl Fn(usize) -> SVector<f64, C>) {
+        x.clear();
+        x.reserve(self.springs.len());
+        for (contact, springs, _) in self.of_each_contact() {
+            let stretch = stretch(contact);
+            x.extend(springs.iter().map(|spring| spring.right.dot(&stretch)));
+        }
+    }
+
+    fn forces(&self, x: &[f64], contacts: usize) -> Vec<SVector<f64, C>> {
+        let mut forces = Vec::new();
+        self.forces_into(&mut forces, x, contacts);
+        forces
+    }
+
+    fn forces_into(&self, forces: &mut Vec<SVector<f64, C>>, x: &[f64], contacts: usize) {
+        forces.clear();
+        forces.resize(contacts, SVector::zeros());
+        for (contact, springs, range) in self.of_each_contact() {
+            for (spring, x) in springs.iter().zip(&x[range]) {
+                forces[contact] += spring.left * *x;
+            }
+        }
+    }
+
+    /// Writes e, spring by spring, and returns ρ.
+    fn excess(
+        &self,
+        sites: &[Site<D, C>],
+        (drives, load): (&[SVector<f64, C>], &Load<D>),
+        (x, twist): (&[f64], &PreciseTwist<D>),
+        e: &mut [f64],
+    ) -> SVector<f64, D> {
+        let mut balance = PreciseBalance::new(load);
+        for (contact, springs, range) in self.of_each_contact() {
+            let (site, x) = (&sites[contact], &x[range.clone()]);
+            // A contact has at most C springs.
+            let mut left = [DoubleDouble::default(); C];
+            for (left, x) in left.iter_mut().zip(x) {
+                left.add(-x);
+            }
+            for a in 0..C {
+                // Springs along the axes are the most, and have one component each.
+                if springs.iter().any(|spring| spring.right[a] != 0.0) {
+                    let v = twist.stretch(site, a, drives[contact][a]);
+                    for (left, spring) in left.iter_mut().zip(springs).filter(|(_, s)| s.right[a] != 0.0) {
+                        left.add_product_of_twice((spring.right[a], spring.right_rest[a]), v);
+                    }
+                }
+                let mut force = DoubleDouble::default();
+                for (spring, &x) in springs.iter().zip(x).filter(|(s, _)| s.left[a] != 0.0) {
+                    force.add_product_of_twice((spring.left[a], spring.left_rest[a]), DoubleDouble::new(x));
+                }
+                if force.high != 0.0 {
+                    balance.add(site, a, force);
+                }
+            }
+            for (e, left) in e[range].iter_mut().zip(left) {
+                *e = left.value();
+            }
+        }
+        balance.value()
+    }
+}

@@ -1,0 +1,113 @@
+//! A workspace tells the onsets that `Grasp::onset` tells, to the last bit, whatever it was asked before, and allocates nothing for them
+//! where one contact leaves before all others.
+
+use allocation_counter::measure;
+use grasp_lcp::grasp::Grasp;
+use grasp_lcp::load_path::{OnsetWorkspace, Ramp};
+use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+use grasp_lcp::{Settings, planar};
+use std::cell::RefCell;
+use support::ramps::ramps;
+use support::random::{Spread, for_all};
+
+/// Grasps and ramps of any kind: with free motions, closing contacts, without a base.
+fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<D, C>, Ramp<D, C>)> {
+    let list = RefCell::new(Vec::new());
+    for spread in [Spread::Narrow, Spread::Wide] {
+        for_all(file!(), cases, &ramps::<D, C>(1..6, spread), |(scene, change)| {
+            list.borrow_mut().push((scene.grasp(), change.ramp(&scene)));
+            Ok(())
+        });
+    }
+    list.into_inner()
+}
+
+fn tells_the_same<const D: usize, const C: usize>(settings: Settings) {
+    let mut workspace = OnsetWorkspace::<D, C>::new(settings);
+    let mut events = 0;
+    for (grasp, ramp) in questions(400) {
+        let told = workspace.onset(&grasp, &ramp).expect("valid");
+        // Numbers are written so that they come back as they were.
+        let expected = grasp.onset_with(&ramp, &settings).expect("valid");
+        assert_eq!(format!("{told:?}"), format!("{expected:?}"));
+        events += usize::from(told.event().is_some());
+    }
+    println!("{events} events");
+    assert!(events > 60, "{events}");
+}
+
+#[test]
+fn in_the_plane() {
+    tells_the_same::<3, 2>(Settings::default());
+}
+
+#[test]
+fn in_space() {
+    tells_the_same::<6, 3>(Settings::default());
+    tells_the_same::<6, 3>(Settings::default().on_the_polygon());
+}
+
+/// How many of the questions allocate nothing when they are asked again. What they tell is the event of one contact.
+fn without_allocation<const D: usize, const C: usize>() -> usize {
+    let mut workspace = OnsetWorkspace::<D, C>::default();
+    let mut count = 0;
+    for (grasp, ramp) in &questions(300) {
+        // The factors of the grasp, and the lists if it is larger than all before.
+        assert!(workspace.onset(grasp, ramp).is_ok());
+        let counted = measure(|| assert!(workspace.onset(grasp, ramp).is_ok()));
+        if counted.count_total == 0 {
+            count += 1;
+            let event = grasp.onset(ramp).expect("valid").event().cloned();
+            assert!(event.is_some_and(|event| event.factor > 0.0 && event.leaving.len() == 1));
+        }
+    }
+    count
+}
+
+#[test]
+fn where_one_contact_leaves_nothing_is_allocated() {
+    let [plane, space] = [without_allocation::<3, 2>(), without_allocation::<6, 3>()];
+    println!("{plane} and {space} of 600");
+    assert!(plane > 80 && space > 30, "{plane} {space}");
+}
+
+#[test]
+fn nor_for_a_hand() {
+    let finger = |x: f64, friction: f64| {
+        let pad = planar::Contact::new([x, 0.0], [-x, 0.1])
+            .series_stiffness(2e3, 1.5e3)
+            .friction(friction)
+            .pressed_with(3.0);
+        Finger::new([Joint::revolute([1.3 * x, -1.0]).stiffness(30.0)]).contact(pad)
+    };
+    let grasp = Hand::new([finger(-1.0, 0.6), finger(1.0, 0.5)]).grasp::<5>().expect("well posed");
+    let ramp = Ramp::load(planar::hand::Wrench::ZERO, planar::hand::Wrench::force([0.0, -1.0]));
+    let mut workspace = OnsetWorkspace::default();
+    let event = workspace.onset(&grasp, &ramp).expect("valid").event().cloned().expect("slides");
+    assert!(event.leaving.len() == 1 && event.leaving[0].contact == 1);
+    let counted = measure(|| assert!(workspace.onset(&grasp, &ramp).is_ok()));
+    assert_eq!(counted.count_total, 0);
+}
+
+/// Wrong input is refused, and what was asked before does no harm to what is asked next.
+#[test]
+fn an_error_leaves_it_as_good_as_new() {
+    let jaw = |x: f64, friction: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0])
+            .series_stiffness(1e3, 8e2)
+            .friction(friction)
+            .pressed_with(10.0)
+    };
+    let grasp = planar::Grasp::new([jaw(-1.0, 0.5), jaw(1.0, 0.4)]).expect("valid");
+    let pull = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
+    let mut workspace = planar::OnsetWorkspace::default();
+    assert!(workspace.onset(&grasp, &pull.clone().with_commands([[0.0; 2]; 3])).is_err());
+    let factor = |onset: &planar::Onset| onset.factor().expect("slides");
+    assert!((factor(workspace.onset(&grasp, &pull).expect("valid")) - 8.0).abs() < 1e-14);
+    assert!(
+        workspace
+            .onset(&grasp, &planar::Ramp::load(planar::Wrench::force([f64::NAN, 0.0]), planar::Wrench::ZERO))
+            .is_err()
+    );
+    assert!((factor(workspace.onset(&grasp, &pull).expect("valid")) - 8.0).abs() < 1e-14);
+}
