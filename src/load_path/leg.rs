@@ -231,12 +231,15 @@ impl<const D: usize, const C: usize> LoadGoal<D, C> {
 }
 
 impl<T: Copy + Add<Output = T>> Goal<Vec<T>> {
-    /// Commands at the end of the leg.
-    fn after(&self, commands: &[T]) -> Vec<T> {
+    /// From commands at the end of the last leg, behind those at its beginning, to commands at both ends of this one.
+    fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
+        commands.swap(0, 1);
+        let [from, to] = commands;
+        to.clear();
         match self {
-            Self::Stay => commands.to_vec(),
-            Self::By(change) => commands.iter().zip(change).map(|(u, du)| *u + *du).collect(),
-            Self::To(goal) => goal.clone(),
+            Self::Stay => to.extend_from_slice(from),
+            Self::By(change) => to.extend(from.iter().zip(change).map(|(u, du)| *u + *du)),
+            Self::To(goal) => to.extend_from_slice(goal),
         }
     }
 }
@@ -244,7 +247,10 @@ impl<T: Copy + Add<Output = T>> Goal<Vec<T>> {
 /// A program on its way: the present leg, and the goals between which it leads.
 #[derive(Debug, Clone)]
 pub(super) struct Program<const D: usize, const C: usize> {
+    /// From the first on that was not done when legs were added last.
     legs: Vec<Leg<D, C>>,
+    /// How many were done then.
+    done: usize,
     /// The present leg; as many as there are legs when all are done.
     pub(super) leg: usize,
     /// How the load goes along the present leg.
@@ -264,6 +270,7 @@ impl<const D: usize, const C: usize> Program<D, C> {
         let joints = grasp.joint_commands().to_vec();
         Self {
             legs: Vec::new(),
+            done: 0,
             leg: 0,
             course: Course::Straight { from: start, rate: Wrench::ZERO },
             goal: start,
@@ -285,23 +292,25 @@ impl<const D: usize, const C: usize> Program<D, C> {
             return Err(Error::StraightOnly { method });
         }
         legs.iter().try_for_each(|leg| leg.check(grasp))?;
+        // Programs that go on and on need no more memory.
+        self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
+        self.done = self.leg;
         self.legs.extend_from_slice(legs);
         Ok(())
     }
 
     /// Sets out from where the last leg ended; false if there is no leg to go.
     pub(super) fn begin_leg(&mut self) -> bool {
-        let Some(leg) = self.legs.get(self.leg) else { return false };
+        let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
-        let (after, joints) = (leg.commands.after(&self.commands[1]), leg.joints.after(&self.joints[1]));
-        self.commands = [std::mem::replace(&mut self.commands[1], after.clone()), after];
-        self.joints = [std::mem::replace(&mut self.joints[1], joints.clone()), joints];
+        leg.commands.lead_on(&mut self.commands);
+        leg.joints.lead_on(&mut self.joints);
         true
     }
 
     /// Whether there is a leg to go.
     pub(super) fn goes(&self) -> bool {
-        self.leg < self.legs.len()
+        self.leg - self.done < self.legs.len()
     }
 
     /// Goes on to the next leg; false if there is none.
@@ -312,12 +321,17 @@ impl<const D: usize, const C: usize> Program<D, C> {
 
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
     pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+        let mut drives = [Vec::new(), Vec::new()];
+        self.drives_into(grasp, &mut drives);
+        drives
+    }
+
+    /// [`Self::drives`] in memory that is there.
+    pub(super) fn drives_into(&self, grasp: &Grasp<D, C>, [base, change]: &mut [Vec<SVector<f64, C>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
-        let mut base = Vec::new();
-        grasp.driven_by(from.iter().copied(), joints_from, &mut base);
-        let change: Vec<_> = to.iter().zip(from).map(|(to, from)| to - from).collect();
+        grasp.driven_by(from.iter().copied(), joints_from, base);
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
-        [base, grasp.drive_changes(Some(&change), Some(&of_joints))]
+        grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
     /// How the load goes along the present leg, in inside coordinates.

@@ -1,5 +1,5 @@
 //! A workspace that has held the largest scene allocates nothing: few contacts by Lemke's paths, many by Newton's method and by Lemke's. Nor does
-//! an event of a path of many.
+//! a path of many, events, legs and more legs.
 
 use allocation_counter::measure;
 use grasp_lcp::grasp::{Grasp, Wrench};
@@ -68,7 +68,7 @@ fn many_contacts_in_space() {
 }
 
 #[test]
-fn events_of_many_contacts_allocate_nothing() {
+fn legs_of_many_contacts_allocate_nothing() {
     let place = |i: i32| f64::from(2 * i + 1) / 500.0 - 1.0;
     let press = |i: i32| 1.0 - place(i) * place(i);
     let spring = |i: i32| {
@@ -83,23 +83,14 @@ fn events_of_many_contacts_allocate_nothing() {
     let cycle = [0.5, 0.0].map(|part| planar::Leg::load_to(pull(part)));
     let mut path = pad.follow_patch(&pull(0.0), &cycle).expect("straight legs");
     path.by_ref().for_each(drop);
-    let (mut events, mut within_legs, mut legs) = (0, 0, 0);
-    for _ in 0..3 {
-        path.continue_with(&cycle).expect("straight legs");
-        loop {
-            let (leg, _) = path.place();
-            let mut goes = true;
-            let counted = measure(|| goes = path.next().is_some());
-            // A leg lays out its commands and the elastic trial along it.
-            let same_leg = goes && path.place().0 == leg && events > 0;
-            (events, legs) = (events + u32::from(goes), legs + u32::from(!same_leg));
-            within_legs += if same_leg { counted.count_total } else { 0 };
-            if !goes {
-                break;
-            }
-        }
+    let mut events = 0;
+    for round in 0..4 {
+        let counted = measure(|| {
+            path.continue_with(&cycle).expect("straight legs");
+            events += path.by_ref().count();
+        });
+        // The first round makes the lists of the events of both legs as long as they have to be.
+        assert!(round == 0 || counted.count_total == 0, "{counted:?} in round {round}");
     }
-    println!("{events} events, {legs} times another leg or none");
-    assert!(events > 500 && legs <= 9, "{events} {legs}");
-    assert_eq!(within_legs, 0);
+    assert!(events > 500, "{events}");
 }

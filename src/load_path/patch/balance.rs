@@ -45,7 +45,7 @@ pub(super) struct Balance<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Balance<D, C> {
     /// Everything sticks.
-    pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D>) -> Self {
+    pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D, C>) -> Self {
         let (mut contacts, mut coordinates) =
             (Vec::with_capacity(problem.len()), EnergyCoordinates::default());
         coordinates.lay_out(problem, &trial.factor, |_, contact| contacts.push(MovingContact::new(contact)));
@@ -183,7 +183,7 @@ impl<const D: usize, const C: usize> Balance<D, C> {
 
     /// Solves for the rate of the motion in the present states. `false` if nothing balances the
     /// load there.
-    pub(super) fn solve_rates(&mut self, trial: &TrialLeg<D>) -> bool {
+    pub(super) fn solve_rates(&mut self, trial: &TrialLeg<D, C>) -> bool {
         if self.contacts.len() <= FEW || are_stale(self.age, self.contacts.len()) {
             self.renew();
         } else {
@@ -198,7 +198,7 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     }
 
     /// Nothing drives the object along motions that nothing resists.
-    fn rest_along_free_motions(&mut self, trial: &TrialLeg<D>) {
+    fn rest_along_free_motions(&mut self, trial: &TrialLeg<D, C>) {
         let kernel = self.factors.kernel();
         if kernel.is_empty() {
             return;
@@ -241,17 +241,17 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     }
 
     /// The twist at which y stands on top of the trial state: the least one.
-    pub(super) fn twist(&self, trial: &TrialLeg<D>, y: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(super) fn twist(&self, trial: &TrialLeg<D, C>, y: &SVector<f64, D>) -> SVector<f64, D> {
         trial.twist(&(trial.travelled + trial.rate * self.tau + y / self.scale()))
     }
 
     /// The motion in which the object goes on.
-    pub(super) fn twist_rate(&self, trial: &TrialLeg<D>) -> SVector<f64, D> {
+    pub(super) fn twist_rate(&self, trial: &TrialLeg<D, C>) -> SVector<f64, D> {
         trial.twist(&(trial.rate + self.y_rate / self.scale()))
     }
 
     /// Unit motions that nothing resists here.
-    pub(super) fn free_motions(&self, trial: &TrialLeg<D>) -> Vec<SVector<f64, D>> {
+    pub(super) fn free_motions(&self, trial: &TrialLeg<D, C>) -> Vec<SVector<f64, D>> {
         let mut motions = trial.free.clone();
         for v in self.factors.kernel() {
             let mut v = trial.factor.preimage(&v);

@@ -62,7 +62,7 @@ pub type PatchPath<'g, const D: usize, const C: usize> = Path<'g, D, C, Patch<D,
 /// The follower of a [`PatchPath`].
 #[derive(Debug)]
 pub struct Patch<const D: usize, const C: usize> {
-    pub(super) trial: TrialLeg<D>,
+    pub(super) trial: TrialLeg<D, C>,
     pub(super) balance: Balance<D, C>,
     pub(super) ahead: BoundsAhead<D>,
     pub(super) sliding: SlidingOn<D>,

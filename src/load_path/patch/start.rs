@@ -42,8 +42,8 @@ impl<const D: usize, const C: usize> Patch<D, C> {
 
     /// The elastic trial state on the present leg.
     fn lay_leg(&mut self, journey: &Journey<'_, D, C>) {
-        let x = self.trial.lay(journey.grasp, &journey.program);
-        self.balance.begin_leg(journey.grasp.sites(), &x);
+        self.trial.lay(journey.grasp, &journey.program);
+        self.balance.begin_leg(journey.grasp.sites(), &self.trial.x);
     }
 
     /// Whether the trial state is an equilibrium.

@@ -9,7 +9,7 @@ use crate::object::{spring_rows, stretched_into, worked_on};
 
 /// The springs of all contacts, and the motion of the object if all of them hold.
 #[derive(Debug)]
-pub(super) struct TrialLeg<const D: usize> {
+pub(super) struct TrialLeg<const D: usize, const C: usize> {
     /// `K^{1/2}Gᵀ = QR`.
     pub(super) factor: Orthogonal<D>,
     /// Motions that no contact resists.
@@ -17,30 +17,29 @@ pub(super) struct TrialLeg<const D: usize> {
     /// R q at the beginning of the leg, and its change along it.
     pub(super) travelled: SVector<f64, D>,
     pub(super) rate: SVector<f64, D>,
+    /// Drives at the beginning of the leg, and what they change by.
+    drives: [Vec<SVector<f64, C>>; 2],
+    /// x⁰ there, and its change along the leg, spring by spring.
+    pub(super) x: [Vec<f64>; 2],
 }
 
-impl<const D: usize> TrialLeg<D> {
-    pub(super) fn new<const C: usize>(sites: &[Site<D, C>]) -> Self {
+impl<const D: usize, const C: usize> TrialLeg<D, C> {
+    pub(super) fn new(sites: &[Site<D, C>]) -> Self {
         let factor = Orthogonal::new(spring_rows(sites).collect());
         let (travelled, rate) = (SVector::zeros(), SVector::zeros());
-        Self { free: factor.null_space(), factor, travelled, rate }
+        let (drives, x) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
+        Self { free: factor.null_space(), factor, travelled, rate, drives, x }
     }
 
-    /// Lays out the present leg of a program. Returns x⁰ at its beginning and its change, spring by
-    /// spring.
-    pub(super) fn lay<const C: usize>(
-        &mut self,
-        grasp: &Grasp<D, C>,
-        program: &Program<D, C>,
-    ) -> [Vec<f64>; 2] {
+    /// Lays out the present leg of a program.
+    pub(super) fn lay(&mut self, grasp: &Grasp<D, C>, program: &Program<D, C>) {
         let (from, change) = loads(grasp, program);
-        let mut x = [Vec::new(), Vec::new()];
-        for (x, v) in x.iter_mut().zip(program.drives(grasp)) {
+        program.drives_into(grasp, &mut self.drives);
+        for (x, v) in self.x.iter_mut().zip(&self.drives) {
             stretched_into(grasp.sites(), |i| v[i], x);
         }
-        self.travelled = self.factor.project(&mut x[0], &from);
-        self.rate = self.factor.project(&mut x[1], &change);
-        x
+        self.travelled = self.factor.project(&mut self.x[0], &from);
+        self.rate = self.factor.project(&mut self.x[1], &change);
     }
 
     /// The motion on which a load works though nothing resists it.
