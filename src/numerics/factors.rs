@@ -10,17 +10,18 @@ const OUT_OF_REACH: f64 = 1e-12;
 
 /// Factors of a `D x D` matrix A.
 #[derive(Debug, Clone)]
+#[allow(clippy::large_enum_variant)] // a box would be memory to ask for at every step of Newton's method
 pub(crate) enum Factors<const D: usize> {
     Regular(PartialPivoting<D>),
     /// Singular or nearly so: complete pivoting tells what is singular from what is only soft.
-    Singular(Box<CompletePivoting<D>>),
+    Singular(CompletePivoting<D>),
 }
 
 impl<const D: usize> Factors<D> {
     pub(crate) fn new(matrix: &SMatrix<f64, D, D>) -> Self {
         match PartialPivoting::new(matrix) {
             Some(regular) => Self::Regular(regular),
-            None => Self::Singular(Box::new(CompletePivoting::new(*matrix, D, D))),
+            None => Self::Singular(CompletePivoting::new(*matrix, D, D)),
         }
     }
 

@@ -26,7 +26,17 @@ where
 {
     /// All open to begin with. `beside` is a size of forces in which Newton's method cannot see: of rounding, for instance.
     pub(crate) fn new(problem: &'p Problem<'g, D, C>, beside: f64, answer: F) -> Self {
-        let contacts = vec![Answer::open(); problem.len()];
+        Self::in_memory(problem, (beside, Vec::new()), answer)
+    }
+
+    /// [`Self::new`] with a list that is there.
+    pub(crate) fn in_memory(
+        problem: &'p Problem<'g, D, C>,
+        (beside, mut contacts): (f64, Vec<Answer<C>>),
+        answer: F,
+    ) -> Self {
+        contacts.clear();
+        contacts.resize(problem.len(), Answer::open());
         Self { problem, answer, contacts, beside }
     }
 }

@@ -12,17 +12,21 @@
 //! | `variables` | how soon a variable of a contact can reach zero |
 //! | `path` | Lemke's path from basis to basis |
 //! | `newton` | a start for many contacts |
+//! | `round_cone` | from there, or from the elastic trial, to the round cone |
 //! | `solution` | an equilibrium in known states, checked |
-//! | `workspace`, `proposal` | who asks: one scene after another, and the ladder |
+//! | `workspace`, `view`, `proposal` | who asks: one scene after another, and the ladder |
 
 mod basis;
 mod contact_form;
 mod newton;
 mod path;
 mod proposal;
+mod round_cone;
 mod solution;
 mod variables;
+mod view;
 mod workspace;
 
 pub(crate) use proposal::{propose, propose_by_newton};
-pub use workspace::{Search, View, Workspace};
+pub use view::{Search, View};
+pub use workspace::Workspace;

@@ -15,7 +15,7 @@ pub(super) const BALANCED: f64 = 1e-13;
 /// solution.
 const FRESH: usize = 16;
 /// No solution has a larger residual: a vertex of a wrong basis breaks its conditions by much more.
-const ACCURATE: f64 = 1e-10;
+pub(super) const ACCURATE: f64 = 1e-10;
 /// Forces below this part of those in the trial state are its rounding.
 const ROUNDING: f64 = 1e-5;
 

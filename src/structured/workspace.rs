@@ -6,8 +6,10 @@ use nalgebra::SVector;
 
 use super::newton::newton;
 use super::path::{End, Path};
+use super::round_cone;
 use super::solution::Solution;
-use crate::contact::{Law, Polygon, PolygonCone};
+use super::view::{Search, View};
+use crate::contact::{Answer, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Grasp, Site, Twist, Wrench};
@@ -22,17 +24,18 @@ const MANY: usize = 32;
 /// Memory for equilibria under one load after another, by Lemke's method on lists of contact
 /// states.
 ///
-/// After the first scene it allocates nothing for scenes with no more contacts (with thousands of
-/// them the thread pool of the feature `parallel` may). It looks for one equilibrium, in space on
-/// the polygonal cone, and says how exactly it satisfies every condition; it proves nothing where
-/// it finds none. [`Grasp::solve`] knows more ways to one, proofs that there is none, the round
-/// cone and the answer as physics.
+/// After the first scene it allocates nothing for scenes with no more contacts: once for Newton's
+/// method and once for Lemke's, whichever a scene needs. (With thousands of contacts the thread pool
+/// of the feature `parallel` may.) It looks for one equilibrium, in space on
+/// the polygonal cone or [on the round one](Self::on_the_round_cone), and says how exactly it
+/// satisfies every condition; it proves nothing where it finds none. [`Grasp::solve`] knows more
+/// ways to one, proofs that there is none, and the answer as physics.
 ///
 /// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the
 /// next one. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
 #[derive(Debug, Clone)]
 pub struct Workspace<const D: usize, const C: usize> {
-    path: Path<D, C>,
+    pub(super) path: Path<D, C>,
     /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the
     /// last scene if only load, commands or friction have changed.
     springs: Vec<SVector<f64, D>>,
@@ -43,79 +46,16 @@ pub struct Workspace<const D: usize, const C: usize> {
     drives: Vec<SVector<f64, C>>,
     cone: PolygonCone,
     polygon: Arc<Polygon<C>>,
-    solution: Solution<D, C>,
+    /// Whether answers are for the round cone.
+    round: bool,
+    /// What contacts answer there.
+    answers: Vec<Answer<C>>,
+    pub(super) solution: Solution<D, C>,
     /// R q in the trial state.
     travelled: SVector<f64, D>,
     /// Steps of Newton's method, if they led to the solution.
-    newton_steps: Option<usize>,
-    twist: Twist<D, C>,
-}
-
-/// How a search for an equilibrium ended.
-#[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
-pub enum Search<'a, const D: usize, const C: usize> {
-    /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`View::residual`]).
-    Found(View<'a, D, C>),
-    /// The load works on a motion that no contact resists: there is no equilibrium.
-    FreeMotion,
-    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
-    /// kinematic form) or on a point that does not satisfy every condition. There may be an
-    /// equilibrium or none.
-    NotFound {
-        /// Pivots of all paths.
-        pivots: usize,
-    },
-}
-
-/// An equilibrium in the memory of its workspace.
-#[derive(Debug, Clone, Copy)]
-pub struct View<'a, const D: usize, const C: usize> {
-    workspace: &'a Workspace<D, C>,
-}
-
-impl<'a, const D: usize, const C: usize> View<'a, D, C> {
-    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp:
-    /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
-    #[must_use]
-    pub fn forces(&self) -> &'a [SVector<f64, C>] {
-        &self.workspace.solution.forces
-    }
-
-    /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
-    /// the contacts leave it free motions.
-    #[must_use]
-    pub fn twist(&self) -> Twist<D, C> {
-        self.workspace.twist
-    }
-
-    /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
-    /// and moments, friction cones, gaps and slips. At most 1e-10, as a rule a few roundings.
-    #[must_use]
-    pub fn residual(&self) -> f64 {
-        self.workspace.solution.residual
-    }
-
-    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to
-    /// the equilibrium.
-    #[must_use]
-    pub fn pivots(&self) -> usize {
-        self.workspace.path.pivots
-    }
-
-    /// Steps of Newton's method, if they led to it: then no pivot was needed.
-    #[must_use]
-    pub fn newton_steps(&self) -> Option<usize> {
-        self.workspace.newton_steps
-    }
-
-    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact. A
-    /// contact that rolls has none, and one that is open has its [`Row::Gap`]. One that slides
-    /// across a facet has one [`Row::Slip`], at a corner of the polygon it has two.
-    pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
-        let workspace = self.workspace;
-        (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
-    }
+    pub(super) newton_steps: Option<usize>,
+    pub(super) twist: Twist<D, C>,
 }
 
 impl<const D: usize, const C: usize> Default for Workspace<D, C> {
@@ -138,6 +78,8 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             drives: Vec::new(),
             cone,
             polygon: Polygon::shared(&cone),
+            round: false,
+            answers: Vec::new(),
             solution: Solution::default(),
             travelled: SVector::zeros(),
             newton_steps: None,
@@ -145,15 +87,46 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         }
     }
 
-    /// The polygonal cone that answers are for.
+    /// A workspace without memory yet, for answers on the round cone: by Newton's method from the
+    /// elastic trial state, else from an equilibrium on the default polygonal cone. In the plane
+    /// there is only one cone.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::structured::{Search, Workspace};
+    ///
+    /// // Four fingers on a ring, 10 N each, μ = 0.5: the round cone carries 20 N upwards whatever the frames.
+    /// let finger = |x: f64, y: f64| {
+    ///     Contact::new([x, y, 0.0], [-x, -y, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(1.0, 0.0), finger(0.0, 1.0), finger(-1.0, 0.0), finger(0.0, -1.0)])?;
+    /// let mut workspace = Workspace::on_the_round_cone();
+    /// for up in [0.0, 10.0, 19.9] {
+    ///     let Search::Found(found) = workspace.solve(&grasp, &Wrench::force([0.0, 0.0, up]))? else { panic!("it holds") };
+    ///     assert!(found.residual() < 1e-13);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn on_the_round_cone() -> Self {
+        Self { round: C == 3, ..Self::default() }
+    }
+
+    /// The polygonal cone that answers are for, or that leads to the round one.
     #[must_use]
     pub fn cone(&self) -> PolygonCone {
         self.cone
     }
 
+    /// Whether answers are for the round cone.
+    #[must_use]
+    pub fn is_round(&self) -> bool {
+        self.round
+    }
+
     /// An equilibrium of a grasp under a load on the object. It is found by Newton's method from 32
-    /// contacts on, if that arrives, else along up to four of Lemke's paths from the elastic trial
-    /// state. A step of Newton's method and a pivot cost O(n) with n contacts.
+    /// contacts on and on the round cone, if that arrives, else along up to four of Lemke's paths from
+    /// the elastic trial state. A step of Newton's method and a pivot cost O(n) with n contacts.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -182,7 +155,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     }
 
     /// The same along Lemke's first path only, that of the covering vector of ones, whatever the
-    /// number of contacts.
+    /// number of contacts. On the round cone Newton's method goes on from where it leads.
     ///
     /// # Errors
     /// As for [`Workspace::solve`].
@@ -205,7 +178,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         self.laws.clear();
         self.laws.extend(grasp.sites().iter().map(Site::whole_law));
         grasp.drives_into(&mut self.drives);
-        let problem = Problem {
+        let mut problem = Problem {
             sites: grasp.sites(),
             polygon: self.polygon.clone(),
             turned: Vec::new(),
@@ -218,26 +191,72 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             round: false,
             trial: None,
         };
-        let by_newton = other_paths > 0 && problem.len() >= MANY;
-        self.newton_steps = by_newton.then(|| newton(&problem, &mut self.solution)).flatten();
-        let balanced = self.newton_steps.is_some() || self.stick(&problem);
-        let found = self.newton_steps.is_some() || (balanced && self.search(&problem, other_paths));
+        let found = self.seek(&mut problem, other_paths);
         (self.laws, self.drives) = (problem.laws, problem.drives);
         let pivots = self.path.pivots;
-        Ok(if !balanced {
-            Search::FreeMotion
-        } else if found {
-            self.twist = grasp.outside(&self.solution.twist);
-            Search::Found(View { workspace: self })
-        } else {
-            Search::NotFound { pivots }
+        Ok(match found {
+            None => Search::FreeMotion,
+            Some(false) => Search::NotFound { pivots },
+            Some(true) => {
+                self.twist = grasp.outside(&self.solution.twist);
+                Search::Found(View::of(self))
+            }
         })
     }
 
+    /// Whether an equilibrium is found; `None` if no contact resists the load.
+    fn seek(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> Option<bool> {
+        let newton_first = other_paths > 0 && problem.len() >= MANY && !self.round;
+        self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
+        if self.newton_steps.is_some() {
+            return Some(true);
+        }
+        if !self.stick(problem) {
+            return None;
+        }
+        Some(if self.round {
+            self.round_off(problem, other_paths)
+        } else {
+            self.search(problem, other_paths)
+        })
+    }
+
+    /// An equilibrium on the round cone: the trial itself, what Newton's method finds from there, or from an
+    /// equilibrium on polygons. Along one path only the last.
+    fn round_off(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> bool {
+        if other_paths > 0 {
+            problem.round = true;
+            let trial = self.least_motion(&self.travelled);
+            let Self { x, answers, solution, .. } = self;
+            if round_cone::trial_holds(problem, (x, &trial), answers, solution) {
+                return true;
+            }
+            if self.newton_on_the_round_cone(problem, trial) {
+                return true;
+            }
+            problem.round = false;
+        }
+        if !self.search(problem, other_paths) {
+            return false;
+        }
+        problem.round = true;
+        self.newton_on_the_round_cone(problem, self.solution.twist)
+    }
+
+    fn newton_on_the_round_cone(&mut self, problem: &Problem<D, C>, from: SVector<f64, D>) -> bool {
+        self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
+        self.solution.twist = self.at_rest_along_free_motions(self.solution.twist);
+        self.newton_steps.is_some()
+    }
+
     /// The rows of a contact whose jumps are basic.
-    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
+    pub(super) fn rows(&self, contact: usize) -> [Option<Row>; 3] {
         let gap = Row::Gap { contact };
         let slip = |facet| Row::Slip { contact, facet };
+        if self.round {
+            let state = &self.answers[contact].state;
+            return [state.is_open().then_some(gap), state.slides().then_some(slip(0)), None];
+        }
         if self.newton_steps.is_some() {
             let state = &self.solution.states[contact];
             let [first, second] = state.own_facets(self.polygon.normals.len());
@@ -275,12 +294,19 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
                 && let Some(y) = self.solution.take(&mut self.path, problem)
             {
                 let moved = self.travelled + y / self.path.form.coordinates.weight.sqrt();
-                let free = self.factor.null_vectors();
-                let free = &free[..D - self.factor.rank()];
-                self.solution.twist = without(self.factor.preimage(&moved), free);
+                self.solution.twist = self.least_motion(&moved);
                 return true;
             }
         }
         false
+    }
+
+    /// The least motion with these coordinates R q.
+    fn least_motion(&self, travelled: &SVector<f64, D>) -> SVector<f64, D> {
+        self.at_rest_along_free_motions(self.factor.preimage(travelled))
+    }
+
+    fn at_rest_along_free_motions(&self, twist: SVector<f64, D>) -> SVector<f64, D> {
+        without(twist, &self.factor.null_vectors()[..D - self.factor.rank()])
     }
 }

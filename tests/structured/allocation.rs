@@ -23,9 +23,12 @@ fn scenes<const D: usize, const C: usize>(
     list
 }
 
-fn allocates_only_at_first<const D: usize, const C: usize>(count: std::ops::Range<usize>, cases: u32) {
+fn allocates_only_at_first<const D: usize, const C: usize>(
+    mut workspace: Workspace<D, C>,
+    count: std::ops::Range<usize>,
+    cases: u32,
+) {
     let scenes = scenes::<D, C>(count, cases);
-    let mut workspace = Workspace::default();
     let (grasp, load) = &scenes[0];
     let first = measure(|| assert!(workspace.solve(grasp, load).is_ok()));
     assert!(first.count_total > 0, "the counter counts");
@@ -43,28 +46,36 @@ fn allocates_only_at_first<const D: usize, const C: usize>(count: std::ops::Rang
             }
         }
     });
-    assert!(found * 3 > scenes.len() * 2 && pivots > 10 * scenes.len(), "{found} found, {pivots} pivots");
+    // To the round cone Newton's method mostly finds the way without a pivot.
+    let most = if workspace.is_round() { 100 } else { 10 * scenes.len() };
+    assert!(found * 3 > scenes.len() * 2 && pivots > most, "{found} found, {pivots} pivots");
     assert_eq!(counted.count_total, 0);
 }
 
 #[test]
 fn few_contacts_in_the_plane() {
-    allocates_only_at_first::<3, 2>(4..12, 300);
+    allocates_only_at_first::<3, 2>(Workspace::default(), 4..12, 300);
 }
 
 #[test]
 fn few_contacts_in_space() {
-    allocates_only_at_first::<6, 3>(4..12, 300);
+    allocates_only_at_first::<6, 3>(Workspace::default(), 4..12, 300);
 }
 
 #[test]
 fn many_contacts_in_the_plane() {
-    allocates_only_at_first::<3, 2>(20..80, 60);
+    allocates_only_at_first::<3, 2>(Workspace::default(), 20..80, 60);
 }
 
 #[test]
 fn many_contacts_in_space() {
-    allocates_only_at_first::<6, 3>(20..80, 60);
+    allocates_only_at_first::<6, 3>(Workspace::default(), 20..80, 60);
+}
+
+#[test]
+fn on_the_round_cone() {
+    allocates_only_at_first::<6, 3>(Workspace::on_the_round_cone(), 2..12, 300);
+    allocates_only_at_first::<6, 3>(Workspace::on_the_round_cone(), 20..80, 60);
 }
 
 #[test]

@@ -8,6 +8,7 @@ use grasp_lcp::structured::{Search, Workspace};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use std::cell::RefCell;
+use std::f64::consts::TAU;
 use support::random::{Spread, for_all, scene};
 
 /// Forces agree to this part of the largest, as far as the equilibrium is unique.
@@ -22,13 +23,19 @@ fn difference<const C: usize>(a: &[SVector<f64, C>], b: &[SVector<f64, C>]) -> f
     a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max) / size
 }
 
-/// How many of the answers have the forces of `Grasp::solve` on the polygon, other ones, none there; and the same twist, too.
-fn compare<const D: usize, const C: usize>(count: std::ops::Range<usize>, cases: u32) -> [usize; 4] {
+/// How many of the answers have the forces of `Grasp::solve` on the same cone, other ones, none there; and the same twist, too.
+fn compare<const D: usize, const C: usize>(
+    workspace: Workspace<D, C>,
+    count: std::ops::Range<usize>,
+    cases: u32,
+) -> [usize; 4] {
     let tally = RefCell::new([0; 4]);
-    let workspace = RefCell::new(Workspace::<D, C>::default());
+    let settings =
+        if workspace.is_round() { Settings::default() } else { Settings::default().on_the_polygon() };
+    let workspace = RefCell::new(workspace);
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
         let (grasp, load) = (scene.grasp(), scene.wrench());
-        let outcome = grasp.solve_with(&load, &Settings::default().on_the_polygon()).expect("finite");
+        let outcome = grasp.solve_with(&load, &settings).expect("finite");
         let mut workspace = workspace.borrow_mut();
         let Search::Found(view) = workspace.solve(&grasp, &load).expect("finite") else { return Ok(()) };
         let [same, other, alone, moves] = &mut *tally.borrow_mut();
@@ -67,18 +74,50 @@ fn compare<const D: usize, const C: usize>(count: std::ops::Range<usize>, cases:
 
 #[test]
 fn few_contacts() {
-    let [same, other, alone, moves] = compare::<3, 2>(2..9, 1000);
+    let [same, other, alone, moves] = compare::<3, 2>(Workspace::default(), 2..9, 1000);
     assert!(same > 900 && other < 30 && alone == 0 && moves * 10 > same * 9);
-    let [same, other, alone, moves] = compare::<6, 3>(3..9, 600);
+    let [same, other, alone, moves] = compare::<6, 3>(Workspace::default(), 3..9, 600);
     assert!(same > 400 && other < 60 && alone == 0 && moves * 10 > same * 9);
 }
 
 #[test]
 fn many_contacts() {
-    let [same, other, alone, moves] = compare::<3, 2>(32..80, 100);
+    let [same, other, alone, moves] = compare::<3, 2>(Workspace::default(), 32..80, 100);
     assert!(same > 90 && other == 0 && alone == 0 && moves == same);
-    let [same, other, alone, moves] = compare::<6, 3>(32..60, 60);
+    let [same, other, alone, moves] = compare::<6, 3>(Workspace::default(), 32..60, 60);
     assert!(same > 50 && other == 0 && alone == 0 && moves == same);
+}
+
+#[test]
+fn on_the_round_cone() {
+    let tally = compare::<6, 3>(Workspace::on_the_round_cone(), 3..9, 600);
+    println!("{tally:?}");
+    let [same, other, alone, moves] = tally;
+    assert!(same > 550 && other < 30 && alone == 0 && moves * 10 > same * 9);
+    let [same, other, alone, moves] = compare::<6, 3>(Workspace::on_the_round_cone(), 32..60, 60);
+    assert!(same > 50 && other == 0 && alone == 0 && moves == same);
+}
+
+/// A contact that slides pulls the body along its friction, which no facet turns.
+#[test]
+fn sliding_on_the_round_cone() {
+    // A block of 10 N on a foot, among three soft guides about it that hold it sideways alike.
+    let foot = spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1e3, 8e2).friction(0.5);
+    let guide = |third: f64| {
+        let (sin, cos) = (third * TAU / 3.0).sin_cos();
+        spatial::Contact::new([cos, sin, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e-3, 50.0).bonded()
+    };
+    let grasp = spatial::Grasp::new([foot, guide(0.0), guide(1.0), guide(2.0)]).expect("valid");
+    let mut workspace = Workspace::on_the_round_cone();
+    for angle in (0..64).map(|k| f64::from(k) * 0.1) {
+        let load = spatial::Wrench::force([8.0 * angle.cos(), 8.0 * angle.sin(), -10.0]);
+        let Ok(Search::Found(found)) = workspace.solve(&grasp, &load) else { panic!("holds") };
+        let force = found.forces()[0];
+        let friction = grasp.frames().next().expect("the foot") * SVector::from([0.0, force[1], force[2]]);
+        let along = SVector::from([angle.cos(), angle.sin(), 0.0]);
+        assert!((friction + along * (0.5 * force[0])).norm() < 1e-9, "{friction}");
+        assert!(found.jumps().count() == 1 && found.residual() < 1e-13);
+    }
 }
 
 /// All normals alike: the pressure is known, hence the equilibrium is the only one.

@@ -29,7 +29,25 @@ pub fn few_contacts() -> Outcome {
             Beside { in_general: dense, today: program_once(&grasp, &load, 20), ..Beside::NOTHING },
             &found(&mut workspace, &grasp, &load)?,
         );
+        on_the_round_cone(&format!("{count} contacts in space"), &grasp, &load, 2000)?;
     }
+    Ok(())
+}
+
+/// The same on the round cone, beside `Grasp::solve`.
+fn on_the_round_cone(name: &str, grasp: &Grasp<6, 3>, load: &Wrench<6, 3>, runs: usize) -> Outcome {
+    let mut workspace = Workspace::on_the_round_cone();
+    let time = best(runs, || {
+        black_box(workspace.solve(black_box(grasp), black_box(load)).is_ok());
+    });
+    let in_general = best(runs / 10 + 2, || drop(black_box(grasp.solve(load))));
+    let remarks = found(&mut workspace, grasp, load)?;
+    row(
+        &format!("equilibrium, {name}, round cone"),
+        time,
+        Beside { in_general, ..Beside::NOTHING },
+        &remarks,
+    );
     Ok(())
 }
 
@@ -42,6 +60,7 @@ pub fn patches() -> Outcome {
     for n in [100, 1000, 10_000] {
         let (grasp, load) = spatial_patch(n)?;
         patch("in space", &grasp, &load, n <= 100)?;
+        on_the_round_cone(&format!("patch in space, n = {n}"), &grasp, &load, (20_000 / n).clamp(3, 50))?;
     }
     Ok(())
 }

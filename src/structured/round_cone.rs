@@ -1,0 +1,74 @@
+//! An equilibrium on the round cone, in the memory of a workspace.
+//!
+//! Newton's method on what the contacts answer to a motion of the object goes on from the elastic trial state, or from an equilibrium on
+//! polygons. Where forces balance that is an equilibrium: the friction law holds in every answer.
+
+use nalgebra::SVector;
+
+use super::solution::{ACCURATE, BALANCED, Solution};
+use crate::contact::{Answer, ZERO_SLACK};
+use crate::object::{self, OneByOne, Problem};
+
+/// The number of steps after which Newton's method has arrived from a twist; the answers of the contacts are in `answers` then.
+pub(super) fn newton<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    from: SVector<f64, D>,
+    answers: &mut Vec<Answer<C>>,
+    found: &mut Solution<D, C>,
+) -> Option<usize> {
+    let answer = |i: usize, stretch: &SVector<f64, C>, last: &Answer<C>| {
+        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
+        problem.local(i).answer(stretch, near)
+    };
+    let mut contacts = OneByOne::in_memory(problem, (0.0, std::mem::take(answers)), answer);
+    let arrived = object::newton(&mut contacts, from, BALANCED);
+    *answers = contacts.contacts;
+    let (twist, steps, here) = arrived?;
+    // What is kept closed may pull, but then it has no friction to slide with.
+    let lawful = problem
+        .locals()
+        .zip(answers.iter())
+        .all(|(local, answer)| answer.force[0] >= 0.0 || !local.may_slide());
+    if !lawful {
+        return None;
+    }
+    found.twist = twist;
+    found.forces.clear();
+    found.forces.extend(answers.iter().map(|answer| answer.force));
+    found.residual = here.left.norm() / here.size;
+    Some(steps)
+}
+
+/// Whether the elastic trial is an equilibrium, with the springs of the contacts stretched by x at a twist.
+pub(super) fn trial_holds<const D: usize, const C: usize>(
+    problem: &Problem<D, C>,
+    (x, twist): (&[f64], &SVector<f64, D>),
+    answers: &mut Vec<Answer<C>>,
+    found: &mut Solution<D, C>,
+) -> bool {
+    answers.clear();
+    found.forces.clear();
+    let mut rest = x;
+    for (local, site) in problem.locals().zip(problem.sites) {
+        let (own, others) = rest.split_at(site.springs.axes());
+        rest = others;
+        let mut force = SVector::zeros();
+        for (axis, x) in own.iter().enumerate() {
+            force[axis] = x * site.springs.root_along(axis);
+        }
+        answers.push(Answer { state: local.unjumped(), force });
+        found.forces.push(force);
+    }
+    let largest = problem.largest_force(&found.forces, twist);
+    let mut worst = 0.0_f64;
+    for (i, answer) in answers.iter().enumerate() {
+        let at = problem.at(i, &answer.force, twist, largest);
+        problem
+            .local(i)
+            .for_each_condition(&answer.state, &at, |value, size| worst = worst.max(-value / size));
+    }
+    found.twist = *twist;
+    let (left, carried) = problem.imbalance(&found.forces);
+    found.residual = worst.max(left / (carried + problem.wrench.norm() + f64::MIN_POSITIVE));
+    worst <= ZERO_SLACK && found.residual <= ACCURATE
+}

@@ -1,0 +1,79 @@
+//! What a workspace has found.
+
+use nalgebra::SVector;
+
+use super::workspace::Workspace;
+use crate::forms::Row;
+use crate::grasp::Twist;
+
+/// How a search for an equilibrium ended.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum Search<'a, const D: usize, const C: usize> {
+    /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`View::residual`]).
+    Found(View<'a, D, C>),
+    /// The load works on a motion that no contact resists: there is no equilibrium.
+    FreeMotion,
+    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
+    /// kinematic form) or on a point that does not satisfy every condition. There may be an
+    /// equilibrium or none.
+    NotFound {
+        /// Pivots of all paths.
+        pivots: usize,
+    },
+}
+
+/// An equilibrium in the memory of its workspace.
+#[derive(Debug, Clone, Copy)]
+pub struct View<'a, const D: usize, const C: usize> {
+    workspace: &'a Workspace<D, C>,
+}
+
+impl<'a, const D: usize, const C: usize> View<'a, D, C> {
+    pub(super) fn of(workspace: &'a Workspace<D, C>) -> Self {
+        Self { workspace }
+    }
+
+    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp:
+    /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
+    #[must_use]
+    pub fn forces(&self) -> &'a [SVector<f64, C>] {
+        &self.workspace.solution.forces
+    }
+
+    /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
+    /// the contacts leave it free motions.
+    #[must_use]
+    pub fn twist(&self) -> Twist<D, C> {
+        self.workspace.twist
+    }
+
+    /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
+    /// and moments, friction cones, gaps and slips. At most 1e-10, as a rule a few roundings.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.workspace.solution.residual
+    }
+
+    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to
+    /// the equilibrium.
+    #[must_use]
+    pub fn pivots(&self) -> usize {
+        self.workspace.path.pivots
+    }
+
+    /// Steps of Newton's method, if they led to it. On polygons no pivot was needed then.
+    #[must_use]
+    pub fn newton_steps(&self) -> Option<usize> {
+        self.workspace.newton_steps
+    }
+
+    /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact. A
+    /// contact that rolls has none, and one that is open has its [`Row::Gap`]. One that slides
+    /// across a facet has one [`Row::Slip`], at a corner of the polygon it has two. On the round cone
+    /// the facet that touches it has the number 0.
+    pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
+        let workspace = self.workspace;
+        (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
+    }
+}
