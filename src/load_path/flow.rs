@@ -134,8 +134,13 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         Direction { twist: self.here.twist_rate, factor: self.here.factor_rate }
     }
 
-    /// How fast friction forces turn towards their slips at the start, for one unit of arclength: `κ γ / |F_t|` of the fastest.
+    /// How fast friction forces turn towards their slips at the start, for one unit of arclength: the fastest.
     pub(super) fn fastest_relaxation(&self) -> f64 {
+        self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
+    }
+
+    /// The sliding contacts, and how fast each friction force turns towards its slip at the start, for one unit of arclength: `κ γ / |F_t|`.
+    pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, C>)| {
             let tangent = self.arc.tangent(i, friction);
             let Tangent::Sliding { stiffness, .. } = tangent else { return 0.0 };
@@ -144,7 +149,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             let square = friction.norm_squared();
             if square > 0.0 { stiffness * slip.dot(friction) / square } else { 0.0 }
         };
-        self.arc.sliding.iter().zip(&self.begin).map(rate).fold(0.0, f64::max)
+        self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
     /// A step of this length, which ends at the goal if it comes so near it. `None` if there is no such step.

@@ -34,7 +34,7 @@ const STABLE: f64 = 4.0;
 /// No step lets the load turn further, rad.
 const MOST_TURNED: f64 = 0.25;
 /// Forces that change by less than this part of them, while the object moves as far as it did for the whole load to begin with, change no
-/// more.
+/// more; nor do directions that are less than this angle off where they relax to, rad.
 const STANDS_STILL: f64 = 1e-10;
 /// A normal force below this part of its size goes to zero along the tangent.
 const ALL_BUT_GONE: f64 = 1e-10;
@@ -62,7 +62,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
             here.slowed(1.0 / (here.twist_rate / unit).norm().hypot(1.0))
         };
         self.here = Some(here.clone());
-        if Self::slides_away(&here) {
+        if self.slides_away(&here) {
             return Err(self.lost(journey, LossKind::Asymptote, &here));
         }
         if self.pace.steps >= journey.settings.most_steps {
@@ -139,10 +139,17 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// Whether the object moves on while no force changes: the load factor comes closer to its limit and never reaches it.
-    fn slides_away(here: &Here<D, C>) -> bool {
-        let fastest = here.lines.iter().map(|line| line.rate.norm()).fold(0.0, f64::max);
-        here.factor_rate.abs() <= STANDS_STILL && fastest <= STANDS_STILL * here.sizes[0]
+    /// Whether the object moves on while no force changes: the load factor comes closer to its limit and never reaches it. A friction force
+    /// that turns fast towards its slip always turns a little, by its rounding.
+    fn slides_away(&self, here: &Here<D, C>) -> bool {
+        if here.factor_rate.abs() > STANDS_STILL {
+            return false;
+        }
+        let mut still = vec![STANDS_STILL * here.sizes[0]; here.lines.len()];
+        let unit = self.pace.unit.unwrap_or(1.0);
+        let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
+        flow.relaxations().for_each(|(contact, rate)| still[contact] *= rate.max(1.0));
+        here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
     /// The way that is so short that a step along the tangent does. From an apex on it gives a friction force its direction; close to
