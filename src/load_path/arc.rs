@@ -25,8 +25,8 @@ const CORRECTIONS: usize = 6;
 /// A state from which forces were more than so many times as large is approached again: what they were has left its rounding.
 const FROM_AFAR: f64 = 4.0;
 const PASSES: usize = 4;
-/// What is left out of balance is the rounding of its terms.
-const BALANCED: f64 = 4e-16;
+/// What is left out of balance is the rounding of its terms: for each this part of their sum, and of many the root of their number.
+const BALANCED: f64 = 2e-16;
 /// The tangent turns by less than sixty degrees within a step: a longer one might come out the other way round.
 const LEAST_COSINE: f64 = 0.5;
 /// A pivot below this part of the largest says that more than one direction is open.
@@ -218,6 +218,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     ) -> Option<(PieceState<D, C>, f64)> {
         let tangents = self.tangents(frictions.iter().copied());
         let (bordered, _) = self.bordered(&tangents, factor, across)?;
+        let rounding = BALANCED * ((self.sites().len() + 2) as f64).sqrt();
         for _ in 0..PASSES {
             let mut forces = self.forces_at(&twist, factor, frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
@@ -229,7 +230,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                     left += site.map * force;
                     carried += force.norm();
                 }
-                if left.norm() <= BALANCED * (load.norm() + carried) {
+                if left.norm() <= rounding * (load.norm() + carried) {
                     ended = Some(carried);
                     break;
                 }

@@ -140,15 +140,16 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Whether the object moves on while no force changes: the load factor comes closer to its limit and never reaches it. A friction force
-    /// that turns fast towards its slip always turns a little, by its rounding.
+    /// that turns fast towards its slip always turns a little, by its rounding, and what sticks takes that up.
     fn slides_away(&self, here: &Here<D, C>) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
         }
-        let mut still = vec![STANDS_STILL * here.sizes[0]; here.lines.len()];
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        flow.relaxations().for_each(|(contact, rate)| still[contact] *= rate.max(1.0));
+        let mut still = vec![flow.fastest_relaxation(); here.lines.len()];
+        flow.relaxations().for_each(|(contact, rate)| still[contact] = rate);
+        let still = still.into_iter().map(|rate| STANDS_STILL * here.sizes[0] * rate.max(1.0));
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
