@@ -8,8 +8,9 @@
 //! ```
 //!
 //! It slides on to the end once it slides, since |d| cos ψ grows and r' stays. The return map of [`LocalLaw::answer`] takes the whole way at
-//! its end instead, which is right to first order only. See for the same closed form with a constant radius R. D. Krieg and D. B. Krieg,
-//! Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! its end instead: it is right from the apex on, where the traction grows in one direction, else to first order only. See for the same closed
+//! form with a constant radius R. D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J.
+//! Pressure Vessel Technology 99 (1977) 510. Two tangential springs that differ turn as [`UnevenSlide`] has it.
 
 use nalgebra::SVector;
 
@@ -18,6 +19,7 @@ use super::law::LocalLaw;
 use super::slide::Slide;
 use super::state::Mode;
 use super::tangential::{cross, tangential, tangential_norm};
+use super::uneven_slide::UnevenSlide;
 
 /// A traction this near to its limit, as a part of it, is on the cone: what a step leaves is rounding of it.
 const ON_THE_CONE: f64 = 1e-12;
@@ -26,10 +28,9 @@ const ALIKE: f64 = 1e-7;
 
 impl<const C: usize> LocalLaw<'_, C> {
     /// State and force where the stretch has gone straight from `before`, at rest and on its law there, to `stretch`. The slip until then
-    /// is what the springs do not explain, [`Compliance::slip`](super::Compliance::slip). With two tangential stiffnesses, in the plane
-    /// and where nothing can slide as [`Self::answer`] has it.
+    /// is what the springs do not explain, [`Compliance::slip`](super::Compliance::slip). In the plane and where nothing can slide as [`Self::answer`] has it.
     pub(crate) fn answer_after(&self, before: &SVector<f64, C>, stretch: &SVector<f64, C>) -> Answer<C> {
-        if C == 2 || !self.is_round() || !self.springs.is_isotropic() || self.friction.is_frictionless() {
+        if C == 2 || !self.is_round() || self.friction.is_frictionless() {
             return self.answer(stretch, 0.0);
         }
         let [from, to] = [before, stretch].map(|v| self.springs.force(v));
@@ -37,18 +38,11 @@ impl<const C: usize> LocalLaw<'_, C> {
             return Answer::open();
         }
         let rate = to - from;
-        let limit = |tau: f64| self.friction.limit(from[0] + rate[0] * tau);
         if from[0] <= 0.0 {
-            // It closes on the way: from the apex on the traction grows in one direction.
-            let rest = (to[0] / rate[0]).clamp(0.0, 1.0);
-            let (drawn, most) = (tangential_norm(&rate) * rest, limit(1.0));
-            return if drawn > most {
-                self.sliding_at(to[0], &rate, most, 1.0)
-            } else {
-                let mut force = rate * rest;
-                force[0] = to[0];
-                Answer { state: Mode::Rolling, force }
-            };
+            // It closes on the way.
+            let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
+            since[0] = stretch[0];
+            return self.answer(&since, 0.0);
         }
         match self.leaves_rolling(&from, &rate) {
             None => Answer { state: Mode::Rolling, force: to },
@@ -85,6 +79,14 @@ impl<const C: usize> LocalLaw<'_, C> {
         // ∫dτ/r over what is left of the way.
         let x = (r1 - r0) / r0;
         let per_radius = rest / r0 * if x.abs() < ALIKE { 1.0 - 0.5 * x } else { x.ln_1p() / x };
+        if !self.springs.is_isotropic() && size > 0.0 && per_radius.is_finite() {
+            let [k, v] = [self.springs.diagonal(), self.springs.give(rate)].map(|v| [v[1], v[C - 1]]);
+            let turning = UnevenSlide { k, stretched: v, growth: self.friction.limit(rate[0]) };
+            let mut direction = SVector::zeros();
+            [direction[1], direction[C - 1]] =
+                turning.direction_after([t[1] / size, t[C - 1] / size], per_radius);
+            return self.sliding_at(normal, &direction, r1, r1 * per_radius);
+        }
         if pull == 0.0 || size == 0.0 {
             let direction = if size == 0.0 { d } else { t };
             return self.sliding_at(normal, &direction, r1, r1 * per_radius);

@@ -1,0 +1,176 @@
+//! Which way a contact slides after a straight stretch, if its two tangential springs differ.
+//!
+//! Its friction force is r p, p at an angle φ from the first tangent, and it slips along p. With K = diag(k₁, k₂) its springs ask for
+//!
+//! ```text
+//! r p·K p φ' = k₁k₂ p⊥·v_t' + r' p⊥·K p
+//! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
+//! ```
+//!
+//! with v_t' at the angle θ. Each of both terms alone has a closed form, the first with `∫ p·K p ds = ∫ dτ/r`, which tells s:
+//!
+//! ```text
+//! drawn        tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
+//! squeezed     tan φ = tan φ₀ e^{2B s}
+//! ```
+//!
+//! Drawn by half, squeezed, and drawn again it is right to second order, and exactly while the normal force stays. It slides on to the end: what it
+//! slips by, γ p·K p = p·K v_t' - r', grows where it is zero, by `(p⊥·K v_t')²`.
+
+/// Steps towards s: they gain digits from the first on.
+const STEPS: usize = 60;
+/// A step shorter than this part of s is the last: rounding of s. With more Newton's method for the object would see jumps.
+const LAST: f64 = 1e-15;
+/// Exponents beyond this have no digit left of what was before, and their squares are numbers yet.
+const FAR: f64 = 300.0;
+
+/// Two springs that are stretched evenly while they slide.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct UnevenSlide {
+    /// k₁ and k₂, N/m.
+    pub(super) k: [f64; 2],
+    /// v_t', m.
+    pub(super) stretched: [f64; 2],
+    /// r', N.
+    pub(super) growth: f64,
+}
+
+impl UnevenSlide {
+    /// The unit direction of the friction force where `∫ dτ/r` is this much, 1/N, from where it was.
+    pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
+        let [k1, k2] = self.k;
+        let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
+        let mut s = per_radius / self.stiffness(start);
+        for _ in 0..STEPS {
+            let (p, gone) = self.gone(start, s);
+            let off = gone - per_radius;
+            *(if off > 0.0 { &mut high } else { &mut low }) = s;
+            let newton = s - off / self.stiffness(p);
+            let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
+            let last = (next - s).abs() <= LAST * s;
+            s = next;
+            if last {
+                break;
+            }
+        }
+        self.gone(start, s).0
+    }
+
+    /// `p·K p`.
+    fn stiffness(&self, p: [f64; 2]) -> f64 {
+        self.k[0] * p[0] * p[0] + self.k[1] * p[1] * p[1]
+    }
+
+    /// Where a direction is after s, with `∫ p·K p ds`.
+    fn gone(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
+        let (p, first) = self.drawn(start, 0.5 * s);
+        let (p, second) = self.drawn(self.squeezed(p, s), 0.5 * s);
+        (p, first + second)
+    }
+
+    /// The same at a normal force that stays.
+    fn drawn(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
+        let [k1, k2] = self.k;
+        let size = self.stretched[0].hypot(self.stretched[1]);
+        let rate = k1 * k2 * size;
+        let e = self.stretched.map(|v| v / size);
+        // ψ from the stretch to the force.
+        let (cos0, sin0) = (e[0] * p[0] + e[1] * p[1], e[0] * p[1] - e[1] * p[0]);
+        let half = sin0 / (1.0 + cos0) * (-rate * s).exp();
+        let square = half * half;
+        if rate == 0.0 || !square.is_finite() {
+            return (p, self.stiffness(p) * s);
+        }
+        let (cos, sin) = ((1.0 - square) / (1.0 + square), 2.0 * half / (1.0 + square));
+        let (mean, uneven) = (0.5 * (k1 + k2), 0.5 * (k1 - k2));
+        let twice = [e[0] * e[0] - e[1] * e[1], 2.0 * e[0] * e[1]];
+        let turned = twice[0] * (cos - cos0) + twice[1] * (sin0 - sin);
+        let gone = (mean + uneven * twice[0]) * s - 2.0 * uneven / rate * turned;
+        ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], gone)
+    }
+
+    /// Where it is after s at a stretch that stays.
+    fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
+        let y = (0.5 * self.growth * (self.k[1] - self.k[0]) * s).clamp(-FAR, FAR);
+        let q = [p[0] * (-y).exp(), p[1] * y.exp()];
+        let size = q[0].hypot(q[1]);
+        q.map(|x| x / size)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::UnevenSlide;
+
+    /// The equation itself in a million steps of the midpoint rule, for the radius 1 to begin with.
+    fn in_tiny_steps(slide: &UnevenSlide, start: [f64; 2]) -> [f64; 2] {
+        let [k1, k2] = slide.k;
+        let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);
+        let rate = |tau: f64, phi: f64| {
+            let (sin, cos) = phi.sin_cos();
+            let slips = (cos * drawn[0] + sin * drawn[1] - slide.growth) / slide.stiffness([cos, sin]);
+            (cos * drawn[1] - sin * drawn[0] - slips * (k2 - k1) * sin * cos) / (1.0 + slide.growth * tau)
+        };
+        let (mut phi, h) = (start[1].atan2(start[0]), 1.0 / f64::from(steps));
+        for i in 0..steps {
+            let tau = f64::from(i) * h;
+            let middle = phi + 0.5 * h * rate(tau, phi);
+            phi += h * rate(tau + 0.5 * h, middle);
+        }
+        [phi.cos(), phi.sin()]
+    }
+
+    /// The same in some steps of the closed forms.
+    fn in_steps(slide: &UnevenSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
+        let h = 1.0 / f64::from(steps);
+        for i in 0..steps {
+            let [r0, r1] = [i, i + 1].map(|i| 1.0 + slide.growth * f64::from(i) * h);
+            let per_radius = if slide.growth == 0.0 { h } else { (r1 / r0).ln() / slide.growth };
+            p = slide.direction_after(p, per_radius);
+        }
+        p
+    }
+
+    fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (a[0] - b[0]).hypot(a[1] - b[1])
+    }
+
+    #[test]
+    fn at_a_normal_force_that_stays_it_is_exact() {
+        for (k, stretched, angle) in [
+            ([1.0, 3.0], [0.4, 0.9], -0.7_f64),
+            ([2.0, 0.5], [-1.0, 0.3], 2.0),
+            ([1.0, 1.2], [8.0, -5.0], 0.5),
+        ] {
+            let slide = UnevenSlide { k, stretched, growth: 0.0 };
+            let start = [angle.cos(), angle.sin()];
+            let exact = in_tiny_steps(&slide, start);
+            for steps in [1, 7] {
+                let off = apart(in_steps(&slide, start, steps), exact);
+                assert!(off < 3e-11, "{k:?}: {off:e} in {steps} steps");
+            }
+        }
+    }
+
+    #[test]
+    fn elsewhere_errors_fall_fourfold_with_half_the_step() {
+        for growth in [-0.6, 0.8] {
+            let slide = UnevenSlide { k: [1.0, 3.0], stretched: [0.4, 0.9], growth };
+            let start = [0.9_f64.cos(), -0.9_f64.sin()];
+            let exact = in_tiny_steps(&slide, start);
+            let off = [4, 8, 16].map(|steps| apart(in_steps(&slide, start, steps), exact));
+            println!("{off:?}");
+            assert!(
+                off[0] < 1e-2 && off.windows(2).all(|off| (3.5..4.5).contains(&(off[0] / off[1]))),
+                "{off:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_long_way_leads_along_the_stretch() {
+        let slide = UnevenSlide { k: [1.0, 3.0], stretched: [4e5, 9e5], growth: 0.0 };
+        let p = slide.direction_after([-0.6, 0.8], 1.0);
+        assert!(apart(p, [4.0 / 97.0_f64.sqrt(), 9.0 / 97.0_f64.sqrt()]) < 1e-15);
+    }
+}
