@@ -104,6 +104,57 @@ fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
 }
 
 #[test]
+fn errors_are_as_large_as_estimated() -> Result<(), Error> {
+    // Sheared, twisted beside it, back over the start, and let go: an even patch, an uneven one, and one with springs softer along one tangent.
+    let legs = [([3.0, 0.0], 0.0), ([3.0, 0.0], 1.5), ([-2.0, 0.5], -1.0), ([0.0; 2], 0.0)]
+        .map(|(shear, moment)| Leg::load_to(pulled(shear, moment)));
+    let mut numbers = Numbers(17);
+    for (uneven, across) in [(0.0, 0.8), (0.4, 0.8), (0.4, 0.5)] {
+        let spring = |i: usize| {
+            let (area, (sin, cos)) = ((i as f64 + 0.5) / 60.0, (2.399_963_229_728_653 * i as f64).sin_cos());
+            let k = 1000.0 * (1.0 + uneven * numbers.signed());
+            Contact::new([area.sqrt() * cos, area.sqrt() * sin, 0.0], [0.0, 0.0, 1.0])
+                .tangent([1.0, 0.0, 0.0])
+                .series_stiffness_axes([k, 0.8 * k, across * k])
+                .friction(0.5 * (1.0 + uneven * numbers.signed()))
+                .pressed_with(0.25 * (1.0 - area).sqrt())
+        };
+        let patch = Grasp::new((0..60).map(spring).collect::<Vec<_>>())?;
+        let start = pulled([0.0; 2], 0.0);
+        let tiny = Settings::default().with_step_error(1e-12);
+        let mut exact = patch.follow_with(&start, &[], &tiny)?;
+        let mut forces = Vec::new();
+        for leg in &legs {
+            exact.continue_with(std::slice::from_ref(leg))?;
+            exact.by_ref().for_each(drop);
+            assert!(matches!(exact.end(), Some(PathEnd::Completed)), "{:?}", exact.end());
+            forces.push(exact.forces());
+        }
+        let mut made = Vec::new();
+        for error in [1e-3, 1e-4, 1e-5, 1e-6] {
+            let mut path = patch.follow_in_steps(&start, &[], error)?;
+            let (mut steps, mut off) = (0, 0.0_f64);
+            for (leg, exact) in legs.iter().zip(&forces) {
+                path.continue_with(std::slice::from_ref(leg))?;
+                steps += path.by_ref().count();
+                let apart = path.forces().iter().zip(exact).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+                off = off.max(apart / largest(exact.iter()));
+            }
+            let estimated = path.step_error();
+            println!(
+                "{uneven} {across}, {error:e}: {steps} steps, {off:.1e} off, {estimated:.1e} estimated, {:.1} times",
+                estimated / off
+            );
+            assert!(off <= estimated && estimated < 15.0 * off && off < error);
+            made.push(steps);
+        }
+        // A hundredth of the error takes ten times the steps, where steps are of second order, and less where errors are forgotten.
+        assert!(made[3] < 12 * made[1] && made[2] < 12 * made[0], "{made:?}");
+    }
+    Ok(())
+}
+
+#[test]
 fn torsion_slides_ring_by_ring() -> Result<(), Error> {
     // M(θ) = Σ r min(k r θ, μ F_n), and on the way back by twice the half, Masing's rule.
     let (grasp, rings) = disc(400)?;
@@ -184,6 +235,11 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                 }
             }
             [_, PathEnd::Undecided { .. }] => undecided += 1,
+            // Events without end before a limit.
+            [PathEnd::Undecided { fraction, .. }, PathEnd::Lost(loss)] => {
+                worst = worst.max((fraction - loss.fraction).abs());
+                undecided += 1;
+            }
             ends => panic!("{scene}: {ends:?}"),
         }
     }

@@ -3,22 +3,26 @@
 //! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts, [`PatchPath`](super::PatchPath) every one of thousands on a polygon. Where
 //! thousands slide on the round cone their directions of slip turn all the time. Here a step takes all contacts along straight stretches,
 //! each with its exact slip, and Newton's method finds the motion of the object that balances the load at its end. What is left is that
-//! stretches are not straight between; a step is made once, and again in two halves, to tell how much that matters.
+//! stretches are not straight between; a step is made once, and again in two halves, to tell how much that matters. A second path
+//! of steps made once tells how much of it is left later on.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the follower, and what it stands on |
 //! | `walking`, `pace` | steps as long as the error asked for allows |
+//! | `coarse`, `unseen` | the error: seen by a second path, and missed by both |
 //! | `standing_at` | the state on the way, as physics, and what stands on an edge |
 //! | `ending`, `speeds` | a limit load, or a doubt |
 
+mod coarse;
 mod ending;
 mod one_step;
 mod pace;
 mod speeds;
 mod standing_at;
 mod stepped_path;
+mod unseen;
 mod walking;
 
 pub use stepped_path::{Step, SteppedPath, Steps};

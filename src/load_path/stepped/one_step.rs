@@ -57,6 +57,11 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
         Self { problem: journey.problem(drives[0].clone(), &course.at(0.0)), drives, course }
     }
 
+    /// What the drive of a contact changes by along the leg.
+    pub(super) fn change(&self, i: usize) -> SVector<f64, C> {
+        self.drives[1][i]
+    }
+
     /// The step of a length from where a path stands, sought near a twist. `None` where Newton's method does not arrive.
     pub(super) fn step(
         &mut self,

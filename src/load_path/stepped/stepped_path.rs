@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::coarse::Coarse;
 use super::one_step::{Standing, StepProblem};
 use super::pace::Pace;
 use crate::equilibrium::Equilibrium;
@@ -33,9 +34,10 @@ pub struct Steps<'g, const D: usize, const C: usize> {
     pub(super) pace: Pace<D>,
     /// What was asked for.
     pub(super) error: f64,
-    /// The sum of those of steps along which contacts keep their states, and the largest of the others.
-    pub(super) step_error: f64,
-    pub(super) change_error: f64,
+    /// The path of the same steps made at once.
+    pub(super) coarse: Coarse<D, C>,
+    /// The largest error that both paths may have alike.
+    pub(super) unseen: f64,
 }
 
 /// One step of a [`SteppedPath`].
@@ -58,8 +60,8 @@ pub struct Step<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
-    /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may make, such as 1e-6. A step costs
-    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error, with two tangential stiffnesses as the error itself. See [`SteppedPath`].
+    /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may add, such as 1e-5. A step costs
+    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error. See [`SteppedPath`].
     ///
     /// Where no step leads on the path is [lost](PathEnd::Lost), if the speed of the object or the rates of what stands on an edge tell how; else it is
     /// [undecided](PathEnd::Undecided).
@@ -120,7 +122,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let standing = at_start(problem, journey.start(problem)?);
             let along = StepProblem::along(journey);
             let pace = Pace::along(&along.course);
-            Ok(Steps { along, standing, pace, error, step_error: 0.0, change_error: 0.0 })
+            let coarse = Coarse::starting_at(&standing);
+            Ok(Steps { along, standing, pace, error, coarse, unseen: 0.0 })
         })
     }
 }
@@ -142,11 +145,12 @@ fn at_start<const D: usize, const C: usize>(
 }
 
 impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
-    /// Estimated error of the forces, over the largest one: the sum of those of all steps, and the largest of where contacts have changed
-    /// their states.
+    /// Estimated error of the forces, over the largest one, wherever the path has been: how far it has been from a path of the same steps, each
+    /// made at once instead of in two halves, and what both may miss alike where a contact stops, opens or closes. As a rule the
+    /// error is a third of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
-        self.follower.as_ref().map_or(0.0, |steps| steps.step_error + steps.change_error)
+        self.follower.as_ref().map_or(0.0, |steps| steps.coarse.farthest + steps.unseen)
     }
 }
 
@@ -157,6 +161,7 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> 
         self.along = StepProblem::along(journey);
         self.pace = Pace::along(&self.along.course);
         self.standing.fraction = 0.0;
+        self.coarse.standing.fraction = 0.0;
         Ok(())
     }
 

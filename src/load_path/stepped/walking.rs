@@ -19,23 +19,30 @@ const FASTER: f64 = 2.0;
 const CAREFUL: f64 = 0.7;
 /// A step where there is no equilibrium is followed by one this many times as long.
 const NOWHERE: f64 = 0.25;
-/// Where a contact changes its state halves and whole may err alike, by what the object is off the straight way in the middle. It happens to a
-/// contact a few times a leg: each time this part of the error is allowed.
-const AT_A_CHANGE: f64 = 0.3;
+/// What steps and their halves miss alike happens to a contact a few times a leg: each time this part of the error is allowed.
+const UNSEEN: f64 = 0.1;
+/// Of the error that a step would make if all made the same, for the way they go: forces go farther than the leg is long.
+const EVEN: f64 = 0.5;
+/// Of the error that the steps before have left to a contact a step may make this part. With more a few steps use it up, and the others have as
+/// little as if nothing were ever forgotten; with less they are shorter than the error asks for.
+const OF_WHAT_IS_LEFT: f64 = 0.05;
+/// No more than so many times the error is left to a contact, whatever the number of legs. The error is a third of what two paths are apart: with more it
+/// would outgrow what was asked for.
+const ALTOGETHER: f64 = 2.0;
 /// A step is a jump if the object is farther than this part of it from its middle halfway …
 const LEAP: f64 = 0.25;
 /// … and if springs would feel the step by more than this part of the largest force.
 const FELT: f64 = 0.05;
 
-/// What a step makes wrong, over the largest force.
-#[derive(Debug, Clone, Copy)]
-struct StepError {
-    /// Where contacts keep their states.
-    smooth: f64,
-    /// Where they change them.
-    change: f64,
-    /// How far forces have gone.
-    way: f64,
+/// A step made twice: in halves, which the path takes, and at once.
+#[derive(Debug)]
+struct Twice<const D: usize, const C: usize> {
+    to: Standing<D, C>,
+    at_once: Standing<D, C>,
+    /// The largest contact force on the way, N.
+    largest: f64,
+    /// What both miss alike, over the largest force.
+    unseen: f64,
     /// How far springs that stick would feel the object to have gone, N.
     felt: f64,
 }
@@ -54,7 +61,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         let rest = 1.0 - from;
         let step = self.pace.step.min(self.pace.longest);
         let length = if step > 0.9 * rest { rest } else { step };
-        let Some((to, error)) = self.twice(length) else {
+        let Some(twice) = self.twice(length) else {
             self.pace.step = length * NOWHERE;
             return if self.pace.step < SHORTEST {
                 Err(self.end_here(journey, Doubt::OnTheBoundary))
@@ -62,11 +69,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
                 Ok(Came::OnTheWay)
             };
         };
-        let parts = [
-            error.smooth / (self.error * length.max(error.way)).max(ROUNDING),
-            error.change / (self.error * AT_A_CHANGE).max(ROUNDING),
-        ];
-        let part = parts[0].max(parts[1]);
+        let part = self.part_of_what_is_allowed(journey.program.leg, &twice);
         let fastest = if self.pace.refused { 1.0 } else { FASTER };
         self.pace.refused = part > 1.0;
         self.pace.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
@@ -78,71 +81,62 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
                 Ok(Came::OnTheWay)
             };
         }
-        self.pace.rate = Some((to.twist - self.standing.twist) / length);
-        self.pace.speeds.note(to.fraction, error.felt / length);
-        Ok(Came::To(self.arrive(journey, to, error)))
+        self.pace.rate = Some((twice.to.twist - self.standing.twist) / length);
+        self.pace.speeds.note(twice.to.fraction, twice.felt / length);
+        Ok(Came::To(self.arrive(journey, &twice)))
     }
 
-    /// A step in two halves, with its estimated error; `None` where one of them finds no equilibrium, or only one
+    /// The error of a step, as a part of what it may be.
+    fn part_of_what_is_allowed(&self, leg: usize, twice: &Twice<D, C>) -> f64 {
+        let (from, Twice { to, at_once, largest, .. }) = (&self.standing, twice);
+        let length = to.fraction - from.fraction;
+        let even = EVEN * self.error * length.max(to.apart(from) / largest);
+        let budget = self.error * (leg as f64 + to.fraction).min(ALTOGETHER);
+        let part = |i: usize| {
+            let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
+            let allowed = even.max(OF_WHAT_IS_LEFT * (budget - so_far)).max(ROUNDING);
+            (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
+        };
+        let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
+        seen.max(twice.unseen / (UNSEEN * self.error).max(ROUNDING))
+    }
+
+    /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only one
     /// elsewhere.
-    fn twice(&mut self, length: f64) -> Option<(Standing<D, C>, StepError)> {
+    fn twice(&mut self, length: f64) -> Option<Twice<D, C>> {
         let Self { along, standing: from, .. } = self;
         let rate = self.pace.rate.unwrap_or_else(SVector::zeros);
         let near = |at: &Standing<D, C>, rate: &SVector<f64, D>, length: f64| at.twist + rate * length;
         let middle = along.step(from, 0.5 * length, near(from, &rate, 0.5 * length))?;
         let rate = (middle.twist - from.twist) / (0.5 * length);
         let to = along.step(&middle, 0.5 * length, near(&middle, &rate, 0.5 * length))?;
-        let largest = to.largest_force().max(from.largest_force());
+        let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let off = middle.twist - (from.twist + to.twist) * 0.5;
         let sites = along.problem.sites;
         let felt = most_felt(sites, &(to.twist - from.twist));
         if felt > FELT * largest && most_felt(sites, &off) > LEAP * felt {
             return None;
         }
-        if largest == 0.0 {
-            return Some((to, StepError { smooth: 0.0, change: 0.0, way: 0.0, felt }));
-        }
-        let local = |i: usize| along.problem.local(i);
-        let changes = |i: usize, pull: f64| {
-            let [a, b, c] = [from, &middle, &to];
-            if !a.states[i].is_kind_of(&b.states[i]) || !b.states[i].is_kind_of(&c.states[i]) {
-                return true;
-            }
-            // Rolls at all three, but as near to its edge as the way is off a straight one.
-            let margin = |at: &Standing<D, C>| local(i).margin(&at.forces[i]);
-            local(i).may_slide()
-                && b.states[i].is_rolling()
-                && margin(a).min(margin(b)).min(margin(c)) < pull * local(i).cone().round_weight()
-        };
-        let change_of = |i: usize| {
-            let pull = pull(&sites[i], &off);
-            if changes(i, pull) { pull } else { 0.0 }
-        };
-        let change = (0..sites.len()).map(change_of).fold(0.0, f64::max) / largest;
-        if change > AT_A_CHANGE * self.error {
-            return Some((to, StepError { smooth: 0.0, change, way: 0.0, felt }));
-        }
+        let unseen = along.unseen([from, &middle, &to]) / largest;
         let at_once = along.step(from, length, to.twist)?;
-        // Halves err by a third of the difference where slips along the step are exact, by all of it with two tangential stiffnesses.
-        let smooth = to.apart(&at_once) / largest;
-        let error = StepError { smooth, change, way: to.apart(from) / largest, felt };
-        (smooth.is_finite() && change.is_finite()).then_some((to, error))
+        let finite = unseen.is_finite() && (to.apart(&at_once) / largest).is_finite();
+        finite.then_some(Twice { to, at_once, largest, unseen, felt })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g, D, C>, to: Standing<D, C>, error: StepError) -> Step<D, C> {
+    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice<D, C>) -> Step<D, C> {
+        let Twice { to, at_once, largest, unseen, .. } = twice;
+        self.coarse.follow(&mut self.along, [&self.standing, to, at_once]);
+        self.unseen = self.unseen.max(*unseen);
+        self.standing = to.clone();
         let (leg, fraction) = (journey.program.leg, to.fraction);
-        let step = Step {
+        Step {
             leg,
             fraction,
             load: journey.program.load_at(fraction),
             sliding: to.states.iter().filter(|state| state.slides()).count(),
             open: to.states.iter().filter(|state| state.is_open()).count(),
-            error: error.smooth.max(error.change),
-        };
-        self.step_error += error.smooth;
-        self.change_error = self.change_error.max(error.change);
-        self.standing = to;
-        step
+            error: (to.apart(at_once) / largest).max(*unseen),
+        }
     }
 }
 

@@ -1,0 +1,80 @@
+//! What a step and its halves miss alike.
+//!
+//! Along a step h the object is off a straight way by up to `off`, and springs that stick would pull by `K v'' h² = 8 K Gᵀ off` more at its end
+//! than it seems at its beginning. A contact that slides on its cone along p is drawn across it by `a = p·K v_t' - μ k_n v_n'`, times h. With
+//! `c = a' h`, c < 0,
+//!
+//! ```text
+//! it stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
+//! and so errs by a² / 2|c| of a force if that is nearer than half a stretch, 1/4 of the step
+//! ```
+//!
+//! This is c / 32, a quarter of what springs make of `off`, at most. By as much a contact that rolls may have been beyond its edge for a while, and one
+//! that opens or closes may have felt the wrong way until then.
+//!
+//! A contact that begins to slide bends the way, and where it does so the way is up to `2 off` from a straight one. Of that those that slide lose the
+//! part along their slips and keep the part across, as if they had stuck, so that only what they turn by on their cones makes a difference.
+
+use nalgebra::SVector;
+
+use super::one_step::{Standing, StepProblem};
+use crate::contact::{Mode, Slide, tangential, tangential_norm};
+
+/// Of what springs make of the way off a straight one in the middle of a step, that in the middle of its halves.
+const IN_A_HALF: f64 = 0.25;
+/// That at a bend somewhere in a half.
+const WHERE_IT_BENDS: f64 = 2.0;
+
+impl<const D: usize, const C: usize> StepProblem<'_, D, C> {
+    /// The most that a contact force may be wrong by at the end of a step in two halves, N, without a difference to the step made at once.
+    pub(super) fn unseen(&self, at: [&Standing<D, C>; 3]) -> f64 {
+        (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
+    }
+
+    fn unseen_by(&self, i: usize, at: [&Standing<D, C>; 3]) -> f64 {
+        let [from, middle, to] = at;
+        let (site, local) = (&self.problem.sites[i], self.problem.local(i));
+        if !local.may_open() && !local.may_slide() {
+            return 0.0;
+        }
+        let made_of = |motion: SVector<f64, D>| site.springs.force(&site.map.tr_mul(&motion));
+        let bend = made_of(middle.twist - (from.twist + to.twist) * 0.5);
+        let off = IN_A_HALF * bend.norm();
+        let drawn = |a: &Standing<D, C>, b: &Standing<D, C>| {
+            site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(b.twist - a.twist)
+        };
+        let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
+            let began = tangential(began);
+            let turned = (began / tangential_norm(&began) - slide.direction).norm();
+            // A force turns no farther than its slip.
+            let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
+            if turned > 0.0 { most * turned } else { 0.0 }
+        };
+        let half = |a: &Standing<D, C>, b: &Standing<D, C>| match (&a.states[i], &b.states[i]) {
+            (Mode::Rolling, Mode::Rolling) if local.may_slide() => {
+                let margin = local.margin(&a.forces[i]).min(local.margin(&b.forces[i]));
+                (off - margin / local.cone().round_weight()).max(0.0)
+            }
+            (Mode::Rolling, Mode::Round(slide)) => {
+                // It has slid for the part of the way by which its springs have softened.
+                let rolled = 1.0 - site.springs.softening(1, slide.lambda);
+                bend_at(&(a.forces[i] + drawn(a, b) * rolled), slide)
+            }
+            (Mode::Round(_), Mode::Round(slide)) => bend_at(&a.forces[i], slide),
+            (a, b) if a.is_open() != b.is_open() => off,
+            _ => 0.0,
+        };
+        let worst = half(from, middle).max(half(middle, to));
+        if !at.iter().any(|at| at.states[i].slides()) {
+            return worst;
+        }
+        let chord = drawn(from, to);
+        let stops = |(at, part): (&Standing<D, C>, f64)| {
+            let Some(slide) = at.states[i].slide() else { return 0.0 };
+            let across = |rate: &SVector<f64, C>| -local.cone().facet_margin(rate, &slide.direction);
+            let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));
+            if c < 0.0 && a.abs() < 0.25 * -c { 0.5 * a * a / -c } else { 0.0 }
+        };
+        [(from, -4.0), (middle, 0.0), (to, 4.0)].map(stops).into_iter().fold(worst, f64::max)
+    }
+}
