@@ -15,6 +15,10 @@ use super::one_step::{Standing, StepProblem};
 /// states; then errors that are forgotten add up.
 const ELSEWHERE: f64 = 10.0;
 
+/// Paths that are apart by no more than this part of the largest force are one as far as Newton's method tells, and so is their next step made at
+/// once. With more, errors that are forgotten add up.
+const ONE: f64 = 1e-12;
+
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse<const D: usize, const C: usize> {
@@ -41,8 +45,9 @@ impl<const D: usize, const C: usize> Coarse<D, C> {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
         let near = to.twist + self.standing.twist - from.twist;
-        let step = along.step(&self.standing, to.fraction - from.fraction, near);
         let by = ELSEWHERE * distance + to.apart(at_once);
+        let mut step = || along.step(&self.standing, to.fraction - from.fraction, near);
+        let step = if distance <= ONE * largest { None } else { step() };
         if let Some(step) = step.filter(|step| step.apart(at_once) <= by) {
             self.standing = step;
         } else {
