@@ -25,6 +25,7 @@ mod rings;
 mod round_cone;
 mod sliding_arcs;
 mod small_steps;
+mod soft_tips;
 mod start_at_rest;
 mod stepped;
 mod story;

@@ -108,7 +108,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
     // Sheared, twisted beside it, back over the start, and let go: an even patch, an uneven one, and one with springs softer along one tangent.
     let legs = [([3.0, 0.0], 0.0), ([3.0, 0.0], 1.5), ([-2.0, 0.5], -1.0), ([0.0; 2], 0.0)]
         .map(|(shear, moment)| Leg::load_to(pulled(shear, moment)));
-    let mut numbers = Numbers(17);
+    let (mut numbers, mut times) = (Numbers(17), Vec::new());
     for (uneven, across) in [(0.0, 0.8), (0.4, 0.8), (0.4, 0.5)] {
         let spring = |i: usize| {
             let (area, (sin, cos)) = ((i as f64 + 0.5) / 60.0, (2.399_963_229_728_653 * i as f64).sin_cos());
@@ -145,12 +145,16 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
                 "{uneven} {across}, {error:e}: {steps} steps, {off:.1e} off, {estimated:.1e} estimated, {:.1} times",
                 estimated / off
             );
-            assert!(off <= estimated && estimated < 15.0 * off && off < error);
+            // The error at the ends of four legs may be small by chance.
+            assert!(off <= estimated && estimated < 30.0 * off && off < error);
             made.push(steps);
+            times.push(estimated / off);
         }
         // A hundredth of the error takes ten times the steps, where steps are of second order, and less where errors are forgotten.
         assert!(made[3] < 12 * made[1] && made[2] < 12 * made[0], "{made:?}");
     }
+    times.sort_by(f64::total_cmp);
+    assert!(times[times.len() / 2] < 6.0, "{times:?}");
     Ok(())
 }
 

@@ -7,6 +7,10 @@ use crate::load_path::journey::Journey;
 use crate::load_path::loss::end_of_path;
 use crate::search::{Doubt, Settled, settle};
 
+/// Forces stay if they change by less than this part of what springs that stick would feel: at maxima it is some hundredths, towards asymptotes it
+/// falls to the root of what is left of the load, 1e-5.
+const STAY: f64 = 1e-3;
+
 impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
     /// The end where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge. Else the path is
     /// undecided, for this reason.
@@ -15,7 +19,9 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = (0..edge.rates.len()).filter(leaves).collect();
-        if let Some(kind) = self.pace.speeds.run_to(fraction) {
+        if self.pace.speeds.run_to(fraction) {
+            // Beyond a maximum forces would go on to change as they do; towards an asymptote the object goes on while they stay.
+            let kind = if self.pace.changed < STAY { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.map(|v| journey.grasp.outside(&v.normalize()));
             return PathEnd::Lost(journey.loss(fraction, kind, leaving, motion));
         }

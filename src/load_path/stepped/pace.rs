@@ -17,6 +17,8 @@ pub(super) struct Pace<const D: usize> {
     pub(super) rate: Option<SVector<f64, D>>,
     /// How fast the object has moved.
     pub(super) speeds: Speeds,
+    /// By how much a force has changed in the last step, over what springs that stick would feel of it.
+    pub(super) changed: f64,
     /// The part of the leg that the next step tries.
     pub(super) step: f64,
     /// The most that a step may be: a load that comes round looks as if it had stayed.
@@ -32,6 +34,6 @@ impl<const D: usize> Pace<D> {
     pub(super) fn along<X>(course: &Course<X>) -> Self {
         let longest = if let Course::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
-        Self { rate: None, speeds, step: FIRST_STEP, longest, refused: false, tried: 0 }
+        Self { rate: None, speeds, changed: 1.0, step: FIRST_STEP, longest, refused: false, tried: 0 }
     }
 }

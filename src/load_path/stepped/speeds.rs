@@ -6,19 +6,17 @@
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
 //! an asymptote               q ~ ln(1/δ),  δ^{-p}         dq/dδ ~ δ^{-1},  δ^{-1-p}
 //! ```
-
-use crate::load_path::event::LossKind;
+//!
+//! The distance is too small in the end to tell one power from the other.
 
 /// The speed has grown if by this factor, and is noted each time that it has.
 const GROWN: f64 = 2.0;
-/// Speeds at distances that differ by this factor tell the power.
+/// Speeds are compared at distances that differ by this factor.
 const APART: f64 = 1e3;
 /// The path does not end at a corner if the speed grows by more than this over them.
 const RUNS: f64 = 8.0;
 /// A speed that has not grown over this last part of the leg does not grow without bound.
 const TO_THE_END: f64 = 1e-8;
-/// Between the powers of a maximum and of an asymptote.
-const BETWEEN: f64 = 0.75;
 
 /// Fractions of a leg and the speeds there, each larger than the one before.
 #[derive(Debug, Clone, Default)]
@@ -32,17 +30,11 @@ impl Speeds {
         }
     }
 
-    /// What the object runs to where the path ends; `None` if it does not go ever faster.
-    pub(super) fn run_to(&self, end: f64) -> Option<LossKind> {
+    /// Whether the object goes ever faster to where the path ends.
+    pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
-        let [near, fast] = before.next()?;
-        let [far, slow] = before.find(|[fraction, _]| end - fraction >= APART * (end - near))?;
-        let grown = fast / slow;
-        let power = grown.ln() / ((end - far) / (end - near)).ln();
-        (grown > RUNS && end - near < TO_THE_END).then_some(if power > BETWEEN {
-            LossKind::Asymptote
-        } else {
-            LossKind::Fold
-        })
+        let Some([near, fast]) = before.next() else { return false };
+        let far = before.find(|[fraction, _]| end - fraction >= APART * (end - near));
+        end - near < TO_THE_END && far.is_some_and(|[_, slow]| *fast > RUNS * slow)
     }
 }

@@ -38,6 +38,8 @@ pub struct Steps<'g, const D: usize, const C: usize> {
     pub(super) coarse: Coarse<D, C>,
     /// The largest error that both paths may have alike.
     pub(super) unseen: f64,
+    /// How far forces have gone, over the largest one.
+    pub(super) way: f64,
 }
 
 /// One step of a [`SteppedPath`].
@@ -123,7 +125,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let along = StepProblem::along(journey);
             let pace = Pace::along(&along.course);
             let coarse = Coarse::starting_at(&standing);
-            Ok(Steps { along, standing, pace, error, coarse, unseen: 0.0 })
+            Ok(Steps { along, standing, pace, error, coarse, unseen: 0.0, way: 0.0 })
         })
     }
 }

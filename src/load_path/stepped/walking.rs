@@ -21,13 +21,14 @@ const CAREFUL: f64 = 0.7;
 const NOWHERE: f64 = 0.25;
 /// What steps and their halves miss alike happens to a contact a few times a leg: each time this part of the error is allowed.
 const UNSEEN: f64 = 0.1;
-/// Of the error that a step would make if all made the same, for the way they go: forces go farther than the leg is long.
+/// Of the error that a step would make if all made the same, for the way they go: forces may go farther than the leg is long, and the object farther
+/// than forces. What is wrong of a direction is forgotten while springs that stick would feel the object to go as far as the largest force.
 const EVEN: f64 = 0.5;
 /// Of the error that the steps before have left to a contact a step may make this part. With more a few steps use it up, and the others have as
 /// little as if nothing were ever forgotten; with less they are shorter than the error asks for.
 const OF_WHAT_IS_LEFT: f64 = 0.05;
-/// No more than so many times the error is left to a contact, whatever the number of legs. The error is a third of what two paths are apart: with more it
-/// would outgrow what was asked for.
+/// The error is left to a contact in proportion to the way that forces have gone, over the largest one, up to so many times the error: it is a third of
+/// what two paths are apart. With more it would outgrow what was asked for.
 const ALTOGETHER: f64 = 2.0;
 /// A step is a jump if the object is farther than this part of it from its middle halfway …
 const LEAP: f64 = 0.25;
@@ -69,7 +70,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
                 Ok(Came::OnTheWay)
             };
         };
-        let part = self.part_of_what_is_allowed(journey.program.leg, &twice);
+        let part = self.part_of_what_is_allowed(&twice);
         let fastest = if self.pace.refused { 1.0 } else { FASTER };
         self.pace.refused = part > 1.0;
         self.pace.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
@@ -83,15 +84,17 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         }
         self.pace.rate = Some((twice.to.twist - self.standing.twist) / length);
         self.pace.speeds.note(twice.to.fraction, twice.felt / length);
+        self.pace.changed = twice.to.apart(&self.standing) / twice.felt;
         Ok(Came::To(self.arrive(journey, &twice)))
     }
 
     /// The error of a step, as a part of what it may be.
-    fn part_of_what_is_allowed(&self, leg: usize, twice: &Twice<D, C>) -> f64 {
+    fn part_of_what_is_allowed(&self, twice: &Twice<D, C>) -> f64 {
         let (from, Twice { to, at_once, largest, .. }) = (&self.standing, twice);
         let length = to.fraction - from.fraction;
-        let even = EVEN * self.error * length.max(to.apart(from) / largest);
-        let budget = self.error * (leg as f64 + to.fraction).min(ALTOGETHER);
+        let way = to.apart(from) / largest;
+        let even = EVEN * self.error * length.max(way).max(twice.felt / largest);
+        let budget = self.error * (self.way + way).min(ALTOGETHER);
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
             let allowed = even.max(OF_WHAT_IS_LEFT * (budget - so_far)).max(ROUNDING);
@@ -127,6 +130,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         let Twice { to, at_once, largest, unseen, .. } = twice;
         self.coarse.follow(&mut self.along, [&self.standing, to, at_once]);
         self.unseen = self.unseen.max(*unseen);
+        self.way += to.apart(&self.standing) / largest;
         self.standing = to.clone();
         let (leg, fraction) = (journey.program.leg, to.fraction);
         Step {
