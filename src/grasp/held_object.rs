@@ -8,6 +8,7 @@ use super::remembered::Remembered;
 use super::rotation::{assert_plane_or_space, assert_room_for_joints};
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
+use crate::numerics::anew;
 
 /// An object held by elastic fingers: a checked list of contacts.
 ///
@@ -304,7 +305,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
     /// the drives of a hand.
     pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
-        let mut drives = Vec::with_capacity(self.sites.len());
+        let mut drives = Vec::new();
         self.drives_into(&mut drives);
         drives
     }
@@ -321,7 +322,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         of_joints: &[f64],
         drives: &mut Vec<SVector<f64, C>>,
     ) {
-        drives.clear();
+        anew(drives, self.sites.len());
         drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
             a[0] -= contact.clearance;
             a
@@ -337,7 +338,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         commands: Option<&[SVector<f64, C>]>,
         of_joints: Option<&[f64]>,
     ) -> Vec<SVector<f64, C>> {
-        let mut changes = Vec::with_capacity(self.sites.len());
+        let mut changes = Vec::new();
         self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
         changes
     }
@@ -349,7 +350,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         of_joints: Option<&[f64]>,
         changes: &mut Vec<SVector<f64, C>>,
     ) {
-        changes.clear();
+        anew(changes, self.sites.len());
         changes.extend(commands);
         changes.resize(self.len(), SVector::zeros());
         match (self.linkage(), of_joints) {

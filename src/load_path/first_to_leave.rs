@@ -12,7 +12,7 @@ use super::turn::Turn;
 use crate::contact::{At, Exit, Line, LocalLaw, Stand};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, anew};
 use crate::object::PieceState;
 use crate::search::{Found, Rung};
 
@@ -141,15 +141,15 @@ impl<const D: usize, const C: usize> FirstToLeave<D, C> {
     ) -> Onset<D, C> {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, stands, leaving, sites, .. } = memory;
-        states.clear();
+        anew(states, segment.problem.len());
         states.extend(segment.problem.locals().map(|local| local.unjumped()));
-        stands.resize(states.len(), Stand::NOWHERE);
         stands.iter_mut().for_each(Stand::leave);
+        stands.resize(states.len(), Stand::NOWHERE);
         stands[contact].reach(&states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
-        leaving.clear();
+        anew(leaving, 1);
         leaving.push(Leaving::driven_out(contact, &stands[contact], frame));
-        sites.clear();
+        anew(sites, 1);
         sites.push(contact);
         let found = Found::new(std::mem::take(states), there.forces, there.twist);
         let leaving = (std::mem::take(leaving), std::mem::take(sites));

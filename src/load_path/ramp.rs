@@ -91,7 +91,7 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
 
     /// What the drives of a grasp change by for each unit of the factor.
     pub(crate) fn drive_changes(&self, grasp: &Grasp<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
-        let mut changes = Vec::with_capacity(grasp.sites().len());
+        let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }

@@ -9,6 +9,7 @@ use super::turned::Turned;
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Grasp;
+use crate::numerics::anew;
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
@@ -227,14 +228,14 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
 
     /// The drives at a factor.
     pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, C>> {
-        let mut drives = Vec::with_capacity(self.change.len());
+        let mut drives = Vec::new();
         self.drives_into(factor, &mut drives);
         drives
     }
 
     /// [`Self::drives`] in memory that is there.
     pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
-        drives.clear();
+        anew(drives, self.change.len());
         drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 

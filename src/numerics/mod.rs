@@ -23,7 +23,9 @@
 //! | `waiting_line` | numbered things that wait for their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
+//! | `anew` | lists that are filled anew |
 
+mod anew;
 mod bordered;
 mod complete_pivoting;
 mod dormand_prince;
@@ -46,6 +48,7 @@ mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
 
+pub(crate) use anew::anew;
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use dormand_prince::{Stepped, explicit_step};

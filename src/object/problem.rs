@@ -15,7 +15,7 @@ use super::precise::PreciseTwist;
 use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
 use crate::grasp::{Grasp, Remembered, Site, Wrench};
-use crate::numerics::DoubleDouble;
+use crate::numerics::{DoubleDouble, anew};
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
 #[derive(Debug, Clone)]
@@ -104,9 +104,9 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         Lists { mut laws, drives, mut slips }: Lists<C>,
         load: &Load<D>,
     ) -> Self {
-        laws.clear();
+        anew(&mut laws, sites.len());
         laws.extend(sites.iter().map(Site::whole_law));
-        slips.clear();
+        anew(&mut slips, sites.len());
         slips.resize(sites.len(), SVector::zeros());
         Self {
             sites,
