@@ -3,13 +3,9 @@
 //! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
 use super::block::Block;
+use super::factors::Factors;
 use super::finger::{Finger, Force, moment, world};
 use super::lanes::{Lanes, dot};
-
-/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
-/// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
-/// motions beside very soft ones would be called free.
-pub(super) const NOTHING: f64 = 1e-13;
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]
@@ -19,10 +15,7 @@ pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: 
     pub(super) arms: [[Lanes<L>; C]; N],
     /// Largest entry of an arm.
     pub(super) reach: Lanes<L>,
-    /// L below the diagonal, and D⁻¹ on it: zero for what moves freely.
-    factors: [[Lanes<L>; D]; D],
-    /// Positive if something moves freely.
-    pub(super) free: Lanes<L>,
+    factors: Factors<D, L>,
 }
 
 impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, N, L> {
@@ -49,105 +42,23 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
                 reach = reach.max(arms[i][axis].abs());
             }
         }
-        let mut body =
-            Self { fingers, centre, arms, reach, factors: [[Lanes::ZERO; D]; D], free: Lanes::ZERO };
+        let mut stiffness = [[Lanes::ZERO; D]; D];
         for i in 0..N {
-            body.add(&fingers[i], &arms[i]);
+            add(&mut stiffness, &fingers[i], &arms[i]);
         }
-        body.factor();
-        body
+        Self { fingers, centre, arms, reach, factors: Factors::new(stiffness) }
     }
 
-    /// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
+    /// Positive if something moves freely.
     #[inline(always)]
-    fn add(&mut self, finger: &Finger<C, L>, arm: &[Lanes<L>; C]) {
-        let t = &mut self.factors;
-        let [normal, tangential] = finger.springs;
-        let more = normal - tangential;
-        let turning = moment(arm, &finger.normal);
-        let mut line = [Lanes::ZERO; D];
-        for k in 0..D {
-            line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
-        }
-        for row in 0..D {
-            let stiff = more * line[row];
-            for column in 0..=row {
-                t[row][column] += stiff * line[column];
-            }
-        }
-        let mut pulled = *arm;
-        for axis in 0..C {
-            pulled[axis] = tangential * arm[axis];
-        }
-        let square = dot(&pulled, arm);
-        for axis in 0..C {
-            t[axis][axis] += tangential;
-        }
-        if C == 2 {
-            t[2][0] -= pulled[1];
-            t[2][1] += pulled[0];
-            t[2][2] += square;
-            return;
-        }
-        for axis in 0..C {
-            let (next, last) = ((axis + 1) % C, (axis + 2) % C);
-            t[C + axis][next] -= pulled[last];
-            t[C + axis][last] += pulled[next];
-            t[C + axis][C + axis] += square;
-            for other in 0..=axis {
-                t[C + axis][C + other] -= pulled[axis] * arm[other];
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn factor(&mut self) {
-        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
-        let t = &mut self.factors;
-        for column in 0..D {
-            let whole = t[column][column];
-            // Column by column: what stands left of it holds L already.
-            let mut scaled = [zero; D];
-            let mut pivot = whole;
-            for k in 0..column {
-                // t[k][k] holds 1/d_k; L_ck d_k was kept above the diagonal.
-                scaled[k] = t[k][column];
-                pivot -= t[column][k] * scaled[k];
-            }
-            let bound = Lanes::all(NOTHING) * whole;
-            let inverse = pivot.above(bound, one / pivot, zero);
-            self.free += pivot.above(bound, zero, one);
-            t[column][column] = inverse;
-            for row in column + 1..D {
-                let mut rest = t[row][column];
-                for k in 0..column {
-                    rest -= t[row][k] * scaled[k];
-                }
-                t[column][row] = rest;
-                t[row][column] = rest * inverse;
-            }
-        }
+    pub(super) fn free(&self) -> Lanes<L> {
+        self.factors.free
     }
 
     /// `T⁻¹ w`, zero for what moves freely.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[Lanes<L>; D]) -> [Lanes<L>; D] {
-        let f = &self.factors;
-        let mut q = *w;
-        for row in 1..D {
-            for column in 0..row {
-                q[row] -= f[row][column] * q[column];
-            }
-        }
-        for row in 0..D {
-            q[row] = q[row] * f[row][row];
-        }
-        for row in (0..D).rev() {
-            for below in row + 1..D {
-                q[row] -= f[below][row] * q[below];
-            }
-        }
-        q
+        self.factors.solve(w)
     }
 
     /// The load about the centroid.
@@ -200,5 +111,50 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
         // Comparisons above pass over what is not a number.
         (left, part + Lanes::ZERO * left[0])
+    }
+}
+
+/// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
+#[inline(always)]
+fn add<const D: usize, const C: usize, const L: usize>(
+    t: &mut [[Lanes<L>; D]; D],
+    finger: &Finger<C, L>,
+    arm: &[Lanes<L>; C],
+) {
+    let [normal, tangential] = finger.springs;
+    let more = normal - tangential;
+    let turning = moment(arm, &finger.normal);
+    let mut line = [Lanes::ZERO; D];
+    for k in 0..D {
+        line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
+    }
+    for row in 0..D {
+        let stiff = more * line[row];
+        for column in 0..=row {
+            t[row][column] += stiff * line[column];
+        }
+    }
+    let mut pulled = *arm;
+    for axis in 0..C {
+        pulled[axis] = tangential * arm[axis];
+    }
+    let square = dot(&pulled, arm);
+    for axis in 0..C {
+        t[axis][axis] += tangential;
+    }
+    if C == 2 {
+        t[2][0] -= pulled[1];
+        t[2][1] += pulled[0];
+        t[2][2] += square;
+        return;
+    }
+    for axis in 0..C {
+        let (next, last) = ((axis + 1) % C, (axis + 2) % C);
+        t[C + axis][next] -= pulled[last];
+        t[C + axis][last] += pulled[next];
+        t[C + axis][C + axis] += square;
+        for other in 0..=axis {
+            t[C + axis][C + other] -= pulled[axis] * arm[other];
+        }
     }
 }

@@ -38,6 +38,7 @@ mod block;
 mod cone;
 mod enough;
 mod exit;
+mod factors;
 mod finger;
 mod fingers;
 mod first;

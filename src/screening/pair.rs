@@ -16,8 +16,8 @@
 //!
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
-use super::balance::NOTHING;
 use super::block::{Block, Parted, Sizes};
+use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
 use crate::contact::ZERO_SLACK as ROUNDING;

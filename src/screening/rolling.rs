@@ -104,7 +104,7 @@ fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
     }
     let mut forces = with_rounding(body, pulled, &contacts, &moved);
     forces.unbalanced = part;
-    forces.free = part.above(Lanes::all(GIVES_WAY), body.free, zero);
+    forces.free = part.above(Lanes::all(GIVES_WAY), body.free(), zero);
     forces
 }
 

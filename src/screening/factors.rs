@@ -1,0 +1,71 @@
+//! Symmetric matrices in factors, `T = L D Lᵀ`, lane by lane.
+
+use super::lanes::Lanes;
+
+/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
+/// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
+/// motions beside very soft ones would be called free.
+pub(super) const NOTHING: f64 = 1e-13;
+
+/// The factors of a matrix of `R` rows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Factors<const R: usize, const L: usize> {
+    /// L below the diagonal, and D⁻¹ on it: zero where the pivot is rounding.
+    entries: [[Lanes<L>; R]; R],
+    /// Positive if some pivot is rounding.
+    pub(super) free: Lanes<L>,
+}
+
+impl<const R: usize, const L: usize> Factors<R, L> {
+    /// From the entries on and below the diagonal.
+    #[inline(always)]
+    pub(super) fn new(mut t: [[Lanes<L>; R]; R]) -> Self {
+        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
+        let mut free = zero;
+        for column in 0..R {
+            let whole = t[column][column];
+            // Column by column: what stands left of it holds L already.
+            let mut scaled = [zero; R];
+            let mut pivot = whole;
+            for k in 0..column {
+                // t[k][k] holds 1/d_k; L_ck d_k was kept above the diagonal.
+                scaled[k] = t[k][column];
+                pivot -= t[column][k] * scaled[k];
+            }
+            let bound = Lanes::all(NOTHING) * whole;
+            let inverse = pivot.above(bound, one / pivot, zero);
+            free += pivot.above(bound, zero, one);
+            t[column][column] = inverse;
+            for row in column + 1..R {
+                let mut rest = t[row][column];
+                for k in 0..column {
+                    rest -= t[row][k] * scaled[k];
+                }
+                t[column][row] = rest;
+                t[row][column] = rest * inverse;
+            }
+        }
+        Self { entries: t, free }
+    }
+
+    /// `T⁻¹ w`, zero where the pivot is rounding.
+    #[inline(always)]
+    pub(super) fn solve(&self, w: &[Lanes<L>; R]) -> [Lanes<L>; R] {
+        let f = &self.entries;
+        let mut q = *w;
+        for row in 1..R {
+            for column in 0..row {
+                q[row] -= f[row][column] * q[column];
+            }
+        }
+        for row in 0..R {
+            q[row] = q[row] * f[row][row];
+        }
+        for row in (0..R).rev() {
+            for below in row + 1..R {
+                q[row] -= f[below][row] * q[below];
+            }
+        }
+        q
+    }
+}
