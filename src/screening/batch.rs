@@ -9,6 +9,7 @@ use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
+use super::way::Way;
 use crate::numerics::{Loop, wide};
 
 /// Scenes side by side.
@@ -183,18 +184,37 @@ impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for
 
     #[inline(always)]
     fn run(self) {
-        let each = self.questions.len();
         let blocks = self.blocks.iter().zip(self.parted);
-        for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * each)) {
-            let ready = Ready::new(block);
-            let squeezed = ready.squeezed(block);
-            let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
-            for (k, question) in self.questions.iter().enumerate() {
-                let answered = question.ask(scenes);
-                // A last block need not be full.
-                for (of_grasp, answer) in answers.chunks_mut(each).zip(answered) {
-                    of_grasp[k] = answer;
-                }
+        for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * self.questions.len())) {
+            // Not a loop: which way it is must be known where it is compiled.
+            answer(Way::Edges, (block, parted), self.questions, answers);
+            answer(Way::Motions, (block, parted), self.questions, answers);
+        }
+    }
+}
+
+/// Asks the scenes that go this way.
+#[inline(always)]
+fn answer<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
+    way: Way,
+    (block, parted): (&Block<C, N, LANES>, &Parted<N, LANES>),
+    questions: &[Q],
+    answers: &mut [Q::Answer],
+) {
+    let these = way.of(block);
+    if these == [false; LANES] {
+        return;
+    }
+    let ready = Ready::new(block, way);
+    let squeezed = ready.squeezed(block);
+    let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
+    for (k, question) in questions.iter().enumerate() {
+        let answered = question.ask(scenes);
+        // A last block need not be full.
+        let of_grasps = answers.chunks_mut(questions.len()).zip(these);
+        for ((of_grasp, this), answer) in of_grasps.zip(answered) {
+            if this {
+                of_grasp[k] = answer;
             }
         }
     }

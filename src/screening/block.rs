@@ -12,7 +12,7 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) point: [[Lanes<L>; N]; C],
     /// Unit normals into the object.
     pub(super) normal: [[Lanes<L>; N]; C],
-    /// Normal and tangential stiffness; in a planar pair the compliances, see [`super::pair`].
+    /// Normal and tangential stiffness; compliances where forces go along edges, see [`super::way`].
     pub(super) springs: [[Lanes<L>; N]; 2],
     /// Commanded displacements less the clearance: along the normal, and across it as in
     /// [`super::finger::Force`]. Kept apart, for a stiff tangential spring would make a force of
@@ -21,7 +21,7 @@ pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
     pub(super) sheared: [[Lanes<L>; N]; C],
     /// Friction coefficients, or codes; see [`super::cone`].
     pub(super) friction: [Lanes<L>; N],
-    /// Of planar pairs only.
+    /// Zero where forces are found by motions.
     pub(super) sizes: Sizes<L>,
 }
 
@@ -58,6 +58,16 @@ impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
             sizes,
         }
     };
+
+    /// The normal of a contact.
+    #[inline(always)]
+    pub(super) fn normal_of(&self, contact: usize) -> [Lanes<L>; C] {
+        let mut normal = [Lanes::ZERO; C];
+        for axis in 0..C {
+            normal[axis] = self.normal[axis][contact];
+        }
+        normal
+    }
 
     /// Puts a scene into these lanes.
     pub(super) fn set(&mut self, lanes: &Range<usize>, scene: &Block<C, N, 1>) {

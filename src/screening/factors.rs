@@ -68,4 +68,10 @@ impl<const R: usize, const L: usize> Factors<R, L> {
         }
         q
     }
+
+    /// `D⁻¹` of a row.
+    #[inline(always)]
+    pub(super) fn one_over_pivot(&self, row: usize) -> Lanes<L> {
+        self.entries[row][row]
+    }
 }

@@ -11,6 +11,7 @@ use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
+use super::way::Way;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
@@ -96,8 +97,11 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         }
         if C == 2 && N == 2 {
             super::pair::to_compliances(&mut block, &mut parted);
+        } else if C == 3 && N == 3 {
+            super::way::to_compliances(&mut block);
         }
-        let ready = Ready::new(&block);
+        let way = if Way::Edges.of(&block) == [true] { Way::Edges } else { Way::Motions };
+        let ready = Ready::new(&block, way);
         Ok(Self { squeezed: ready.squeezed(&block), ready, block, parted })
     }
 

@@ -36,7 +36,7 @@ impl<const D: usize, const C: usize> Question<D, C> for LoadCases<D, C> {
         let [commands, overlaps] = scenes.apart();
         let mut enough = Enough::new();
         for (number, load) in self.loads.iter().enumerate() {
-            let others = overlaps.with(&scenes.ready.under(load), 1.0);
+            let others = overlaps.with(&scenes.under(load), 1.0);
             enough.under(number, &scenes.block.friction, [&commands, &others]);
         }
         let (code, binding) = enough.least();

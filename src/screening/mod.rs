@@ -52,9 +52,11 @@ mod ready;
 mod rolling;
 mod screened;
 mod screened_squeeze;
+mod triangle;
 mod turning;
 mod turning_pull;
 mod verdict;
+mod way;
 
 pub use batch::Batch;
 pub(crate) use batch::Part;

@@ -37,7 +37,7 @@ impl<const D: usize, const C: usize> Question<D, C> for Pull<D, C> {
 
     #[inline(always)]
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {
-        let rates = scenes.ready.under(&self.direction);
+        let rates = scenes.under(&self.direction);
         if !self.loaded {
             return judge(&scenes.block.friction, scenes.squeezed, &rates);
         }

@@ -6,23 +6,32 @@ use super::forces::Forces;
 use super::lanes::Lanes;
 use super::pair::Pair;
 use super::rolling;
+use super::triangle::Triangle;
+use super::way::Way;
 use crate::grasp::Wrench;
 
 /// How forces answer loads and commands while every contact rolls.
 #[derive(Debug, Clone, Copy)]
-#[allow(clippy::large_enum_variant)] // neither is ever moved about alone
+#[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum Ready<const D: usize, const C: usize, const N: usize, const L: usize> {
     /// In closed form.
     Pair(Pair<L>),
+    /// Along the edges of a triangle.
+    Triangle(Triangle<C, N, L>),
     /// By the factors of the stiffness of the object.
     Body(Body<D, C, N, L>),
 }
 
 impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C, N, L> {
-    /// Inlined, as all that follows, so that it is compiled for the vectors of the caller.
+    /// Inlined, as all that follows, so that it is compiled for the vectors of the caller. Scenes that
+    /// go the other way get numbers without meaning.
     #[inline(always)]
-    pub(super) fn new(block: &Block<C, N, L>) -> Self {
-        if C == 2 && N == 2 { Self::Pair(Pair::new(block)) } else { Self::Body(Body::new(block)) }
+    pub(super) fn new(block: &Block<C, N, L>, way: Way) -> Self {
+        match way {
+            Way::Edges if C == 2 && N == 2 => Self::Pair(Pair::new(block)),
+            Way::Edges if C == 3 && N == 3 => Self::Triangle(Triangle::new(block)),
+            _ => Self::Body(Body::new(block)),
+        }
     }
 
     /// Forces that the commands of the fingers alone bring about, clearances included.
@@ -30,6 +39,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
     pub(super) fn squeezed(&self, block: &Block<C, N, L>) -> Forces<C, N, L> {
         match self {
             Self::Pair(pair) => pair.squeeze(),
+            Self::Triangle(triangle) => triangle.squeeze(block),
             Self::Body(body) => rolling::squeeze(body, &block.pressed, &block.sheared),
         }
     }
@@ -43,19 +53,21 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
     ) -> Forces<C, N, L> {
         match self {
             Self::Pair(pair) => pair.squeeze_by(block, (pressed, &sheared[0])),
+            Self::Triangle(triangle) => triangle.squeeze_by(block, (pressed, sheared)),
             Self::Body(body) => rolling::squeeze(body, pressed, sheared),
         }
     }
 
     /// Forces that a load alone brings about, the fingers at rest.
     #[inline(always)]
-    pub(super) fn under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
+    pub(super) fn under(&self, block: &Block<C, N, L>, load: &Wrench<D, C>) -> Forces<C, N, L> {
         let mut lanes = [Lanes::ZERO; D];
         for k in 0..D {
             lanes[k] = Lanes::all(load.as_vector()[k]);
         }
         match self {
             Self::Pair(pair) => pair.load(&lanes),
+            Self::Triangle(triangle) => triangle.load(block, &lanes),
             Self::Body(body) => rolling::load(body, &lanes),
         }
     }

@@ -43,8 +43,8 @@ impl<const D: usize, const C: usize> Question<D, C> for TurningPull<D, C> {
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedTurn; L] {
         let forces = Harmonic {
             constant: scenes.squeezed_under(&self.load.constant),
-            cosine: scenes.ready.under(&self.load.cosine),
-            sine: scenes.ready.under(&self.load.sine),
+            cosine: scenes.under(&self.load.cosine),
+            sine: scenes.under(&self.load.sine),
         };
         judge(&scenes.block.friction, &forces, self.most)
     }

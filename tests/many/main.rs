@@ -4,6 +4,7 @@ mod robust_onset;
 mod screened_scenes;
 mod screening;
 mod screening_exact;
+mod screening_exact_space;
 mod screening_squeeze;
 mod screening_turns;
 mod sweep;

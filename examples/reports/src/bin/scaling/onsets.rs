@@ -122,6 +122,7 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
     let (ready, load) = match (C, N) {
         (2, 2) => (57.0, 94.0),
         (2, _) => (90.0 * n + 66.0, 55.0 * n + 49.0),
+        (_, 3) => (255.0, 457.0),
         _ => (197.0 * n + 212.0, 140.0 * n + 117.0),
     };
     let data = 8.0 * (n * (3.0 * C as f64 + 4.0) + 3.0);
