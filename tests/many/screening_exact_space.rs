@@ -84,7 +84,7 @@ fn tangent([i, j, k]: [i32; 3]) -> [i32; 3] {
 }
 
 /// Motions under two loads, by elimination.
-fn motions(contacts: &[Exact], loads: [Vec<Rational>; 2]) -> Option<[Vec<Rational>; 2]> {
+fn motions(contacts: &[Exact], loads: &[Vec<Rational>; 2]) -> Option<[Vec<Rational>; 2]> {
     let mut rows: Vec<Vec<Rational>> = vec![vec![Rational::zero(); 8]; 6];
     for column in 0..6 {
         let mut unit = vec![Rational::zero(); 6];
@@ -125,7 +125,7 @@ fn forces(contacts: &[Exact], direction: [f64; 6]) -> Option<[Vec<Vector>; 2]> {
             *sum += part;
         }
     }
-    let [q, dq] = motions(contacts, [commanded, direction.map(exact).to_vec()])?;
+    let [q, dq] = motions(contacts, &[commanded, direction.map(exact).to_vec()])?;
     let force = |contact: &Exact, q: &[Rational], command: bool| {
         let moved = contact.moved(q);
         let u = [0, 1, 2].map(|a| if command { &contact.command[a] - &moved[a] } else { -moved[a].clone() });
