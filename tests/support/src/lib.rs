@@ -29,6 +29,7 @@ pub mod ramps;
 pub mod random;
 pub mod rolling;
 pub mod scene;
+pub mod soft_tips;
 pub mod splitmix;
 pub mod tractrix;
 pub mod transform;

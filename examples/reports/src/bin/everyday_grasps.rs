@@ -1,7 +1,8 @@
 //! Everyday grasps in space far beyond the onset: how many equilibria and load paths are decided, and in what time.
 //!
 //! Three to twelve fingers in a ring, on two faces or over a ball, a growing weight, a push or a twist, with default settings. Loads are
-//! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze.
+//! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze. Then the same of pinches of
+//! soft fingertips.
 //!
 //! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
 
@@ -9,10 +10,12 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use grasp_lcp::equilibrium::{Outcome, Proof};
+use grasp_lcp::equilibrium::Proof;
 use grasp_lcp::load_path::LossKind;
-use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, PathEnd, Wrench};
 use support::numbers::Numbers;
+use support::soft_tips::draw;
+use support::splitmix::Random;
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -128,12 +131,7 @@ fn main() -> Result<(), Failure> {
                 for (part, tally) in PARTS.into_iter().zip(&mut tallies) {
                     let (load, start) = (direction * (part * onset), Instant::now());
                     let outcome = grasp.solve(&load)?;
-                    let answer = match &outcome {
-                        Outcome::Equilibrium(_) => "held",
-                        Outcome::NoEquilibrium(_) => "none",
-                        _ => "undecided",
-                    };
-                    tally.add(answer, start);
+                    tally.add(answer(&outcome), start);
                     if let Outcome::NoEquilibrium(none) = &outcome
                         && let Proof::EveryCaseContradicted { escape: this, .. } = none.proof
                     {
@@ -159,13 +157,7 @@ fn main() -> Result<(), Failure> {
                 let start = Instant::now();
                 let mut path = grasp.follow(&Wrench::ZERO, &[leg])?;
                 path.run();
-                let answer = match path.end() {
-                    Some(PathEnd::Completed) => "completed",
-                    Some(PathEnd::Lost(loss)) => how(loss.kind),
-                    Some(PathEnd::NoStart(_)) => "without a start",
-                    _ => "undecided",
-                };
-                tally.add(answer, start);
+                tally.add(end(path.end()), start);
                 let start = Instant::now();
                 let answer = match path.beyond() {
                     Some(Beyond::LimitLoad) => "limit loads",
@@ -179,7 +171,55 @@ fn main() -> Result<(), Failure> {
         }
     }
     beyond.print("what lies beyond their ends");
+    soft_tips(30 * each)
+}
+
+/// Pinches of two or three soft fingertips, 12 to 96 springs, sheared and twisted until they are lost: by every event and in steps. What is beyond
+/// may be held again by an object that has turned far and wedged itself, so that there is seldom a proof.
+fn soft_tips(count: usize) -> Result<(), Failure> {
+    let (mut events, mut steps, mut loads) = (Tally::default(), Tally::default(), Tally::default());
+    let (mut random, mut apart) = (Random(1), 0.0_f64);
+    for _ in 0..count {
+        let (grasp, load) = draw(&mut random)?;
+        let leg = [Leg::load_to(load * 100.0)];
+        let start = Instant::now();
+        let mut path = grasp.follow(&Wrench::ZERO, &leg)?;
+        path.run();
+        events.add(end(path.end()), start);
+        let start = Instant::now();
+        let mut stepped = grasp.follow_in_steps(&Wrench::ZERO, &leg, 1e-6)?;
+        stepped.by_ref().for_each(drop);
+        steps.add(end(stepped.end()), start);
+        let [limit, near] = [path.end(), stepped.end()].map(|end| end.and_then(PathEnd::loss));
+        let Some(limit) = limit else { continue };
+        apart = near.map_or(apart, |near| apart.max((near.fraction / limit.fraction - 1.0).abs()));
+        let start = Instant::now();
+        let overload = grasp.solve(&(load * (150.0 * limit.fraction)))?;
+        loads.add(answer(&overload), start);
+    }
+    events.print("soft tips, every event");
+    steps.print("soft tips, in steps, 1e-6");
+    loads.print("soft tips, 1.5 times the limit");
+    println!("  Limits in steps are off by {apart:.0e}.");
     Ok(())
+}
+
+fn answer(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Equilibrium(_) => "held",
+        Outcome::NoEquilibrium(_) => "none",
+        _ => "undecided",
+    }
+}
+
+/// How a path ends.
+fn end(end: Option<&PathEnd>) -> &'static str {
+    match end {
+        Some(PathEnd::Completed) => "completed",
+        Some(PathEnd::Lost(loss)) => how(loss.kind),
+        Some(PathEnd::NoStart(_)) => "without a start",
+        _ => "undecided",
+    }
 }
 
 /// How a path is lost.
