@@ -12,7 +12,7 @@
 //! | `answer` | stretch → state and force |
 //! | `springs` | in a known state: left and right factors |
 //! | `straight_stretch` | its force after a stretch that went straight, with the slip that turned on the way |
-//! | `uneven_slide` | the same where two tangential springs differ |
+//! | `relaxing_slide` | which way it slides in the end |
 //! | `tangent` | how its force changes with its stretch |
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `hull` | where only part of its state is known: all that its law allows |
@@ -33,6 +33,7 @@ mod hull;
 mod law;
 mod most_work;
 mod polygon;
+mod relaxing_slide;
 mod slide;
 mod springs;
 mod stand;
@@ -42,7 +43,6 @@ mod tangent;
 mod tangential;
 mod tolerances;
 mod turning_exits;
-mod uneven_slide;
 
 pub use polygon::{Fit, PolygonCone};
 

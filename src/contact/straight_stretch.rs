@@ -1,25 +1,25 @@
 //! From a stretch that goes straight from where it was to the force at its end, exactly: the slip that turns on the way included.
 //!
-//! On the round cone a sliding contact has its friction force at an angle ψ from the traction rate `d = k_t v_t'`. With that and the
-//! radius `r = μ F_n` straight in the way τ from 0 to 1,
+//! On the round cone a sliding contact with one tangential stiffness has its friction force at an angle ψ from the traction rate `d = k_t v_t'`. With
+//! that and the radius `r = μ F_n` straight in the way τ from 0 to 1,
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! It slides on to the end once it slides, since |d| cos ψ grows and r' stays. The return map of [`LocalLaw::answer`] takes the whole way at
+//! and with two of them as [`RelaxingSlide`] has it. It slides on to the end once it slides, since |d| cos ψ grows and r' stays. The return map of [`LocalLaw::answer`] takes the whole way at
 //! its end instead: it is right from the apex on, where the traction grows in one direction, else to first order only. See for the same closed
 //! form with a constant radius R. D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J.
-//! Pressure Vessel Technology 99 (1977) 510. Two tangential springs that differ turn as [`UnevenSlide`] has it.
+//! Pressure Vessel Technology 99 (1977) 510.
 
 use nalgebra::SVector;
 
 use super::answer::Answer;
 use super::law::LocalLaw;
+use super::relaxing_slide::RelaxingSlide;
 use super::slide::Slide;
 use super::state::Mode;
-use super::tangential::{cross, tangential, tangential_norm};
-use super::uneven_slide::UnevenSlide;
+use super::tangential::{tangential, tangential_norm};
 
 /// A traction this near to its limit, as a part of it, is on the cone: what a step leaves is rounding of it.
 const ON_THE_CONE: f64 = 1e-12;
@@ -74,33 +74,21 @@ impl<const C: usize> LocalLaw<'_, C> {
     fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> Answer<C> {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
-        let (t, d) = (tangential(from), tangential(rate));
-        let (size, pull) = (t.norm(), d.norm());
         // ∫dτ/r over what is left of the way.
         let x = (r1 - r0) / r0;
         let per_radius = rest / r0 * if x.abs() < ALIKE { 1.0 - 0.5 * x } else { x.ln_1p() / x };
-        if !self.springs.is_isotropic() && size > 0.0 && per_radius.is_finite() {
-            let [k, v] = [self.springs.diagonal(), self.springs.give(rate)].map(|v| [v[1], v[C - 1]]);
-            let turning = UnevenSlide { k, stretched: v, growth: self.friction.limit(rate[0]) };
-            let mut direction = SVector::zeros();
-            [direction[1], direction[C - 1]] =
-                turning.direction_after([t[1] / size, t[C - 1] / size], per_radius);
-            return self.sliding_at(normal, &direction, r1, r1 * per_radius);
+        let friction = tangential(from);
+        let size = friction.norm();
+        let mut direction = tangential(rate);
+        if size > 0.0 {
+            let across = |v: SVector<f64, C>| [v[1], v[C - 1]];
+            let slide = RelaxingSlide {
+                tangential: across(self.springs.diagonal()),
+                stretched: across(self.springs.give(rate)),
+                growth: self.friction.limit(rate[0]),
+            };
+            [direction[1], direction[C - 1]] = slide.direction_after(across(friction / size), per_radius);
         }
-        if pull == 0.0 || size == 0.0 {
-            let direction = if size == 0.0 { d } else { t };
-            return self.sliding_at(normal, &direction, r1, r1 * per_radius);
-        }
-        // tan(ψ/2) from d to the friction force.
-        let half = cross(&d, &t) / (size * pull + d.dot(&t)) * (-pull * per_radius).exp();
-        let square = half * half;
-        if !square.is_finite() {
-            return self.sliding_at(normal, &-d, r1, r1 * per_radius);
-        }
-        let (cos, sin) = ((1.0 - square) / (1.0 + square), 2.0 * half / (1.0 + square));
-        let mut direction = SVector::zeros();
-        direction[1] = cos * d[1] - sin * d[C - 1];
-        direction[C - 1] = sin * d[1] + cos * d[C - 1];
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 

@@ -33,8 +33,8 @@ const FIRST_TURN: f64 = 0.3;
 const STABLE: f64 = 4.0;
 /// No step lets the load turn further, rad.
 const MOST_TURNED: f64 = 0.25;
-/// Forces that change by less than this part of them, while the object moves as far as it did for the whole load to begin with, change no
-/// more; nor do directions that are less than this angle off where they relax to, rad.
+/// Forces that change by less than this part of them change no more, while the object moves as far as it did for the whole load to begin with.
+/// Nor do directions that are less than this angle off where they relax to, rad. With less, rounding would seem to turn them for ever.
 const STANDS_STILL: f64 = 1e-10;
 /// A normal force below this part of its size goes to zero along the tangent.
 const ALL_BUT_GONE: f64 = 1e-10;

@@ -24,12 +24,14 @@ const MANY: usize = 32;
 /// Memory for equilibria under one load after another, by Lemke's method on lists of contact
 /// states.
 ///
-/// After the first scene it allocates nothing for scenes with no more contacts: once for Newton's
-/// method and once for Lemke's, whichever a scene needs. (With thousands of contacts the thread pool
-/// of the feature `parallel` may.) It looks for one equilibrium, in space on
-/// the polygonal cone or [on the round one](Self::on_the_round_cone), and says how exactly it
-/// satisfies every condition; it proves nothing where it finds none. [`Grasp::solve`] knows more
-/// ways to one, proofs that there is none, and the answer as physics.
+/// After the first scene it allocates nothing for scenes with no more contacts. The first that needs
+/// Lemke's method after others that Newton's has settled is a first scene, too. With thousands of
+/// contacts the thread pool of the feature `parallel` may allocate.
+///
+/// It looks for one equilibrium, in space on the polygonal cone or
+/// [on the round one](Self::on_the_round_cone), and says how exactly it satisfies every condition.
+/// It proves nothing where it finds none. [`Grasp::solve`] knows more ways to one, proofs that there
+/// is none, and the answer as physics.
 ///
 /// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the
 /// next one. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.

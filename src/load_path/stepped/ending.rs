@@ -7,9 +7,9 @@ use crate::load_path::journey::Journey;
 use crate::load_path::loss::end_of_path;
 use crate::search::{Doubt, Settled, settle};
 
-/// Forces stay if they change by less than this part of what springs that stick would feel: at maxima it is some hundredths, towards asymptotes it
-/// falls to the root of what is left of the load, 1e-5.
-const STAY: f64 = 1e-3;
+/// Forces stay if they change by less than this part of what springs that stick would feel: at maxima it is some hundredths, a thousandth at least,
+/// towards asymptotes it falls to the root of what is left of the load, 1e-5.
+const STAY: f64 = 2e-4;
 
 impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
     /// The end where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge. Else the path is

@@ -147,9 +147,9 @@ fn at_start<const D: usize, const C: usize>(
 }
 
 impl<const D: usize, const C: usize> SteppedPath<'_, D, C> {
-    /// Estimated error of the forces, over the largest one, wherever the path has been: how far it has been from a path of the same steps, each
-    /// made at once instead of in two halves, and what both may miss alike where a contact stops, opens or closes. As a rule the
-    /// error is a third of it.
+    /// Estimated error of the forces, over the largest one, wherever the path has been. It is how far the path has been from one of the same steps,
+    /// each made at once instead of in two halves. To that comes what both may miss alike where a contact stops, opens or closes. As a rule
+    /// the error is a third of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.follower.as_ref().map_or(0.0, |steps| steps.coarse.farthest + steps.unseen)

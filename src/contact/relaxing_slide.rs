@@ -1,4 +1,4 @@
-//! Which way a contact slides after a straight stretch, if its two tangential springs differ.
+//! Which way a contact slides after a straight stretch: how its direction relaxes towards that of the stretch.
 //!
 //! Its friction force is r p, p at an angle φ from the first tangent, and it slips along p. With K = diag(k₁, k₂) its springs ask for
 //!
@@ -14,8 +14,8 @@
 //! squeezed     tan φ = tan φ₀ e^{2B s}
 //! ```
 //!
-//! Drawn by half, squeezed, and drawn again it is right to second order, and exactly while the normal force stays. It slides on to the end: what it
-//! slips by, γ p·K p = p·K v_t' - r', grows where it is zero, by `(p⊥·K v_t')²`.
+//! Drawn by half, squeezed, and drawn again it is right to second order, and exactly while the normal force stays or the springs are alike. It slides
+//! on to the end: what it slips by, γ p·K p = p·K v_t' - r', grows where it is zero, by `(p⊥·K v_t')²`.
 
 /// Steps towards s: they gain digits from the first on.
 const STEPS: usize = 60;
@@ -24,21 +24,25 @@ const LAST: f64 = 1e-15;
 /// Exponents beyond this have no digit left of what was before, and their squares are numbers yet.
 const FAR: f64 = 300.0;
 
-/// Two springs that are stretched evenly while they slide.
+/// Two tangential springs that are stretched evenly while they slide.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct UnevenSlide {
+pub(super) struct RelaxingSlide {
     /// k₁ and k₂, N/m.
-    pub(super) k: [f64; 2],
+    pub(super) tangential: [f64; 2],
     /// v_t', m.
     pub(super) stretched: [f64; 2],
     /// r', N.
     pub(super) growth: f64,
 }
 
-impl UnevenSlide {
+impl RelaxingSlide {
     /// The unit direction of the friction force where `∫ dτ/r` is this much, 1/N, from where it was.
     pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
-        let [k1, k2] = self.k;
+        let [k1, k2] = self.tangential;
+        // Springs that are alike squeeze it no way, and s is known.
+        if k1 == k2 {
+            return self.drawn(start, per_radius / k1).0;
+        }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
         for _ in 0..STEPS {
@@ -58,7 +62,7 @@ impl UnevenSlide {
 
     /// `p·K p`.
     fn stiffness(&self, p: [f64; 2]) -> f64 {
-        self.k[0] * p[0] * p[0] + self.k[1] * p[1] * p[1]
+        self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
     /// Where a direction is after s, with `∫ p·K p ds`.
@@ -70,8 +74,8 @@ impl UnevenSlide {
 
     /// The same at a normal force that stays.
     fn drawn(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
-        let [k1, k2] = self.k;
-        let size = self.stretched[0].hypot(self.stretched[1]);
+        let [k1, k2] = self.tangential;
+        let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
         let rate = k1 * k2 * size;
         let e = self.stretched.map(|v| v / size);
         // ψ from the stretch to the force.
@@ -91,7 +95,7 @@ impl UnevenSlide {
 
     /// Where it is after s at a stretch that stays.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        let y = (0.5 * self.growth * (self.k[1] - self.k[0]) * s).clamp(-FAR, FAR);
+        let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-FAR, FAR);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
         let size = q[0].hypot(q[1]);
         q.map(|x| x / size)
@@ -100,11 +104,11 @@ impl UnevenSlide {
 
 #[cfg(test)]
 mod tests {
-    use super::UnevenSlide;
+    use super::RelaxingSlide;
 
     /// The equation itself in a million steps of the midpoint rule, for the radius 1 to begin with.
-    fn in_tiny_steps(slide: &UnevenSlide, start: [f64; 2]) -> [f64; 2] {
-        let [k1, k2] = slide.k;
+    fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
+        let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);
         let rate = |tau: f64, phi: f64| {
             let (sin, cos) = phi.sin_cos();
@@ -121,7 +125,7 @@ mod tests {
     }
 
     /// The same in some steps of the closed forms.
-    fn in_steps(slide: &UnevenSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
+    fn in_steps(slide: &RelaxingSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
         let h = 1.0 / f64::from(steps);
         for i in 0..steps {
             let [r0, r1] = [i, i + 1].map(|i| 1.0 + slide.growth * f64::from(i) * h);
@@ -142,7 +146,7 @@ mod tests {
             ([2.0, 0.5], [-1.0, 0.3], 2.0),
             ([1.0, 1.2], [8.0, -5.0], 0.5),
         ] {
-            let slide = UnevenSlide { k, stretched, growth: 0.0 };
+            let slide = RelaxingSlide { tangential: k, stretched, growth: 0.0 };
             let start = [angle.cos(), angle.sin()];
             let exact = in_tiny_steps(&slide, start);
             for steps in [1, 7] {
@@ -155,7 +159,7 @@ mod tests {
     #[test]
     fn elsewhere_errors_fall_fourfold_with_half_the_step() {
         for growth in [-0.6, 0.8] {
-            let slide = UnevenSlide { k: [1.0, 3.0], stretched: [0.4, 0.9], growth };
+            let slide = RelaxingSlide { tangential: [1.0, 3.0], stretched: [0.4, 0.9], growth };
             let start = [0.9_f64.cos(), -0.9_f64.sin()];
             let exact = in_tiny_steps(&slide, start);
             let off = [4, 8, 16].map(|steps| apart(in_steps(&slide, start, steps), exact));
@@ -169,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_long_way_leads_along_the_stretch() {
-        let slide = UnevenSlide { k: [1.0, 3.0], stretched: [4e5, 9e5], growth: 0.0 };
+        let slide = RelaxingSlide { tangential: [1.0, 3.0], stretched: [4e5, 9e5], growth: 0.0 };
         let p = slide.direction_after([-0.6, 0.8], 1.0);
         assert!(apart(p, [4.0 / 97.0_f64.sqrt(), 9.0 / 97.0_f64.sqrt()]) < 1e-15);
     }
