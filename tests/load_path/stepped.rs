@@ -234,7 +234,10 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                     alike += 1;
                 } else {
                     // A corner just before a maximum, or one just after it.
-                    assert!(![exact.kind, loss.kind].contains(&LossKind::Asymptote), "{scene}: {exact:?} {loss:?}");
+                    assert!(
+                        ![exact.kind, loss.kind].contains(&LossKind::Asymptote),
+                        "{scene}: {exact:?} {loss:?}"
+                    );
                     otherwise += 1;
                 }
             }

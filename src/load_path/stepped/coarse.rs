@@ -36,23 +36,23 @@ impl<const D: usize, const C: usize> Coarse<D, C> {
     }
 
     /// Makes the step that leads the first path from one place to another. `at_once` is that step from there, made at once: where the second path
-    /// finds none, or one elsewhere, it goes on there.
+    /// finds none, or one elsewhere, it goes on there. `beside` is memory for its own.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_, D, C>,
         [from, to, at_once]: [&Standing<D, C>; 3],
+        beside: &mut Standing<D, C>,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
         let near = to.twist + self.standing.twist - from.twist;
         let by = ELSEWHERE * distance + to.apart(at_once);
-        let mut step = || along.step(&self.standing, to.fraction - from.fraction, near);
-        let step = if distance <= ONE * largest { None } else { step() };
-        if let Some(step) = step.filter(|step| step.apart(at_once) <= by) {
-            self.standing = step;
+        let mut step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
+        if distance > ONE * largest && step().is_some() && beside.apart(at_once) <= by {
+            std::mem::swap(&mut self.standing, beside);
         } else {
             self.lost += distance / largest;
-            self.standing = at_once.clone();
+            self.standing.join(at_once);
         }
         self.farthest = self.farthest.max(self.lost + to.apart(&self.standing) / largest);
     }

@@ -2,9 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::contact::State;
+use crate::contact::{Answer, State};
 use crate::load_path::course::Course;
 use crate::load_path::journey::Journey;
+use crate::numerics::anew;
 use crate::object::{self, OneByOne, Problem};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
@@ -40,6 +41,22 @@ impl<const D: usize, const C: usize> Standing<D, C> {
     }
 }
 
+impl<const D: usize, const C: usize> Standing<D, C> {
+    /// Memory for one.
+    pub(super) fn nowhere() -> Self {
+        let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
+        Self { fraction: 0.0, twist: SVector::zeros(), slips, forces, states }
+    }
+
+    /// Stands where another does.
+    pub(super) fn join(&mut self, other: &Self) {
+        (self.fraction, self.twist) = (other.fraction, other.twist);
+        self.slips.clone_from(&other.slips);
+        self.forces.clone_from(&other.forces);
+        self.states.clone_from(&other.states);
+    }
+}
+
 /// What a step along a leg solves; drives and load are put in for each.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g, const D: usize, const C: usize> {
@@ -47,6 +64,9 @@ pub(super) struct StepProblem<'g, const D: usize, const C: usize> {
     /// Commands less clearances at the beginning of the leg, and what they change by.
     drives: [Vec<SVector<f64, C>>; 2],
     pub(super) course: Course<SVector<f64, D>>,
+    /// Stretches before a step, and what contacts answer after it.
+    before: Vec<SVector<f64, C>>,
+    answers: Vec<Answer<C>>,
 }
 
 impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
@@ -54,7 +74,14 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
     pub(super) fn along(journey: &Journey<'g, D, C>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let drives = journey.program.drives(journey.grasp);
-        Self { problem: journey.problem(drives[0].clone(), &course.at(0.0)), drives, course }
+        let problem = journey.problem(drives[0].clone(), &course.at(0.0));
+        Self { problem, drives, course, before: Vec::new(), answers: Vec::new() }
+    }
+
+    /// That of the next leg, in the same memory.
+    pub(super) fn set_out(&mut self, journey: &Journey<'g, D, C>) {
+        self.course = journey.program.inside_course(journey.grasp);
+        journey.program.drives_into(journey.grasp, &mut self.drives);
     }
 
     /// What the drive of a contact changes by along the leg.
@@ -62,48 +89,56 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
         self.drives[1][i]
     }
 
-    /// The step of a length from where a path stands, sought near a twist. `None` where Newton's method does not arrive.
+    /// The step of a length from where a path stands, sought near a twist: where it leads `to`. `None` where Newton's method does not arrive.
     pub(super) fn step(
         &mut self,
         from: &Standing<D, C>,
-        length: f64,
-        near: SVector<f64, D>,
-    ) -> Option<Standing<D, C>> {
+        (length, near): (f64, SVector<f64, D>),
+        to: &mut Standing<D, C>,
+    ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
-        let Self { problem, drives: [base, change], course } = self;
-        let mut before = Vec::with_capacity(base.len());
+        let Self { problem, drives: [base, change], course, before, answers } = self;
+        anew(before, base.len());
         for (i, site) in problem.sites.iter().enumerate() {
             let drive = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
             before.push(site.stretch(&drive(from.fraction), &from.twist));
             problem.drives[i] = drive(fraction);
         }
         (problem.wrench, problem.wrench_rest) = (course.at(fraction), SVector::zeros());
-        equilibrium_after(from, &before, problem, (fraction, near))
+        to.fraction = fraction;
+        equilibrium_after((from, before), problem, (near, answers), to)
     }
 }
 
-/// The equilibrium of a problem that counts slips from where a path stands. `before` has the stretches there, `near` a twist to
-/// start from. `None` where Newton's method does not arrive.
+/// The equilibrium of a problem that counts slips from where a path stands, with the stretches before the step there, sought near a twist. `None` where
+/// Newton's method does not arrive.
 fn equilibrium_after<const D: usize, const C: usize>(
-    from: &Standing<D, C>,
-    before: &[SVector<f64, C>],
+    (from, before): (&Standing<D, C>, &[SVector<f64, C>]),
     problem: &Problem<'_, D, C>,
-    (fraction, near): (f64, SVector<f64, D>),
-) -> Option<Standing<D, C>> {
+    (near, answers): (SVector<f64, D>, &mut Vec<Answer<C>>),
+    to: &mut Standing<D, C>,
+) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =
         ROUNDED * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
-    let mut answers =
-        OneByOne::new(problem, rounded, |i, stretch, _| problem.local(i).answer_after(&before[i], stretch));
-    let (twist, ..) = object::newton(&mut answers, near, SETTLED)?;
-    let mut slips = from.slips.clone();
-    for (i, (slip, answer)) in slips.iter_mut().zip(&answers.contacts).enumerate() {
-        let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &twist));
+    let answer = |i: usize, stretch: &SVector<f64, C>, _: &Answer<C>| {
+        problem.local(i).answer_after(&before[i], stretch)
+    };
+    let mut contacts = OneByOne::in_memory(problem, (rounded, std::mem::take(answers)), answer);
+    let arrived = object::newton(&mut contacts, near, SETTLED);
+    *answers = contacts.contacts;
+    (to.twist, ..) = arrived?;
+    to.slips.clone_from(&from.slips);
+    anew(&mut to.forces, answers.len());
+    anew(&mut to.states, answers.len());
+    for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
+        let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
         // What has rolled all the way has not slipped by the rounding of its spring either.
         if !(answer.state.is_rolling() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }
+        to.forces.push(answer.force);
+        to.states.push(answer.state);
     }
-    let (states, forces) = answers.contacts.iter().map(|answer| (answer.state, answer.force)).unzip();
-    Some(Standing { fraction, twist, slips, forces, states })
+    Some(())
 }

@@ -36,4 +36,10 @@ impl<const D: usize> Pace<D> {
         let speeds = Speeds::default();
         Self { rate: None, speeds, changed: 1.0, step: FIRST_STEP, longest, refused: false, tried: 0 }
     }
+
+    /// That of the next leg, in the same memory.
+    pub(super) fn set_out<X>(&mut self, course: &Course<X>) {
+        self.speeds.forget();
+        *self = Self { speeds: std::mem::take(&mut self.speeds), ..Self::along(course) };
+    }
 }

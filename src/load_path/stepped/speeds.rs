@@ -23,6 +23,11 @@ const TO_THE_END: f64 = 1e-8;
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
+    /// Nothing has moved yet.
+    pub(super) fn forget(&mut self) {
+        self.0.clear();
+    }
+
     /// A step has arrived at a fraction with this speed on the way.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         if self.0.last().is_none_or(|[_, fastest]| speed > GROWN * fastest) {

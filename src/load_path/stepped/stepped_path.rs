@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::coarse::Coarse;
 use super::one_step::{Standing, StepProblem};
 use super::pace::Pace;
+use super::walking::Places;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Grasp, Wrench};
@@ -30,6 +31,8 @@ pub struct Steps<'g, const D: usize, const C: usize> {
     pub(super) along: StepProblem<'g, D, C>,
     /// Where the path stands.
     pub(super) standing: Standing<D, C>,
+    /// Where the last step tried leads.
+    pub(super) places: Places<D, C>,
     /// How the steps of the leg go.
     pub(super) pace: Pace<D>,
     /// What was asked for.
@@ -125,7 +128,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let along = StepProblem::along(journey);
             let pace = Pace::along(&along.course);
             let coarse = Coarse::starting_at(&standing);
-            Ok(Steps { along, standing, pace, error, coarse, unseen: 0.0, way: 0.0 })
+            let places = Places::nowhere();
+            Ok(Steps { along, standing, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
         })
     }
 }
@@ -160,8 +164,8 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> 
     type Told = Step<D, C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>> {
-        self.along = StepProblem::along(journey);
-        self.pace = Pace::along(&self.along.course);
+        self.along.set_out(journey);
+        self.pace.set_out(&self.along.course);
         self.standing.fraction = 0.0;
         self.coarse.standing.fraction = 0.0;
         Ok(())

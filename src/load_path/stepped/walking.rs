@@ -35,11 +35,26 @@ const LEAP: f64 = 0.25;
 /// … and if springs would feel the step by more than this part of the largest force.
 const FELT: f64 = 0.05;
 
-/// A step made twice: in halves, which the path takes, and at once.
+/// Where a step leads that is made twice: in halves, which the path takes, and at once.
 #[derive(Debug)]
-struct Twice<const D: usize, const C: usize> {
+pub(super) struct Places<const D: usize, const C: usize> {
+    middle: Standing<D, C>,
     to: Standing<D, C>,
     at_once: Standing<D, C>,
+    /// Memory for the step of the second path.
+    beside: Standing<D, C>,
+}
+
+impl<const D: usize, const C: usize> Places<D, C> {
+    pub(super) fn nowhere() -> Self {
+        let [middle, to, at_once, beside] = [(); 4].map(|()| Standing::nowhere());
+        Self { middle, to, at_once, beside }
+    }
+}
+
+/// What such a step tells.
+#[derive(Debug)]
+struct Twice {
     /// The largest contact force on the way, N.
     largest: f64,
     /// What both miss alike, over the largest force.
@@ -82,15 +97,16 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
                 Ok(Came::OnTheWay)
             };
         }
-        self.pace.rate = Some((twice.to.twist - self.standing.twist) / length);
-        self.pace.speeds.note(twice.to.fraction, twice.felt / length);
-        self.pace.changed = twice.to.apart(&self.standing) / twice.felt;
+        let to = &self.places.to;
+        self.pace.rate = Some((to.twist - self.standing.twist) / length);
+        self.pace.speeds.note(to.fraction, twice.felt / length);
+        self.pace.changed = to.apart(&self.standing) / twice.felt;
         Ok(Came::To(self.arrive(journey, &twice)))
     }
 
     /// The error of a step, as a part of what it may be.
-    fn part_of_what_is_allowed(&self, twice: &Twice<D, C>) -> f64 {
-        let (from, Twice { to, at_once, largest, .. }) = (&self.standing, twice);
+    fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
+        let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.apart(from) / largest;
         let even = EVEN * self.error * length.max(way).max(twice.felt / largest);
@@ -106,13 +122,13 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
 
     /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only one
     /// elsewhere.
-    fn twice(&mut self, length: f64) -> Option<Twice<D, C>> {
-        let Self { along, standing: from, .. } = self;
+    fn twice(&mut self, length: f64) -> Option<Twice> {
+        let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.unwrap_or_else(SVector::zeros);
         let near = |at: &Standing<D, C>, rate: &SVector<f64, D>, length: f64| at.twist + rate * length;
-        let middle = along.step(from, 0.5 * length, near(from, &rate, 0.5 * length))?;
+        along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
         let rate = (middle.twist - from.twist) / (0.5 * length);
-        let to = along.step(&middle, 0.5 * length, near(&middle, &rate, 0.5 * length))?;
+        along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let off = middle.twist - (from.twist + to.twist) * 0.5;
         let sites = along.problem.sites;
@@ -120,18 +136,21 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         if felt > FELT * largest && most_felt(sites, &off) > LEAP * felt {
             return None;
         }
-        let unseen = along.unseen([from, &middle, &to]) / largest;
-        let at_once = along.step(from, length, to.twist)?;
-        let finite = unseen.is_finite() && (to.apart(&at_once) / largest).is_finite();
-        finite.then_some(Twice { to, at_once, largest, unseen, felt })
+        let unseen = along.unseen([from, middle, to]) / largest;
+        along.step(from, (length, to.twist), at_once)?;
+        let finite = unseen.is_finite() && (to.apart(at_once) / largest).is_finite();
+        finite.then_some(Twice { largest, unseen, felt })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice<D, C>) -> Step<D, C> {
-        let Twice { to, at_once, largest, unseen, .. } = twice;
-        self.coarse.follow(&mut self.along, [&self.standing, to, at_once]);
-        self.unseen = self.unseen.max(*unseen);
+    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice) -> Step<D, C> {
+        let Twice { largest, unseen, .. } = *twice;
+        let Places { to, at_once, beside, .. } = &mut self.places;
+        self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
+        self.unseen = self.unseen.max(unseen);
         self.way += to.apart(&self.standing) / largest;
-        self.standing = to.clone();
+        let error = (to.apart(at_once) / largest).max(unseen);
+        std::mem::swap(&mut self.standing, to);
+        let to = &self.standing;
         let (leg, fraction) = (journey.program.leg, to.fraction);
         Step {
             leg,
@@ -139,7 +158,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
             load: journey.program.load_at(fraction),
             sliding: to.states.iter().filter(|state| state.slides()).count(),
             open: to.states.iter().filter(|state| state.is_open()).count(),
-            error: (to.apart(at_once) / largest).max(*unseen),
+            error,
         }
     }
 }
