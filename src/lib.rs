@@ -60,11 +60,11 @@
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
 //! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
+//! | [`ask`] | a grasp and what it can be asked, whatever its number of coordinates |
 //! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
 //! | [`forms`] | kinematic and force form, what their rows mean |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
-//! | [`structured`] | Lemke's method on lists of contact states, for many contacts and for one scene after another in the same memory |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
@@ -82,7 +82,7 @@
 //! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never
 //! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
 //! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
-//! [`equilibrium::Rung`] says by which rule the returned one was found, [`grasp::Grasp::equilibria`] lists all (on the round cone those that
+//! [`equilibrium::Rung`] says by which rule the returned one was found, [`ask::Grasp::equilibria`] lists all (on the round cone those that
 //! a polygon leads to).
 //!
 //! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
@@ -94,6 +94,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod ask;
 mod contact;
 pub mod energy;
 pub mod equilibrium;
@@ -121,7 +122,7 @@ pub mod squeeze;
 pub mod statics;
 #[cfg(feature = "json")]
 pub mod stream;
-pub mod structured;
+mod structured;
 pub mod sweep;
 
 pub use contact::{Fit, PolygonCone};

@@ -9,20 +9,20 @@ pub use crate::grasp::Pressure;
 pub type Contact = crate::grasp::Contact<2>;
 /// A row of point contacts that stands for one finger pad; see [`crate::grasp::SoftFingertip`].
 pub type SoftFingertip = crate::grasp::SoftFingertip<2>;
-/// A planar grasp; see [`crate::grasp::Grasp`].
-pub type Grasp = crate::grasp::Grasp<3, 2>;
+/// A planar grasp; see [`crate::ask::Grasp`].
+pub type Grasp = crate::ask::Grasp<2>;
 /// Force (x, y) and moment; see [`crate::grasp::Wrench`].
-pub type Wrench = crate::grasp::Wrench<3, 2>;
+pub type Wrench = crate::grasp::Wrench<2>;
 /// Translation (x, y) and rotation; see [`crate::grasp::Twist`].
-pub type Twist = crate::grasp::Twist<3, 2>;
+pub type Twist = crate::grasp::Twist<2>;
 /// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
-pub type Outcome<const D: usize = 3> = crate::equilibrium::Outcome<D, 2>;
+pub type Outcome = crate::equilibrium::Outcome<2>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
-pub type Equilibrium<const D: usize = 3> = crate::equilibrium::Equilibrium<D, 2>;
+pub type Equilibrium = crate::equilibrium::Equilibrium<2>;
 /// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
-pub type NoEquilibrium<const D: usize = 3> = crate::equilibrium::NoEquilibrium<D, 2>;
+pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<2>;
 /// How it is known that none exists; see [`crate::equilibrium::Proof`].
-pub type Proof<const D: usize = 3> = crate::equilibrium::Proof<D, 2>;
+pub type Proof = crate::equilibrium::Proof<2>;
 /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
 pub type ContactAnswer = crate::equilibrium::ContactAnswer<2>;
 /// What a contact does; see [`crate::equilibrium::ContactState`].
@@ -30,68 +30,67 @@ pub type ContactState = crate::equilibrium::ContactState<2>;
 /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
 pub type Decomposition = crate::equilibrium::Decomposition<2>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
-pub type Ramp = crate::load_path::Ramp<3, 2>;
+pub type Ramp = crate::load_path::Ramp<2>;
 /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
-pub type Closure = crate::statics::Closure<3, 2>;
+pub type Closure = crate::statics::Closure<2>;
 /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
-pub type Loads = crate::squeeze::Loads<3, 2>;
+pub type Loads = crate::squeeze::Loads<2>;
 /// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].
-pub type LeastSqueeze = crate::squeeze::LeastSqueeze<3, 2>;
+pub type LeastSqueeze = crate::squeeze::LeastSqueeze<2>;
 /// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
-pub type WeakestDirection = crate::squeeze::WeakestDirection<3, 2>;
+pub type WeakestDirection = crate::squeeze::WeakestDirection<2>;
 /// How far commands and loads may be off; see [`crate::squeeze::Bounds`].
-pub type Bounds = crate::squeeze::Bounds<3, 2>;
+pub type Bounds = crate::squeeze::Bounds<2>;
 /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
-pub type LeastOnset = crate::squeeze::LeastOnset<3, 2>;
+pub type LeastOnset = crate::squeeze::LeastOnset<2>;
 /// A load that turns; see [`crate::load_path::Turn`].
-pub type Turn = crate::load_path::Turn<3, 2>;
+pub type Turn = crate::load_path::Turn<2>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].
-pub type TurnOnset<const D: usize = 3> = crate::load_path::TurnOnset<D, 2>;
+pub type TurnOnset = crate::load_path::TurnOnset<2>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
-pub type Onset<const D: usize = 3> = crate::load_path::Onset<D, 2>;
-/// Memory for one onset after another; see [`crate::load_path::OnsetWorkspace`].
-pub type OnsetWorkspace<const D: usize = 3> = crate::load_path::OnsetWorkspace<D, 2>;
+pub type Onset = crate::load_path::Onset<2>;
+/// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
+pub type OnsetWorkspace = crate::ask::OnsetWorkspace<2>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
-pub type OnsetEvent<const D: usize = 3> = crate::load_path::OnsetEvent<D, 2>;
+pub type OnsetEvent = crate::load_path::OnsetEvent<2>;
 /// A contact that leaves rolling; see [`crate::load_path::Leaving`].
 pub type Leaving = crate::load_path::Leaving<2>;
 /// How a contact leaves rolling; see [`crate::load_path::Departure`].
 pub type Departure = crate::load_path::Departure<2>;
 /// What comes after the onset; see [`crate::load_path::Beyond`].
-pub type Beyond<const D: usize = 3> = crate::load_path::Beyond<D, 2>;
+pub type Beyond = crate::load_path::Beyond<2>;
 /// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
-pub type Continuation<const D: usize = 3> = crate::load_path::Continuation<D, 2>;
+pub type Continuation = crate::load_path::Continuation<2>;
 /// One leg of a load program; see [`crate::load_path::Leg`].
-pub type Leg = crate::load_path::Leg<3, 2>;
+pub type Leg = crate::load_path::Leg<2>;
 /// Something changes on a load path; see [`crate::load_path::Event`].
-pub type Event<const D: usize = 3> = crate::load_path::Event<D, 2>;
+pub type Event = crate::load_path::Event<2>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<2>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
-pub type PathEnd<const D: usize = 3> = crate::load_path::PathEnd<D, 2>;
+pub type PathEnd = crate::load_path::PathEnd<2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
-pub type LoadPath<'g, const D: usize = 3> = crate::load_path::LoadPath<'g, D, 2>;
+pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 2>;
 /// A few contacts made ready for screening; see [`crate::screening::Fingers`].
 pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
 /// Many of them; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
 /// The load on them; see [`crate::screening::Pull`].
-pub type Pull = crate::screening::Pull<3, 2>;
+pub type Pull = crate::screening::Pull<2>;
 /// A load on them that turns; see [`crate::screening::TurningPull`].
-pub type TurningPull = crate::screening::TurningPull<3, 2>;
+pub type TurningPull = crate::screening::TurningPull<2>;
 /// The loads that they are to hold; see [`crate::screening::LoadCases`].
-pub type LoadCases = crate::screening::LoadCases<3, 2>;
+pub type LoadCases = crate::screening::LoadCases<2>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
-pub type PatchPath<'g, const D: usize = 3> = crate::load_path::PatchPath<'g, D, 2>;
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 2>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
-pub type PatchEvent<const D: usize = 3> = crate::load_path::PatchEvent<D, 2>;
+pub type PatchEvent = crate::load_path::PatchEvent<2>;
 /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
-pub type SteppedPath<'g, const D: usize = 3> = crate::load_path::SteppedPath<'g, D, 2>;
+pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, 2>;
 /// One of them; see [`crate::load_path::Step`].
-pub type Step<const D: usize = 3> = crate::load_path::Step<D, 2>;
+pub type Step = crate::load_path::Step<2>;
 
-/// Names for grasps by a hand with joints in the plane: 3 coordinates of the object, and one or more for each joint. The answers are those of
-/// [`crate::planar`] with that number of coordinates.
+/// Names for hands with joints in the plane: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
 pub mod hand {
     pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
     pub use crate::grasp::{HandPart, Limit, Tendon};
@@ -103,16 +102,4 @@ pub mod hand {
     pub type Finger = crate::grasp::Finger<2>;
     /// A hand; see [`crate::grasp::Hand`].
     pub type Hand = crate::grasp::Hand<2>;
-    /// A grasp by a hand, in D coordinates; see [`crate::grasp::Grasp`].
-    pub type Grasp<const D: usize> = crate::grasp::Grasp<D, 2>;
-    /// A load on the object, and on joints behind it; see [`crate::grasp::Wrench`].
-    pub type Wrench<const D: usize> = crate::grasp::Wrench<D, 2>;
-    /// A motion of the object, and of joints behind it; see [`crate::grasp::Twist`].
-    pub type Twist<const D: usize> = crate::grasp::Twist<D, 2>;
-    /// A load that turns; see [`crate::load_path::Turn`].
-    pub type Turn<const D: usize> = crate::load_path::Turn<D, 2>;
-    /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
-    pub type Ramp<const D: usize> = crate::load_path::Ramp<D, 2>;
-    /// One leg of a load program; see [`crate::load_path::Leg`].
-    pub type Leg<const D: usize> = crate::load_path::Leg<D, 2>;
 }

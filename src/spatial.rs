@@ -8,91 +8,90 @@ pub use crate::grasp::Pressure;
 pub type Contact = crate::grasp::Contact<3>;
 /// A ring or disc of point contacts that stands for one fingertip; see [`crate::grasp::SoftFingertip`].
 pub type SoftFingertip = crate::grasp::SoftFingertip<3>;
-/// A spatial grasp; see [`crate::grasp::Grasp`].
-pub type Grasp = crate::grasp::Grasp<6, 3>;
+/// A spatial grasp; see [`crate::ask::Grasp`].
+pub type Grasp = crate::ask::Grasp<3>;
 /// Force (x, y, z) and moment (x, y, z); see [`crate::grasp::Wrench`].
-pub type Wrench = crate::grasp::Wrench<6, 3>;
+pub type Wrench = crate::grasp::Wrench<3>;
 /// Translation (x, y, z) and rotation (x, y, z); see [`crate::grasp::Twist`].
-pub type Twist = crate::grasp::Twist<6, 3>;
+pub type Twist = crate::grasp::Twist<3>;
 /// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
-pub type Outcome<const D: usize = 6> = crate::equilibrium::Outcome<D, 3>;
+pub type Outcome = crate::equilibrium::Outcome<3>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
-pub type Equilibrium<const D: usize = 6> = crate::equilibrium::Equilibrium<D, 3>;
+pub type Equilibrium = crate::equilibrium::Equilibrium<3>;
 /// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
-pub type NoEquilibrium<const D: usize = 6> = crate::equilibrium::NoEquilibrium<D, 3>;
+pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<3>;
 /// How it is known that none exists; see [`crate::equilibrium::Proof`].
-pub type Proof<const D: usize = 6> = crate::equilibrium::Proof<D, 3>;
+pub type Proof = crate::equilibrium::Proof<3>;
 /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
 pub type ContactAnswer = crate::equilibrium::ContactAnswer<3>;
 /// What a contact does; see [`crate::equilibrium::ContactState`].
 pub type ContactState = crate::equilibrium::ContactState<3>;
 /// One load on three friction cones; see [`crate::equilibrium::Bracket`].
-pub type Bracket<const D: usize = 6> = crate::equilibrium::Bracket<D, 3>;
+pub type Bracket = crate::equilibrium::Bracket<3>;
 /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
 pub type Decomposition = crate::equilibrium::Decomposition<3>;
 /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
-pub type Ramp = crate::load_path::Ramp<6, 3>;
+pub type Ramp = crate::load_path::Ramp<3>;
 /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
-pub type Closure = crate::statics::Closure<6, 3>;
+pub type Closure = crate::statics::Closure<3>;
 /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
-pub type Loads = crate::squeeze::Loads<6, 3>;
+pub type Loads = crate::squeeze::Loads<3>;
 /// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].
-pub type LeastSqueeze = crate::squeeze::LeastSqueeze<6, 3>;
+pub type LeastSqueeze = crate::squeeze::LeastSqueeze<3>;
 /// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
-pub type WeakestDirection = crate::squeeze::WeakestDirection<6, 3>;
+pub type WeakestDirection = crate::squeeze::WeakestDirection<3>;
 /// How far commands and loads may be off; see [`crate::squeeze::Bounds`].
-pub type Bounds = crate::squeeze::Bounds<6, 3>;
+pub type Bounds = crate::squeeze::Bounds<3>;
 /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
-pub type LeastOnset = crate::squeeze::LeastOnset<6, 3>;
+pub type LeastOnset = crate::squeeze::LeastOnset<3>;
 /// A load that turns; see [`crate::load_path::Turn`].
-pub type Turn = crate::load_path::Turn<6, 3>;
+pub type Turn = crate::load_path::Turn<3>;
 /// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].
-pub type TurnOnset<const D: usize = 6> = crate::load_path::TurnOnset<D, 3>;
+pub type TurnOnset = crate::load_path::TurnOnset<3>;
 /// When the first contact leaves rolling; see [`crate::load_path::Onset`].
-pub type Onset<const D: usize = 6> = crate::load_path::Onset<D, 3>;
-/// Memory for one onset after another; see [`crate::load_path::OnsetWorkspace`].
-pub type OnsetWorkspace<const D: usize = 6> = crate::load_path::OnsetWorkspace<D, 3>;
+pub type Onset = crate::load_path::Onset<3>;
+/// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
+pub type OnsetWorkspace = crate::ask::OnsetWorkspace<3>;
 /// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
-pub type OnsetEvent<const D: usize = 6> = crate::load_path::OnsetEvent<D, 3>;
+pub type OnsetEvent = crate::load_path::OnsetEvent<3>;
 /// A contact that leaves rolling; see [`crate::load_path::Leaving`].
 pub type Leaving = crate::load_path::Leaving<3>;
 /// How a contact leaves rolling; see [`crate::load_path::Departure`].
 pub type Departure = crate::load_path::Departure<3>;
 /// What comes after the onset; see [`crate::load_path::Beyond`].
-pub type Beyond<const D: usize = 6> = crate::load_path::Beyond<D, 3>;
+pub type Beyond = crate::load_path::Beyond<3>;
 /// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
-pub type Continuation<const D: usize = 6> = crate::load_path::Continuation<D, 3>;
+pub type Continuation = crate::load_path::Continuation<3>;
 /// One leg of a load program; see [`crate::load_path::Leg`].
-pub type Leg = crate::load_path::Leg<6, 3>;
+pub type Leg = crate::load_path::Leg<3>;
 /// Something changes on a load path; see [`crate::load_path::Event`].
-pub type Event<const D: usize = 6> = crate::load_path::Event<D, 3>;
+pub type Event = crate::load_path::Event<3>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<3>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
-pub type PathEnd<const D: usize = 6> = crate::load_path::PathEnd<D, 3>;
+pub type PathEnd = crate::load_path::PathEnd<3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
-pub type LoadPath<'g, const D: usize = 6> = crate::load_path::LoadPath<'g, D, 3>;
+pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3>;
 /// A few contacts made ready for screening; see [`crate::screening::Fingers`].
 pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
 /// Many of them; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
 /// The load on them; see [`crate::screening::Pull`].
-pub type Pull = crate::screening::Pull<6, 3>;
+pub type Pull = crate::screening::Pull<3>;
 /// A load on them that turns; see [`crate::screening::TurningPull`].
-pub type TurningPull = crate::screening::TurningPull<6, 3>;
+pub type TurningPull = crate::screening::TurningPull<3>;
 /// The loads that they are to hold; see [`crate::screening::LoadCases`].
-pub type LoadCases = crate::screening::LoadCases<6, 3>;
+pub type LoadCases = crate::screening::LoadCases<3>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
-pub type PatchPath<'g, const D: usize = 6> = crate::load_path::PatchPath<'g, D, 3>;
+pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3>;
 /// One contact changes on it; see [`crate::load_path::PatchEvent`].
-pub type PatchEvent<const D: usize = 6> = crate::load_path::PatchEvent<D, 3>;
+pub type PatchEvent = crate::load_path::PatchEvent<3>;
 /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
-pub type SteppedPath<'g, const D: usize = 6> = crate::load_path::SteppedPath<'g, D, 3>;
+pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, 3>;
 /// One of them; see [`crate::load_path::Step`].
-pub type Step<const D: usize = 6> = crate::load_path::Step<D, 3>;
+pub type Step = crate::load_path::Step<3>;
 
-/// Names for grasps by a hand with joints in space: 6 coordinates of the object, and one or more for each joint. The answers are those of
-/// [`crate::spatial`] with that number of coordinates.
+/// Names for hands with joints in space: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
 pub mod hand {
     pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
     pub use crate::grasp::{HandPart, Limit, Tendon};
@@ -104,16 +103,4 @@ pub mod hand {
     pub type Finger = crate::grasp::Finger<3>;
     /// A hand; see [`crate::grasp::Hand`].
     pub type Hand = crate::grasp::Hand<3>;
-    /// A grasp by a hand, in D coordinates; see [`crate::grasp::Grasp`].
-    pub type Grasp<const D: usize> = crate::grasp::Grasp<D, 3>;
-    /// A load on the object, and on joints behind it; see [`crate::grasp::Wrench`].
-    pub type Wrench<const D: usize> = crate::grasp::Wrench<D, 3>;
-    /// A motion of the object, and of joints behind it; see [`crate::grasp::Twist`].
-    pub type Twist<const D: usize> = crate::grasp::Twist<D, 3>;
-    /// A load that turns; see [`crate::load_path::Turn`].
-    pub type Turn<const D: usize> = crate::load_path::Turn<D, 3>;
-    /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
-    pub type Ramp<const D: usize> = crate::load_path::Ramp<D, 3>;
-    /// One leg of a load program; see [`crate::load_path::Leg`].
-    pub type Leg<const D: usize> = crate::load_path::Leg<D, 3>;
 }

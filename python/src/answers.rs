@@ -21,10 +21,10 @@ pub(crate) enum Reply {
 }
 
 /// An answer as the crate gave it.
-pub(crate) enum Raw<const D: usize, const C: usize> {
-    Solved(Outcome<D, C>),
-    Onset(Onset<D, C>),
-    Turn(TurnOnset<D, C>),
+pub(crate) enum Raw<const C: usize> {
+    Solved(Outcome<C>),
+    Onset(Onset<C>),
+    Turn(TurnOnset<C>),
 }
 
 /// What Python reads of an answer: two fields at once, the rest when it is written.
@@ -36,9 +36,9 @@ trait Tells: Send + Sync {
     fn page(&self, title: &str) -> PyResult<Option<String>>;
 }
 
-struct Of<const D: usize, const C: usize> {
-    kept: Arc<Kept<D, C>>,
-    raw: Raw<D, C>,
+struct Of<const C: usize> {
+    kept: Arc<Kept<C>>,
+    raw: Raw<C>,
 }
 
 /// An answer that is written when it is read; see `grasp_lcp.Answer`.
@@ -71,9 +71,9 @@ impl Told {
 }
 
 impl Reply {
-    pub(crate) fn told<const D: usize, const C: usize>(kept: Arc<Kept<D, C>>, raw: Raw<D, C>) -> Self
+    pub(crate) fn told<const C: usize>(kept: Arc<Kept<C>>, raw: Raw<C>) -> Self
     where
-        Kept<D, C>: Drawn<D, C>,
+        Kept<C>: Drawn<C>,
     {
         Self::Told(Told(Box::new(Of { kept, raw })))
     }
@@ -85,7 +85,7 @@ pub(crate) fn json(answer: &impl Serialize) -> PyResult<String> {
 }
 
 /// The word for an onset in the format of scenes.
-fn word<const D: usize, const C: usize>(onset: &Onset<D, C>) -> &'static str {
+fn word<const C: usize>(onset: &Onset<C>) -> &'static str {
     match onset {
         Onset::At(_) => "at",
         Onset::Never => "never",
@@ -96,8 +96,8 @@ fn word<const D: usize, const C: usize>(onset: &Onset<D, C>) -> &'static str {
     }
 }
 
-impl<const D: usize, const C: usize> Of<D, C> {
-    fn onset(&self) -> Option<&Onset<D, C>> {
+impl<const C: usize> Of<C> {
+    fn onset(&self) -> Option<&Onset<C>> {
         match &self.raw {
             Raw::Solved(_) => None,
             Raw::Onset(onset) => Some(onset),
@@ -106,7 +106,7 @@ impl<const D: usize, const C: usize> Of<D, C> {
     }
 
     /// The equilibrium to draw, if there is one.
-    fn state(&self) -> PyResult<Option<Equilibrium<D, C>>> {
+    fn state(&self) -> PyResult<Option<Equilibrium<C>>> {
         let grasp = self.kept.without_joints("pictures").map_err(refused)?;
         Ok(match (&self.raw, self.onset()) {
             (Raw::Solved(outcome), _) => outcome.equilibrium().cloned(),
@@ -117,9 +117,9 @@ impl<const D: usize, const C: usize> Of<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Tells for Of<D, C>
+impl<const C: usize> Tells for Of<C>
 where
-    Kept<D, C>: Drawn<D, C>,
+    Kept<C>: Drawn<C>,
 {
     fn outcome(&self) -> &'static str {
         match &self.raw {

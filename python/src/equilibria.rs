@@ -3,8 +3,9 @@
 use std::ops::Range;
 
 use grasp_lcp::Error;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome};
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::sweep::map_in_order;
 use numpy::ndarray::ArrayView2;
 use numpy::{IntoPyArray, PyReadonlyArray2};
@@ -54,8 +55,8 @@ pub(crate) fn equilibria_of_rows<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (columns, load) = (columns.view(), load.as_array());
     let found = py.detach(|| match columns.axes() {
-        2 => Some(all::<3, 2>(&columns, &load, own)),
-        3 => Some(all::<6, 3>(&columns, &load, own)),
+        2 => Some(all::<2>(&columns, &load, own)),
+        3 => Some(all::<3>(&columns, &load, own)),
         _ => None,
     });
     let found = found.ok_or_else(|| wrong("points: must have 2 or 3 coordinates"))?;
@@ -76,38 +77,29 @@ pub(crate) fn equilibria_of_rows<'py>(
     Ok(arrays)
 }
 
-fn all<const D: usize, const C: usize>(
-    columns: &Columns<'_>,
-    loads: &ArrayView2<'_, f64>,
-    own: bool,
-) -> Found {
-    let load = |p| Wrench::from_vector(std::array::from_fn(|k| loads[[p, k]]));
-    let loads: Vec<Wrench<D, C>> = (0..loads.nrows()).map(load).collect();
+fn all<const C: usize>(columns: &Columns<'_>, loads: &ArrayView2<'_, f64>, own: bool) -> Found {
+    let load = |p: usize| Wrench::from_components(&loads.row(p).to_vec());
+    let loads: Vec<Wrench<C>> = (0..loads.nrows()).map(load).collect();
     let rows = columns.rows();
     let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
     let parts = map_in_order(&chunks, |chunk| some(columns, &loads, own, chunk.clone()));
     parts.into_iter().fold(Found::default(), Found::and)
 }
 
-fn some<const D: usize, const C: usize>(
-    columns: &Columns<'_>,
-    loads: &[Wrench<D, C>],
-    own: bool,
-    rows: Range<usize>,
-) -> Found {
+fn some<const C: usize>(columns: &Columns<'_>, loads: &[Wrench<C>], own: bool, rows: Range<usize>) -> Found {
     let mut found = Found::default();
     for row in rows {
-        let grasp = Grasp::<D, C>::new((0..columns.contacts()).map(|i| columns.contact::<C>(row, i)));
+        let grasp = Grasp::<C>::new((0..columns.contacts()).map(|i| columns.contact::<C>(row, i)));
         let of_row = if own { row..row + 1 } else { 0..loads.len() };
         for load in &loads[of_row] {
             let outcome = grasp.as_ref().map_err(status_of);
             match outcome.and_then(|grasp| grasp.solve(load).map_err(|error| status_of(&error))) {
                 Ok(Outcome::Equilibrium(state)) => found.push(&state),
                 Ok(Outcome::NoEquilibrium(_)) => {
-                    found.push_nothing::<D, C>(Status::NoEquilibrium, columns.contacts());
+                    found.push_nothing::<C>(Status::NoEquilibrium, columns.contacts());
                 }
-                Ok(_) => found.push_nothing::<D, C>(Status::Undecided, columns.contacts()),
-                Err(status) => found.push_nothing::<D, C>(status, columns.contacts()),
+                Ok(_) => found.push_nothing::<C>(Status::Undecided, columns.contacts()),
+                Err(status) => found.push_nothing::<C>(status, columns.contacts()),
             }
         }
     }
@@ -115,12 +107,12 @@ fn some<const D: usize, const C: usize>(
 }
 
 impl Found {
-    fn push<const D: usize, const C: usize>(&mut self, state: &Equilibrium<D, C>) {
+    fn push<const C: usize>(&mut self, state: &Equilibrium<C>) {
         let r = &state.residuals;
         let residual =
             [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
         self.status.push(Status::Equilibrium as u8);
-        self.twist.extend(state.twist.as_vector().iter());
+        self.twist.extend(state.twist.components());
         self.residual.push(residual);
         for contact in &state.contacts {
             self.states.push(code_of(&contact.state));
@@ -132,13 +124,13 @@ impl Found {
         }
     }
 
-    fn push_nothing<const D: usize, const C: usize>(&mut self, status: Status, contacts: usize) {
+    fn push_nothing<const C: usize>(&mut self, status: Status, contacts: usize) {
         fn more<T: Copy>(list: &mut Vec<T>, count: usize, value: T) {
             list.resize(list.len() + count, value);
         }
         self.status.push(status as u8);
         self.residual.push(f64::NAN);
-        more(&mut self.twist, D, f64::NAN);
+        more(&mut self.twist, C * (C + 1) / 2, f64::NAN);
         more(&mut self.states, contacts, UNKNOWN);
         for of_contacts in [&mut self.gap, &mut self.margin] {
             more(of_contacts, contacts, f64::NAN);

@@ -38,8 +38,8 @@ pub(crate) struct AskedRamp<'a, 'py> {
     joint_change: Option<Vec<f64>>,
 }
 
-impl<const D: usize, const C: usize> Kept<D, C> {
-    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<RampAsked<D, C>> {
+impl<const C: usize> Kept<C> {
+    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<RampAsked<C>> {
         let mut ramp = RampAsked::along(wrench("direction", asked.direction)?);
         if let Some(base) = asked.base {
             ramp.base = wrench("base", base)?;
@@ -65,8 +65,8 @@ pub(crate) trait InSpace: Sized {
     fn own(answers: Answers) -> Vec<Self::Answer>;
 }
 
-impl InSpace for Setup<3, 2> {
-    type Answer = Answer<3, 2>;
+impl InSpace for Setup<2> {
+    type Answer = Answer<2>;
     fn in_space(self) -> Space {
         Space::Planar(self)
     }
@@ -75,8 +75,8 @@ impl InSpace for Setup<3, 2> {
     }
 }
 
-impl InSpace for Setup<6, 3> {
-    type Answer = Answer<6, 3>;
+impl InSpace for Setup<3> {
+    type Answer = Answer<3>;
     fn in_space(self) -> Space {
         Space::Spatial(self)
     }
@@ -86,12 +86,12 @@ impl InSpace for Setup<6, 3> {
 }
 
 /// One question through the scene room, which knows grasps with and without joints; the answer in JSON.
-fn asked<const D: usize, const C: usize>(setup: &Setup<D, C>, question: Question<D, C>) -> PyResult<String>
+fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
 where
-    Setup<D, C>: InSpace<Answer = Answer<D, C>>,
+    Setup<C>: InSpace<Answer = Answer<C>>,
 {
     let scene = Scene::from(setup.clone().ask(question).in_space());
-    let answers = Setup::<D, C>::own(scene.answers().map_err(refused)?);
+    let answers = Setup::<C>::own(scene.answers().map_err(refused)?);
     match answers.into_iter().next() {
         Some(Answer::Solve(answer)) => json(&answer),
         Some(Answer::Onset(answer)) => json(&answer),
@@ -101,10 +101,10 @@ where
     }
 }
 
-impl<const D: usize, const C: usize> Held for Kept<D, C>
+impl<const C: usize> Held for Kept<C>
 where
-    Setup<D, C>: InSpace<Answer = Answer<D, C>>,
-    Self: Drawn<D, C>,
+    Setup<C>: InSpace<Answer = Answer<C>>,
+    Self: Drawn<C>,
 {
     fn json(&self) -> PyResult<String> {
         json(&Scene::from(self.setup.clone().in_space()))
@@ -119,11 +119,11 @@ where
     }
 
     fn solve(self: Arc<Self>, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
-        let load: Wrench<D, C> = wrench("load", load)?;
+        let load: Wrench<C> = wrench("load", load)?;
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::Solve { load }).map(Reply::Written);
         };
-        let outcome = grasp.solve_with(&load, &self.setup.settings).map_err(refused)?;
+        let outcome = grasp.with(&self.setup.settings).solve(&load).map_err(refused)?;
         Ok(Reply::told(self, Raw::Solved(outcome)))
     }
 
@@ -133,16 +133,16 @@ where
             return asked(&self.setup, Question::Onset(ramp)).map(Reply::Written);
         };
         let ramp = self.setup.ramp(&ramp).map_err(refused)?;
-        let onset = grasp.onset_with(&ramp, &self.setup.settings).map_err(refused)?;
+        let onset = grasp.with(&self.setup.settings).onset(&ramp).map_err(refused)?;
         Ok(Reply::told(self, Raw::Onset(onset)))
     }
 
     fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply> {
-        let turn: Turn<D, C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
+        let turn: Turn<C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
         };
-        let onset = grasp.onset_of_turn_with(&turn, &self.setup.settings).map_err(refused)?;
+        let onset = grasp.with(&self.setup.settings).onset_of_turn(&turn).map_err(refused)?;
         Ok(Reply::told(self, Raw::Turn(onset)))
     }
 
@@ -154,7 +154,7 @@ where
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
         let load = wrench("load", load)?;
         let grasp = self.without_joints("equilibria").map_err(refused)?;
-        let all = py.detach(|| grasp.equilibria_with(&load, &self.setup.settings)).map_err(refused)?;
+        let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(&load)).map_err(refused)?;
         let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
         json(&told.map_err(refused)?)
     }
@@ -288,7 +288,7 @@ impl Grasp {
 }
 
 /// A setup of which nothing is asked.
-fn alone<const D: usize, const C: usize>(mut setup: Setup<D, C>) -> Setup<D, C> {
+fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup.questions.clear();
     setup
 }
@@ -309,14 +309,14 @@ struct Beside<'py> {
 
 impl Beside<'_> {
     fn planar(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
-        Ok(Kept::<3, 2>::new(self.setup(columns)).map_err(refused)?)
+        Ok(Kept::<2>::new(self.setup(columns)).map_err(refused)?)
     }
 
     fn spatial(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
-        Ok(Kept::<6, 3>::new(self.setup(columns)).map_err(refused)?)
+        Ok(Kept::<3>::new(self.setup(columns)).map_err(refused)?)
     }
 
-    fn setup<const D: usize, const C: usize>(&self, columns: &Columns<'_>) -> Setup<D, C> {
+    fn setup<const C: usize>(&self, columns: &Columns<'_>) -> Setup<C> {
         let contact = |i: usize| {
             let contact = columns.contact::<C>(0, i);
             match self.names.get(i) {

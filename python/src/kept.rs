@@ -3,23 +3,23 @@
 use std::sync::Arc;
 
 use grasp_lcp::Error;
-use grasp_lcp::grasp::Grasp;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::scene::Setup;
 
 /// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it.
-pub(crate) struct Kept<const D: usize, const C: usize> {
-    pub(crate) setup: Setup<D, C>,
-    pub(crate) grasp: Option<Grasp<D, C>>,
+pub(crate) struct Kept<const C: usize> {
+    pub(crate) setup: Setup<C>,
+    pub(crate) grasp: Option<Grasp<C>>,
 }
 
-impl<const D: usize, const C: usize> Kept<D, C> {
-    pub(crate) fn new(setup: Setup<D, C>) -> Result<Arc<Self>, Error> {
+impl<const C: usize> Kept<C> {
+    pub(crate) fn new(setup: Setup<C>) -> Result<Arc<Self>, Error> {
         let grasp = if setup.is_held_by_a_hand() { None } else { Some(setup.grasp()?) };
         Ok(Arc::new(Self { setup, grasp }))
     }
 
     /// The grasp, for questions that know no joints.
-    pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Grasp<D, C>, Error> {
+    pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Grasp<C>, Error> {
         self.grasp.as_ref().ok_or(Error::NotForHands { question })
     }
 }

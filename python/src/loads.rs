@@ -11,19 +11,17 @@ use crate::errors::wrong;
 /// More numbers than any load has.
 const MOST: usize = 6;
 
-/// A load of `C` components of a force (N), or of all `D` with the moment about the origin (N m).
-pub(crate) fn wrench<const D: usize, const C: usize>(
-    argument: &str,
-    given: &Bound<'_, PyAny>,
-) -> PyResult<Wrench<D, C>> {
+/// A load of `C` components of a force (N), or of all with the moment about the origin (N m).
+pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     let (numbers, count) = few(argument, given)?;
-    if count != C && count != D {
+    let all = C * (C + 1) / 2;
+    if count != C && count != all {
         let given = if count > MOST { format!("more than {MOST}") } else { count.to_string() };
         return Err(wrong(format_args!(
-            "{argument}: {given} numbers given, must be {C} of a force or {D} of a force and a moment"
+            "{argument}: {given} numbers given, must be {C} of a force or {all} of a force and a moment"
         )));
     }
-    Ok(Wrench::from_vector(std::array::from_fn(|k| if k < count { numbers[k] } else { 0.0 })))
+    Ok(Wrench::from_components(&numbers[..count]))
 }
 
 /// A point of `C` coordinates, m.

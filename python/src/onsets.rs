@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use grasp_lcp::Error;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
 use grasp_lcp::sweep::map_in_order;
@@ -53,16 +54,16 @@ pub(crate) fn onsets_of_rows<'py>(
 ) -> PyResult<Arrays<'py>> {
     let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
     let found = py.detach(|| match (columns.axes(), columns.contacts()) {
-        (2, 2) => Some(Rows::<3, 2>::new(&columns, &base, &direction, own, complete).screened::<2>()),
-        (2, 3) => Some(Rows::<3, 2>::new(&columns, &base, &direction, own, complete).screened::<3>()),
-        (2, 4) => Some(Rows::<3, 2>::new(&columns, &base, &direction, own, complete).screened::<4>()),
-        (2, 5) => Some(Rows::<3, 2>::new(&columns, &base, &direction, own, complete).screened::<5>()),
-        (2, _) => Some(Rows::<3, 2>::new(&columns, &base, &direction, own, complete).whole()),
-        (3, 2) => Some(Rows::<6, 3>::new(&columns, &base, &direction, own, complete).screened::<2>()),
-        (3, 3) => Some(Rows::<6, 3>::new(&columns, &base, &direction, own, complete).screened::<3>()),
-        (3, 4) => Some(Rows::<6, 3>::new(&columns, &base, &direction, own, complete).screened::<4>()),
-        (3, 5) => Some(Rows::<6, 3>::new(&columns, &base, &direction, own, complete).screened::<5>()),
-        (3, _) => Some(Rows::<6, 3>::new(&columns, &base, &direction, own, complete).whole()),
+        (2, 2) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 2>()),
+        (2, 3) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 3>()),
+        (2, 4) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 4>()),
+        (2, 5) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 5>()),
+        (2, _) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).whole()),
+        (3, 2) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 2>()),
+        (3, 3) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 3>()),
+        (3, 4) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 4>()),
+        (3, 5) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 5>()),
+        (3, _) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).whole()),
         _ => None,
     });
     let Found { factor, status, leaving } =
@@ -71,17 +72,17 @@ pub(crate) fn onsets_of_rows<'py>(
 }
 
 /// What is asked of each row.
-struct Rows<'a, const D: usize, const C: usize> {
+struct Rows<'a, const C: usize> {
     columns: &'a Columns<'a>,
-    loads: Vec<[Wrench<D, C>; 2]>,
-    pulls: Vec<Result<Pull<D, C>, Status>>,
+    loads: Vec<[Wrench<C>; 2]>,
+    pulls: Vec<Result<Pull<C>, Status>>,
     /// Whether each row has its own load.
     own: bool,
     /// Whether the method of the whole answers what screening leaves open.
     complete: bool,
 }
 
-impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
+impl<'a, const C: usize> Rows<'a, C> {
     fn new(
         columns: &'a Columns<'a>,
         base: &ArrayView2<'_, f64>,
@@ -89,7 +90,7 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
         own: bool,
         complete: bool,
     ) -> Self {
-        let load = |of: &ArrayView2<'_, f64>, p| Wrench::from_vector(std::array::from_fn(|k| of[[p, k]]));
+        let load = |of: &ArrayView2<'_, f64>, p: usize| Wrench::from_components(&of.row(p).to_vec());
         let loads: Vec<_> = (0..direction.nrows()).map(|p| [load(base, p), load(direction, p)]).collect();
         let pull = |[base, direction]: &[_; 2]| match Pull::new(base, direction) {
             Ok(_) if *direction == Wrench::ZERO => Err(Status::Malformed),
@@ -128,8 +129,8 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
     }
 
     /// Grasps of `N` contacts, screened side by side.
-    fn screened<const N: usize>(&self) -> Found {
-        self.each(|rows| self.screen::<N>(rows))
+    fn screened<const D: usize, const N: usize>(&self) -> Found {
+        self.each(|rows| self.screen::<D, N>(rows))
     }
 
     /// Grasps of any number of contacts, one by one.
@@ -144,10 +145,10 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
         })
     }
 
-    fn screen<const N: usize>(&self, rows: Range<usize>) -> Found {
+    fn screen<const D: usize, const N: usize>(&self, rows: Range<usize>) -> Found {
         let mut found = self.found(rows.len());
         let each = found.factor.len() / rows.len().max(1);
-        let asked: Vec<Pull<D, C>> =
+        let asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
         let mut batch = Batch::<D, C, N>::with_capacity(if self.own { 0 } else { rows.len() });
         let mut screened = Vec::with_capacity(rows.len());
@@ -184,10 +185,10 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
     }
 
     /// The answers of a batch to where their rows and loads have them.
-    fn scatter<const N: usize>(
+    fn scatter<const D: usize, const N: usize>(
         &self,
         batch: &Batch<D, C, N>,
-        asked: &[Pull<D, C>],
+        asked: &[Pull<C>],
         screened: &[usize],
         found: &mut Found,
     ) {
@@ -211,7 +212,7 @@ impl<'a, const D: usize, const C: usize> Rows<'a, D, C> {
     /// The onsets of one row by the whole method, where it is wanted, from the given place on.
     fn ask_whole(&self, row: usize, found: &mut Found, place: usize, wanted: impl Fn(u8) -> bool) {
         let contacts = (0..self.columns.contacts()).map(|i| self.columns.contact::<C>(row, i));
-        let grasp = Grasp::<D, C>::new(contacts);
+        let grasp = Grasp::<C>::new(contacts);
         for (place, load) in (place..).zip(self.of_row(row)) {
             if !wanted(found.status[place]) {
                 continue;
@@ -256,12 +257,7 @@ impl Found {
         }
     }
 
-    fn set_whole<const D: usize, const C: usize>(
-        &mut self,
-        place: usize,
-        onset: &Onset<D, C>,
-        contacts: usize,
-    ) {
+    fn set_whole<const C: usize>(&mut self, place: usize, onset: &Onset<C>, contacts: usize) {
         let (status, factor) = match onset {
             Onset::At(event) => {
                 for leaving in &event.leaving {

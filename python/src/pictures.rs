@@ -8,37 +8,37 @@ use crate::errors::{refused, wrong};
 use crate::kept::Kept;
 
 /// What is drawn in the plane and in space.
-pub(crate) trait Drawn<const D: usize, const C: usize> {
+pub(crate) trait Drawn<const C: usize> {
     /// The grasp with its forces, as SVG.
-    fn svg(&self, state: &Equilibrium<D, C>, title: &str) -> PyResult<String>;
+    fn svg(&self, state: &Equilibrium<C>, title: &str) -> PyResult<String>;
     /// The same as a page to turn; there is none in the plane.
-    fn page(&self, state: &Equilibrium<D, C>, title: &str) -> PyResult<Option<String>>;
+    fn page(&self, state: &Equilibrium<C>, title: &str) -> PyResult<Option<String>>;
 }
 
-impl Drawn<3, 2> for Kept<3, 2> {
-    fn svg(&self, state: &Equilibrium<3, 2>, title: &str) -> PyResult<String> {
+impl Drawn<2> for Kept<2> {
+    fn svg(&self, state: &Equilibrium<2>, title: &str) -> PyResult<String> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
         let outline: Vec<[f64; 2]> = self.setup.outline.iter().map(|corner| (*corner).into()).collect();
         draw_grasp(grasp, state, Some(&outline), title).map_err(wrong)
     }
 
-    fn page(&self, _: &Equilibrium<3, 2>, _: &str) -> PyResult<Option<String>> {
+    fn page(&self, _: &Equilibrium<2>, _: &str) -> PyResult<Option<String>> {
         Ok(None)
     }
 }
 
-impl Drawn<6, 3> for Kept<6, 3> {
-    fn svg(&self, state: &Equilibrium<6, 3>, title: &str) -> PyResult<String> {
+impl Drawn<3> for Kept<3> {
+    fn svg(&self, state: &Equilibrium<3>, title: &str) -> PyResult<String> {
         self.with_state(state, title)?.to_svg(Some(0), View::default()).map_err(wrong)
     }
 
-    fn page(&self, state: &Equilibrium<6, 3>, title: &str) -> PyResult<Option<String>> {
+    fn page(&self, state: &Equilibrium<3>, title: &str) -> PyResult<Option<String>> {
         self.with_state(state, title)?.to_html().map(Some).map_err(wrong)
     }
 }
 
-impl Kept<6, 3> {
-    fn with_state(&self, state: &Equilibrium<6, 3>, title: &str) -> PyResult<SpatialPage> {
+impl Kept<3> {
+    fn with_state(&self, state: &Equilibrium<3>, title: &str) -> PyResult<SpatialPage> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
         let mut page = SpatialPage::new(grasp, "Forces on the object").frame(title, state);
         if !self.setup.outline.is_empty() {

@@ -1,6 +1,6 @@
 //! What contacts could hold, how much squeeze suffices, and which direction is weakest.
 
-use grasp_lcp::grasp::{Twist, Wrench};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Leaver, Turn};
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
@@ -37,12 +37,16 @@ pub(crate) trait Quality {
     fn weakest_direction(&self, base: Given<'_, '_>, at: Given<'_, '_>) -> PyResult<String>;
 }
 
-impl<const D: usize, const C: usize> Quality for Kept<D, C> {
+impl<const C: usize> Quality for Kept<C> {
     fn closure(&self, friction: bool) -> PyResult<String> {
         let question = if friction { "force_closure" } else { "form_closure" };
         let grasp = self.without_joints(question).map_err(refused)?;
         let settings = &self.setup.settings;
-        let closure = if friction { grasp.force_closure_with(settings) } else { grasp.form_closure() };
+        let closure = if friction {
+            grasp.with(settings).statics().force_closure()
+        } else {
+            grasp.statics().form_closure()
+        };
         text(&match closure.map_err(refused)? {
             Closure::Closed { internal, .. } => json!({"outcome": "closed", "internal": rows(&internal)}),
             Closure::Open { motion, .. } => json!({"outcome": "open", "motion": moved(&motion)}),
@@ -53,7 +57,7 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
 
     fn ball(&self, py: Python<'_>, budget: f64, each: bool) -> PyResult<String> {
         let grasp = self.without_joints("quality").map_err(refused)?;
-        let ball = py.detach(|| grasp.ferrari_canny(of(budget, each))).map_err(refused)?;
+        let ball = py.detach(|| grasp.statics().ferrari_canny(of(budget, each))).map_err(refused)?;
         let [at_least, at_most] = [ball.at_least, ball.at_most].map(number);
         text(&json!({"at_least": at_least, "at_most": at_most, "weakest": pulled(&ball.weakest)}))
     }
@@ -68,7 +72,7 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
         let grasp = self.without_joints("load_limit").map_err(refused)?;
         let (base, direction) = (base_of(base)?, wrench("direction", direction)?);
         let budget = of(budget, each);
-        let limit = grasp.load_limit_with(&base, &direction, budget, &self.setup.settings);
+        let limit = grasp.with(&self.setup.settings).statics().load_limit(&base, &direction, budget);
         text(&match limit.map_err(refused)? {
             LoadLimit::Factor { at_least, at_most, forces, motion, .. } => {
                 let [at_least, at_most] = [at_least, at_most].map(number);
@@ -82,20 +86,19 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
 
     fn least_squeeze_of_loads(&self, loads: PyReadonlyArray2<'_, f64>) -> PyResult<String> {
         let columns = loads.shape()[1];
-        if columns != C && columns != D {
+        let all = C * (C + 1) / 2;
+        if columns != C && columns != all {
             return Err(wrong(format_args!(
-                "loads: rows of {columns} given, must be of {C} numbers of a force or {D} of a force and a moment"
+                "loads: rows of {columns} given, must be of {C} numbers of a force or {all} of a force and a moment"
             )));
         }
         let loads = loads.as_array();
-        let load = |i: usize| {
-            Wrench::from_vector(std::array::from_fn(|k| if k < columns { loads[[i, k]] } else { 0.0 }))
-        };
+        let load = |i: usize| Wrench::from_components(&loads.row(i).to_vec());
         self.least_squeeze(&Loads::Each((0..loads.nrows()).map(load).collect()))
     }
 
     fn least_squeeze_of_turn(&self, turn: &str) -> PyResult<String> {
-        let turn: Turn<D, C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
+        let turn: Turn<C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
         self.least_squeeze(&Loads::Turn(turn))
     }
 
@@ -110,8 +113,8 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
 
     fn weakest_direction(&self, base: Given<'_, '_>, at: Given<'_, '_>) -> PyResult<String> {
         let grasp = self.without_joints("weakest_direction").map_err(refused)?;
-        let (base, at) = (base_of::<D, C>(base)?, point_of::<C>(at)?);
-        let weakest = grasp.weakest_direction_with(&base, at, &self.setup.settings);
+        let (base, at) = (base_of::<C>(base)?, point_of::<C>(at)?);
+        let weakest = grasp.with(&self.setup.settings).weakest_direction(&base, at);
         text(&match weakest.map_err(refused)? {
             WeakestDirection::Force { size, direction, load, leaver, .. } => {
                 let contact = if let Leaver::Contact(contact) = leaver { Some(contact) } else { None };
@@ -128,10 +131,10 @@ impl<const D: usize, const C: usize> Quality for Kept<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Kept<D, C> {
-    fn least_squeeze(&self, loads: &Loads<D, C>) -> PyResult<String> {
+impl<const C: usize> Kept<C> {
+    fn least_squeeze(&self, loads: &Loads<C>) -> PyResult<String> {
         let grasp = self.without_joints("least_squeeze").map_err(refused)?;
-        let least = grasp.least_squeeze_with(loads, &self.setup.settings).map_err(refused)?;
+        let least = grasp.with(&self.setup.settings).least_squeeze(loads).map_err(refused)?;
         text(&match least {
             LeastSqueeze::Factor { factor, binding, .. } => {
                 let (contact, load) =
@@ -154,7 +157,7 @@ fn of(budget: f64, each: bool) -> Budget {
     if each { Budget::Each(budget) } else { Budget::Total(budget) }
 }
 
-fn base_of<const D: usize, const C: usize>(given: Given<'_, '_>) -> PyResult<Wrench<D, C>> {
+fn base_of<const C: usize>(given: Given<'_, '_>) -> PyResult<Wrench<C>> {
     given.map_or(Ok(Wrench::ZERO), |given| wrench("base", given))
 }
 
@@ -184,10 +187,10 @@ fn rows<const C: usize>(vectors: &[SVector<f64, C>]) -> Value {
     vectors.iter().map(|v| v.iter().copied().map(number).collect::<Value>()).collect()
 }
 
-fn moved<const D: usize, const C: usize>(twist: &Twist<D, C>) -> Value {
-    serde_json::to_value(twist).unwrap_or_default()
+fn moved(motion: &impl serde::Serialize) -> Value {
+    serde_json::to_value(motion).unwrap_or_default()
 }
 
-fn pulled<const D: usize, const C: usize>(load: &Wrench<D, C>) -> Value {
+fn pulled<const C: usize>(load: &Wrench<C>) -> Value {
     serde_json::to_value(load).unwrap_or_default()
 }

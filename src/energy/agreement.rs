@@ -7,7 +7,7 @@ use super::minimum::{MinimumEnergy, MinimumOutcome};
 use super::optimality::{Faces, Program};
 use crate::Settings;
 use crate::error::Error;
-use crate::grasp::Grasp;
+use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
 use crate::object::Piece;
@@ -20,7 +20,7 @@ use crate::object::Piece;
 /// is how the paper predicts sliding.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum Agreement<const D: usize, const C: usize> {
+pub enum Agreement<const C: usize> {
     /// Up to this factor; there the friction constraints named begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
@@ -32,14 +32,14 @@ pub enum Agreement<const D: usize, const C: usize> {
     /// However far the load goes.
     Always,
     /// Not even at factor 0: the minimum there, or why there is none.
-    Never(MinimumOutcome<D, C>),
+    Never(MinimumOutcome<C>),
     /// From the start the load direction works on a motion that no spring resists: the program has no minimum for any τ > 0.
     Unbounded,
     /// The path could not be followed to its end.
     Unsolved,
 }
 
-impl<const D: usize, const C: usize> Agreement<D, C> {
+impl<const C: usize> Agreement<C> {
     /// The factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` where it
     /// is none at any factor known ([`Agreement::Never`]), or nothing can be said ([`Agreement::Unsolved`]).
     #[must_use]
@@ -53,44 +53,17 @@ impl<const D: usize, const C: usize> Agreement<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// How far along a ramp the minimum of the paper's program is an equilibrium. In space on the polygonal cone of the settings.
-    ///
-    /// Where every contact has friction and touches at factor 0 this is the
-    /// [onset of sliding](Self::onset_with) on the polygon, found another way. Frictionless contacts may open and close before.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let factor = grasp.agreement_with_minimum_energy(&ramp)?.factor().expect("agrees at first");
-    /// assert!((factor - 10.0).abs() < 1e-12); // the onset of sliding
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`].
-    pub fn agreement_with_minimum_energy(&self, ramp: &Ramp<D, C>) -> Result<Agreement<D, C>, Error> {
-        self.agreement_with_minimum_energy_with(ramp, &Settings::default())
-    }
-
-    /// [`Self::agreement_with_minimum_energy`] with other [`Settings`].
-    ///
-    /// # Errors
-    /// As for [`Self::agreement_with_minimum_energy`].
-    pub fn agreement_with_minimum_energy_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::agreement`](crate::ask::Energy::agreement).
+    pub(crate) fn agreement_with_minimum_energy(
         &self,
-        ramp: &Ramp<D, C>,
+        ramp: &Ramp<C>,
         settings: &Settings,
-    ) -> Result<Agreement<D, C>, Error> {
+    ) -> Result<Agreement<C>, Error> {
         ramp.base.check("base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         let change = ramp.drive_changes(self)?;
-        let start = self.minimum_energy_with(&ramp.base, settings)?;
+        let start = self.minimum_energy(&ramp.base, settings)?;
         if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));
         }
@@ -118,7 +91,7 @@ impl<const D: usize, const C: usize> Line<'_, D, C> {
         Some([start.forces, rates.forces])
     }
 
-    fn follow(&self, settings: &Settings) -> Option<Agreement<D, C>> {
+    fn follow(&self, settings: &Settings) -> Option<Agreement<C>> {
         let program = &self.program;
         let [forces, rates] = self.forces(&program.stuck)?;
         let lcp = Lcp::new(program.matrix()?, program.vector(&forces)).ok()?;
@@ -138,7 +111,7 @@ impl<const D: usize, const C: usize> Line<'_, D, C> {
     }
 
     /// The factor at which a row binds, from the springs that hold until then.
-    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<D, C>> {
+    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<C>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));

@@ -6,7 +6,7 @@ use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, va
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Engine, Twist, Wrench};
 use crate::lcp::Outcome;
 use crate::numerics::unit;
 use crate::object::{Piece, PieceState, Problem};
@@ -18,19 +18,19 @@ const DEPENDENT: f64 = 1e-10;
 /// What the associated law says of a load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum AssociatedOutcome<const D: usize, const C: usize> {
+pub enum AssociatedOutcome<const C: usize> {
     /// A state of rest, with dilation where something slides; each of its conditions holds to 1e-12 of the forces that it compares.
-    Rest(Box<AssociatedState<D, C>>),
+    Rest(Box<AssociatedState<C>>),
     /// No forces of the cones balance the load.
     NoBalance,
     /// Rounding or a limit on pivots or rows kept the solver from an answer: its matrix is dense, and more than 10 000 rows are not tried.
     Unsolved,
 }
 
-impl<const D: usize, const C: usize> AssociatedOutcome<D, C> {
+impl<const C: usize> AssociatedOutcome<C> {
     /// The state of rest, if there is one.
     #[must_use]
-    pub fn rest(&self) -> Option<&AssociatedState<D, C>> {
+    pub fn rest(&self) -> Option<&AssociatedState<C>> {
         match self {
             Self::Rest(state) => Some(state),
             _ => None,
@@ -59,11 +59,11 @@ impl<const D: usize, const C: usize> AssociatedOutcome<D, C> {
 /// of complementary-energy contact models (MuJoCo's cone constraints, Drake's SAP) without their regularisation.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct AssociatedState<const D: usize, const C: usize> {
+pub struct AssociatedState<const C: usize> {
     /// The load of the question.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Motion of the object about the origin, m and rad.
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
     /// One a contact, in the order of the grasp.
     pub contacts: Vec<AssociatedContact<C>>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
@@ -90,41 +90,13 @@ impl<const C: usize> AssociatedContact<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the associated friction law says under a load ([`AssociatedState`] has the law). In space on the polygonal cone of the settings.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Coulomb's law has no equilibrium under 12 N. The associated law lets the contacts slide and open until they press with 12 N,
-    /// // which takes 12 mm of spring: 2 mm more than the command, and μ times the slip.
-    /// let law = grasp.associated_friction(&Wrench::force([0.0, -12.0]))?;
-    /// let contact = law.rest().expect("in the friction wrench cone").contacts[0];
-    /// assert!((contact.force[0] - 12.0).abs() < 1e-13);
-    /// assert!((contact.dilation() - 0.002).abs() < 1e-16);
-    /// assert!((contact.slip.norm() - 0.004).abs() < 1e-16);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn associated_friction(&self, load: &Wrench<D, C>) -> Result<AssociatedOutcome<D, C>, Error> {
-        self.associated_friction_with(load, &Settings::default())
-    }
-
-    /// [`Self::associated_friction`] with other [`Settings`].
-    ///
-    /// # Errors
-    /// As for [`Self::associated_friction`].
-    pub fn associated_friction_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::associated_friction`](crate::ask::Energy::associated_friction).
+    pub(crate) fn associated_friction(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         settings: &Settings,
-    ) -> Result<AssociatedOutcome<D, C>, Error> {
+    ) -> Result<AssociatedOutcome<C>, Error> {
         self.refuse_hands("associated_friction")?;
         let law = AssociatedLaw::new(self.on_polygons(load, &settings.cone)?);
         if !law.stuck.resists(&law.problem.wrench) {
@@ -149,11 +121,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     fn at_rest(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         law: &AssociatedLaw<D, C>,
         state: &PieceState<D, C>,
         binding: &[usize],
-    ) -> AssociatedState<D, C> {
+    ) -> AssociatedState<C> {
         let contact = |(i, local): (usize, LocalLaw<'_, C>)| {
             let (force, jump) = (state.forces[i], law.jump(i, state));
             let binds = binding.iter().any(|r| law.rows[*r].contact == i);

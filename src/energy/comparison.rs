@@ -6,7 +6,9 @@ use super::minimum::{MinimumEnergy, MinimumOutcome};
 use crate::Settings;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use nalgebra::SVector;
+
+use crate::grasp::{Engine, Wrench};
 
 /// An imbalance below this part of the largest force is rounding of zero.
 const BALANCED: f64 = 1e-12;
@@ -17,11 +19,11 @@ const DIFFERENT: f64 = 1e-9;
 /// polygonal cone.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Comparison<const D: usize, const C: usize> {
+pub struct Comparison<const C: usize> {
     /// The answer of complementarity.
-    pub equilibrium: Outcome<D, C>,
+    pub equilibrium: Outcome<C>,
     /// The answer of the quadratic program, with the constraints that bind and its imbalance.
-    pub minimum: MinimumOutcome<D, C>,
+    pub minimum: MinimumOutcome<C>,
     /// How far they are apart, where both have one.
     pub difference: Option<Difference>,
     /// What to make of it.
@@ -122,7 +124,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
+impl<const C: usize> MinimumEnergy<C> {
     /// Whether the minimum is in equilibrium: no friction constraint holds anything up. [`MinimumEnergy::imbalance`] may then be 1e-12 of the
     /// largest force, moments divided by the size of the grasp.
     #[must_use]
@@ -134,7 +136,7 @@ impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);
-        for (k, x) in self.imbalance.as_vector().iter().enumerate() {
+        for (k, x) in self.imbalance.components().iter().enumerate() {
             let sum = if k < C { &mut force } else { &mut moment };
             *sum = sum.hypot(*x);
         }
@@ -142,43 +144,15 @@ impl<const D: usize, const C: usize> MinimumEnergy<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Complementarity against the paper's quadratic program, with default [`Settings`]; in space on their polygonal cone.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::energy::Verdict;
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let within = grasp.compare_with_minimum_energy(&Wrench::force([0.0, -4.0]))?;
-    /// assert_eq!(within.verdict, Verdict::Agree);
-    /// // Beyond 10 N nothing holds, but the program returns numbers.
-    /// let beyond = grasp.compare_with_minimum_energy(&Wrench::force([0.0, -11.0]))?;
-    /// assert!(matches!(beyond.verdict, Verdict::NoEquilibrium { force, .. } if force > 0.1));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn compare_with_minimum_energy(&self, load: &Wrench<D, C>) -> Result<Comparison<D, C>, Error> {
-        self.compare_with_minimum_energy_with(load, &Settings::default())
-    }
-
-    /// Complementarity against the paper's quadratic program; in space both on the polygonal cone of the settings, whatever they say of the round
-    /// one.
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn compare_with_minimum_energy_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::compare`](crate::ask::Energy::compare).
+    pub(crate) fn compare_with_minimum_energy(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         settings: &Settings,
-    ) -> Result<Comparison<D, C>, Error> {
-        let equilibrium = self.solve_with(load, &(*settings).on_the_polygon())?;
-        let minimum = self.minimum_energy_with(load, settings)?;
+    ) -> Result<Comparison<C>, Error> {
+        let equilibrium = self.solve(load, &(*settings).on_the_polygon())?;
+        let minimum = self.minimum_energy(load, settings)?;
         let difference = equilibrium
             .equilibrium()
             .zip(minimum.minimum())
@@ -202,7 +176,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(Comparison { equilibrium, minimum, difference, verdict })
     }
 
-    fn difference(&self, equilibrium: &Equilibrium<D, C>, minimum: &MinimumEnergy<D, C>) -> Difference {
+    fn difference(&self, equilibrium: &Equilibrium<C>, minimum: &MinimumEnergy<C>) -> Difference {
         let mut d = Difference {
             displacement: 0.0,
             force: 0.0,
@@ -212,10 +186,10 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             energy_size: equilibrium.stored_energy,
         };
         // In inside coordinates free motions are orthonormal.
-        let mut apart = self.inside_twist(&equilibrium.twist) - self.inside_twist(&minimum.twist);
+        let mut apart: SVector<f64, D> = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
-            for v in equilibrium.free_motions.iter().chain(&minimum.free_motions) {
-                let v = self.inside_twist(v);
+            for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {
+                let v: SVector<f64, D> = v.to();
                 apart -= v * v.dot(&apart);
             }
         }

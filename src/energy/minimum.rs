@@ -9,21 +9,21 @@ use nalgebra::SVector;
 use super::optimality::{Faces, Failure, Point, Program};
 use crate::Settings;
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench, object_alone};
+use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
 use crate::object::Unbalanced;
 
 /// How the search for the minimum of the paper's program ends.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum MinimumOutcome<const D: usize, const C: usize> {
+pub enum MinimumOutcome<const C: usize> {
     /// There is one.
-    Minimum(Box<MinimumEnergy<D, C>>),
+    Minimum(Box<MinimumEnergy<C>>),
     /// The friction constraints contradict each other, or the energy falls for ever as contacts open.
     NoMinimum,
     /// The load works on a motion that no spring resists: the energy falls for ever.
     Unbounded {
         /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), pointing the way the load drives it.
-        motion: Twist<D, C>,
+        motion: Twist<C>,
         /// Work of the load on it, positive, J.
         work: f64,
     },
@@ -32,10 +32,10 @@ pub enum MinimumOutcome<const D: usize, const C: usize> {
     Unsolved,
 }
 
-impl<const D: usize, const C: usize> MinimumOutcome<D, C> {
+impl<const C: usize> MinimumOutcome<C> {
     /// The minimum, if there is one.
     #[must_use]
-    pub fn minimum(&self) -> Option<&MinimumEnergy<D, C>> {
+    pub fn minimum(&self) -> Option<&MinimumEnergy<C>> {
         match self {
             Self::Minimum(minimum) => Some(minimum),
             _ => None,
@@ -56,31 +56,39 @@ impl<const D: usize, const C: usize> MinimumOutcome<D, C> {
 /// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program written out.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct MinimumEnergy<const D: usize, const C: usize> {
+pub struct MinimumEnergy<const C: usize> {
     /// The load of the question.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Motion of the object about the origin, m and rad; the least one where some motions stretch no spring.
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
     /// One a contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
     /// Friction constraints that bind, with their multipliers.
     pub binding: Vec<Binding>,
     /// `Σ G_i F_i + W` about the origin, N and N m: its opposite is missing to equilibrium. Computed from the multipliers, so that it
     /// is exactly zero when none is positive.
-    pub imbalance: Wrench<D, C>,
+    pub imbalance: Wrench<C>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// The minimum itself: stored energy less `W·q`, J.
     pub potential_energy: f64,
     /// Motions that stretch no spring that holds: the twist is known up to them. Of unit size as in
     /// [`Stability::softest`](super::Stability::softest), at right angles to one another.
-    pub free_motions: Vec<Twist<D, C>>,
+    pub free_motions: Vec<Motion<C>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
     /// Size of the largest force: what the imbalance is measured against.
     pub(super) forces_size: f64,
     /// Size of the imbalance with moments divided by the size of the grasp, N.
     pub(super) imbalance_size: f64,
+    pub(super) inside: Inside<C>,
+}
+
+/// Motions of a minimum in inside coordinates, where free motions are orthonormal.
+#[derive(Debug, Clone)]
+pub(super) struct Inside<const C: usize> {
+    pub(super) twist: Coordinates<C>,
+    pub(super) free_motions: Vec<Coordinates<C>>,
 }
 
 /// One contact of a [`MinimumEnergy`].
@@ -110,44 +118,13 @@ pub struct Binding {
     pub multiplier: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
-    ///
-    /// The minimum is that of [`Self::reduced_qp`] with its gaps, and that of [`Self::printed_qp`] as long as the printed
-    /// program opens no contact with infinite friction. Springs stand in series and orthogonal factors keep their digits,
-    /// so that rigid sides and series stiffness are welcome.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let outcome = grasp.minimum_energy(&Wrench::force([0.0, -6.0]))?;
-    /// let minimum = outcome.minimum().expect("everything rolls");
-    /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
-    /// assert!(minimum.imbalance.as_vector().amax() < 1e-14);
-    /// // Σ ½ F²/k = 10²/1000 + 3²/800.
-    /// assert!((minimum.stored_energy - 0.11125).abs() < 1e-16);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn minimum_energy(&self, load: &Wrench<D, C>) -> Result<MinimumOutcome<D, C>, Error> {
-        self.minimum_energy_with(load, &Settings::default())
-    }
-
-    /// [`Self::minimum_energy`] with other [`Settings`].
-    ///
-    /// # Errors
-    /// As for [`Self::minimum_energy`].
-    pub fn minimum_energy_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::minimum`](crate::ask::Energy::minimum).
+    pub(crate) fn minimum_energy(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         settings: &Settings,
-    ) -> Result<MinimumOutcome<D, C>, Error> {
+    ) -> Result<MinimumOutcome<C>, Error> {
         let program = Program::new(self.on_polygons(load, &settings.cone)?);
         let problem = &program.problem;
         let stuck = match program.stuck.solve(problem.sites, &problem.drives, problem.load()) {
@@ -179,11 +156,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     fn write_out(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         program: &Program<D, C>,
         point: &Point<D, C>,
         pivots: usize,
-    ) -> MinimumEnergy<D, C> {
+    ) -> MinimumEnergy<C> {
         let most = program.problem.largest_force(&point.forces, &point.twist);
         let rows = program.friction.iter().zip(&point.multipliers);
         let binding = rows
@@ -207,7 +184,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             let drives = linkage.drives.iter().zip(&point.forces[self.len()..]);
             stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
         }
-        let own_work = load.as_vector().dot(self.outside(&point.twist).as_vector());
+        let own_work = load.coordinates::<D>().dot(&self.outside_coordinates(&point.twist));
         MinimumEnergy {
             load: *load,
             twist: self.outside(&point.twist),
@@ -216,7 +193,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             imbalance: self.wrench_outside(&pushed),
             stored_energy,
             potential_energy: stored_energy - own_work,
-            free_motions: point.free.iter().map(|v| self.outside(v)).collect(),
+            free_motions: point.free.iter().map(|v| self.motion_outside(v)).collect(),
+            inside: Inside {
+                twist: Coordinates::of(&point.twist),
+                free_motions: point.free.iter().map(Coordinates::of).collect(),
+            },
             pivots,
             forces_size: most,
             imbalance_size: pushed.norm(),

@@ -3,7 +3,7 @@
 //! While nothing slides the springs are conservative and the object goes where the energy is least. The paper poses that
 //! as a quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]). [`QuadraticProgram`]
 //! solves it as the linear complementarity problem of its optimality conditions, and
-//! [`Grasp::minimum_energy`](crate::grasp::Grasp::minimum_energy) on orthogonal factors.
+//! [`Energy::minimum`](crate::ask::Energy::minimum) on orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on
 //! the object like a hand from outside: the program still returns numbers, but they are not in equilibrium. [`Comparison`]

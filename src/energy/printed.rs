@@ -6,7 +6,7 @@ use super::program::QuadraticProgram;
 use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
-use crate::grasp::{Contact, Grasp, Stiffness, Twist, Wrench, grasp_map};
+use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
 
 /// What an equality row of the printed program says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,7 +103,7 @@ pub enum Inequality {
 /// gap: where it does the program is not the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct PrintedQp<const D: usize, const C: usize> {
+pub struct PrintedQp<const C: usize> {
     /// G, H, A, C, B, D in 3 c N + d unknowns, N contacts: displacements in m, the twist in m and rad about the origin, the cost in J.
     pub program: QuadraticProgram,
     /// What each row of A says, m.
@@ -127,14 +127,14 @@ pub struct Displacements<const C: usize> {
     pub finger_surface: SVector<f64, C>,
 }
 
-impl<const D: usize, const C: usize> PrintedQp<D, C> {
+impl<const C: usize> PrintedQp<C> {
     /// The twist Q_b in a vector of unknowns, about the origin, m and rad.
     ///
     /// # Panics
     /// If x is not a vector of unknowns of this program.
     #[must_use]
-    pub fn twist(&self, x: &DVector<f64>) -> Twist<D, C> {
-        Twist::from_vector(x.fixed_rows::<D>(3 * C * self.contacts).into_owned())
+    pub fn twist(&self, x: &DVector<f64>) -> Twist<C> {
+        Twist::from_components(&x.as_slice()[3 * C * self.contacts..])
     }
 
     /// The displacements Q_i of a contact in a vector of unknowns.
@@ -175,36 +175,9 @@ impl<const D: usize, const C: usize> PrintedQp<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` stands for the round cone in space.
-    ///
-    /// ```
-    /// use grasp_lcp::PolygonCone;
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Springs of 2000 and 1600 N/m on both sides: half of that in series.
-    /// let finger = |x: f64| {
-    ///     Contact::new([x, 0.0], [-x, 0.0])
-    ///         .body_stiffness(2000.0, 1600.0)
-    ///         .finger_stiffness(2000.0, 1600.0)
-    ///         .friction(0.5)
-    ///         .command([0.01, 0.0])
-    /// };
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let printed = grasp.printed_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
-    /// let outcome = printed.program.solve()?;
-    /// let minimum = outcome.minimum().ok_or("everything rolls")?;
-    /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
-    /// // The springs of body and finger give way alike, 5 mm each.
-    /// let u = printed.displacements(&minimum.x, 0);
-    /// assert!((u.finger_surface[0] - 0.005).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
-    /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
-    pub fn printed_qp(&self, load: &Wrench<D, C>, cone: &PolygonCone) -> Result<PrintedQp<D, C>, Error> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
+    pub(crate) fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
         self.refuse_hands("printed_qp")?;
         let problem = self.on_polygons(load, cone)?;
         let columns = 3 * C * self.len() + D;
@@ -229,7 +202,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             }
         }
         let Written { mut g, h, equalities, inequalities, constant } = written;
-        g.rows_mut(columns - D, D).copy_from(&-load.as_vector());
+        g.rows_mut(columns - D, D).copy_from(&-load.coordinates::<D>());
         let (equalities, a, c) = equalities.finish();
         let (inequalities, b, d) = inequalities.finish();
         let program = QuadraticProgram { g, h, a, c, b, d };

@@ -6,7 +6,7 @@ use super::program::QuadraticProgram;
 use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench, grasp_map};
+use crate::grasp::{Engine, Wrench, grasp_map};
 use crate::numerics::unit;
 
 /// Which unknowns a reduced program keeps.
@@ -60,7 +60,7 @@ pub enum ReducedRow {
 /// frictionless contact just opens.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct ReducedQp<const D: usize, const C: usize> {
+pub struct ReducedQp<const C: usize> {
     /// The program: unknowns are the twist (d entries, about the origin of the coordinates, m and rad), then the gaps (m). Its cost is in J.
     pub program: QuadraticProgram,
     /// The contacts whose gaps follow the twist among the unknowns, in this order.
@@ -71,34 +71,14 @@ pub struct ReducedQp<const D: usize, const C: usize> {
     pub constant: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The reduced quadratic program under a load; `cone` stands for the round cone in space.
-    ///
-    /// ```
-    /// use grasp_lcp::PolygonCone;
-    /// use grasp_lcp::energy::Unknowns;
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Rows F_n >= 0 and ±F_t <= μ F_n of each contact, unknowns x, y and the angle.
-    /// let reduced = grasp.reduced_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default(), Unknowns::Twist)?;
-    /// let outcome = reduced.program.solve()?;
-    /// let minimum = outcome.minimum().ok_or("the program is strictly convex")?;
-    /// assert!((minimum.x[1] + 6.0 / (2.0 * 800.0)).abs() < 1e-16);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn reduced_qp(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp).
+    pub(crate) fn reduced_qp(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         cone: &PolygonCone,
         unknowns: Unknowns,
-    ) -> Result<ReducedQp<D, C>, Error> {
+    ) -> Result<ReducedQp<C>, Error> {
         self.refuse_hands("reduced_qp")?;
         let problem = self.on_polygons(load, cone)?;
         let may_open = |local: &LocalLaw<'_, C>| {
@@ -108,7 +88,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         let gaps: Vec<usize> = gaps.map(|(i, _)| i).collect();
         let n = D + gaps.len();
         let (mut g, mut h) = (DVector::zeros(n), DMatrix::zeros(n, n));
-        g.rows_mut(0, D).copy_from(&-load.as_vector());
+        g.rows_mut(0, D).copy_from(&-load.coordinates::<D>());
         let mut rows = ProgramRows::new(n);
         let mut constant = 0.0;
         for (i, (local, drive)) in problem.locals().zip(&problem.drives).enumerate() {

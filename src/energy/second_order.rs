@@ -7,7 +7,7 @@ use crate::Settings;
 use crate::contact::{LocalLaw, Mode, Polygon, State};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::{Grasp, Site, Twist, Wrench, displacement_of};
+use crate::grasp::{Engine, Site, Twist, Wrench, displacement_of};
 use crate::numerics::unit;
 use crate::object::{Lists, Load, Problem};
 use crate::search::{Settled, settle};
@@ -21,11 +21,11 @@ const GOOD_ENOUGH: f64 = 1e-11;
 /// How the search for a second-order equilibrium ends.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum SecondOrderOutcome<const D: usize, const C: usize> {
+pub enum SecondOrderOutcome<const C: usize> {
     /// Found: the last iteration changed no displacement at a contact by more than 1e-14 of the largest (1e-11 where rounding allows no less).
-    Equilibrium(Box<SecondOrder<D, C>>),
+    Equilibrium(Box<SecondOrder<C>>),
     /// First order has no equilibrium, or none was found.
-    NoFirstOrder(Box<Outcome<D, C>>),
+    NoFirstOrder(Box<Outcome<C>>),
     /// The outer iterations do not settle: the geometric stiffness is not small beside the elastic one, or the displacements
     /// are too large for second order.
     NotSettled {
@@ -41,10 +41,10 @@ pub enum SecondOrderOutcome<const D: usize, const C: usize> {
     },
 }
 
-impl<const D: usize, const C: usize> SecondOrderOutcome<D, C> {
+impl<const C: usize> SecondOrderOutcome<C> {
     /// The equilibrium, if there is one.
     #[must_use]
-    pub fn equilibrium(&self) -> Option<&SecondOrder<D, C>> {
+    pub fn equilibrium(&self) -> Option<&SecondOrder<C>> {
         match self {
             Self::Equilibrium(found) => Some(found),
             _ => None,
@@ -67,11 +67,11 @@ impl<const D: usize, const C: usize> SecondOrderOutcome<D, C> {
 /// ratio is not small, the equilibrium is close to instability, and the outcome says that the iterations do not settle.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct SecondOrder<const D: usize, const C: usize> {
+pub struct SecondOrder<const C: usize> {
     /// The first-order equilibrium it started from.
-    pub first_order: Equilibrium<D, C>,
+    pub first_order: Equilibrium<C>,
     /// Motion of the object: translation of its point at the origin (m), rotation vector (rad).
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
     /// Force on the object at each contact, in the contact frame as it was at first, N; F_n > 0 pushes.
     pub forces: Vec<SVector<f64, C>>,
     /// What each contact does, in the order of the grasp.
@@ -85,55 +85,22 @@ pub struct SecondOrder<const D: usize, const C: usize> {
     /// Outer iterations made.
     pub iterations: usize,
     /// Stability there, with the moved arms.
-    pub stability: Stability<D, C>,
+    pub stability: Stability<C>,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
-    /// load's force acts at the object's point there. At most 100 iterations, each an equilibrium of first order; contact frames, springs and
-    /// commands stay as they are in space.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // A weight of 2 N at the end of an arm of 10 mm turns the body by M / (2 · 800 N/m · (1 m)²), to first order.
-    /// let load = Wrench::force_at([0.0, -2.0], [0.01, 0.0]);
-    /// let outcome = grasp.second_order_equilibrium(&load)?;
-    /// let found = outcome.equilibrium().expect("it hardly turns");
-    /// let angle = 0.02 / 1600.0;
-    /// assert!((found.first_order.twist.rotation() + angle).abs() < 1e-18);
-    /// // To second order the fingers' pressure turns with the body, a matter of 2 · 10 N · 1 m beside 1600 N m; ½ θ² r is what first order drops.
-    /// let turned = found.twist.rotation().abs();
-    /// assert!((turned / angle - 1.0).abs() < 0.02);
-    /// assert!((found.dropped_displacement / (0.5 * turned * turned) - 1.0).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn second_order_equilibrium(&self, load: &Wrench<D, C>) -> Result<SecondOrderOutcome<D, C>, Error> {
-        self.second_order_equilibrium_with(load, &Settings::default())
-    }
-
-    /// [`Self::second_order_equilibrium`] with other [`Settings`].
-    ///
-    /// # Errors
-    /// As for [`Self::second_order_equilibrium`].
-    pub fn second_order_equilibrium_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::second_order`](crate::ask::Energy::second_order).
+    pub(crate) fn second_order_equilibrium(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         settings: &Settings,
-    ) -> Result<SecondOrderOutcome<D, C>, Error> {
+    ) -> Result<SecondOrderOutcome<C>, Error> {
         self.refuse_hands("second_order_equilibrium")?;
-        let first_order = match self.solve_with(load, settings)? {
+        let first_order = match self.solve(load, settings)? {
             Outcome::Equilibrium(equilibrium) => *equilibrium,
             other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
         };
-        let mut twist = *first_order.twist.as_vector();
+        let mut twist: SVector<f64, D> = first_order.twist.coordinates();
         let mut last = f64::INFINITY;
         for iterations in 1..=MOST_ITERATIONS {
             let Some(found) = self.iterate(&twist, load, settings) else {
@@ -157,12 +124,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The first-order problem about a twist, solved.
-    fn iterate(
-        &self,
-        twist: &SVector<f64, D>,
-        load: &Wrench<D, C>,
-        settings: &Settings,
-    ) -> Option<Step<D, C>> {
+    fn iterate(&self, twist: &SVector<f64, D>, load: &Wrench<C>, settings: &Settings) -> Option<Step<D, C>> {
         let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
         let sites: Vec<Site<D, C>> = self
@@ -178,7 +140,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 site.with_map(map)
             })
             .collect();
-        let wrench = load.as_vector().component_mul(&in_units);
+        let wrench = load.coordinates::<D>().component_mul(&in_units);
         let polygon = Polygon::shared(&settings.cone);
         let round = settings.is_round::<C>();
         let problem = Problem::at_rest(
@@ -198,11 +160,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     fn second_order(
         &self,
-        first_order: Equilibrium<D, C>,
+        first_order: Equilibrium<C>,
         twist: &SVector<f64, D>,
         step: Step<D, C>,
         iterations: usize,
-    ) -> SecondOrder<D, C> {
+    ) -> SecondOrder<C> {
         let (mut dropped, mut force, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
         let (mut arms, mut world) = (Vec::new(), Vec::new());
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
@@ -216,7 +178,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         SecondOrder {
             stability: self.stability_with(&arms, &world, &step.states, (SMatrix::zeros(), false)),
             first_order,
-            twist: Twist::from_vector(*twist),
+            twist: Twist::among(twist),
             forces: step.forces,
             states: step.states,
             dropped_displacement: dropped,

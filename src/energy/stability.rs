@@ -1,9 +1,11 @@
 //! Is an equilibrium stable? The second derivative of the potential energy.
 
-use nalgebra::{SMatrix, SVector, SymmetricEigen};
+use std::ops::Range;
+
+use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
-use crate::grasp::{Grasp, Twist, grasp_map, of_the_object};
+use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
 use crate::numerics::unit;
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
@@ -33,12 +35,12 @@ const ZERO: f64 = 1e-12;
 /// friction is not conservative and no energy decides.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Stability<const D: usize, const C: usize> {
+pub struct Stability<const C: usize> {
     /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that
     /// the object feels. Springs of joints are included, with rows and columns for their displacements.
-    pub elastic: SMatrix<f64, D, D>,
+    pub elastic: DMatrix<f64>,
     /// What the contact forces add as their arms turn, on the rotations alone, same units.
-    pub geometric: SMatrix<f64, D, D>,
+    pub geometric: DMatrix<f64>,
     /// Curvature of the energy along the softest motion, N/m: the least eigenvalue of the Hessian, rotations counted as in
     /// `softest`.
     pub least_curvature: f64,
@@ -46,7 +48,7 @@ pub struct Stability<const D: usize, const C: usize> {
     pub most_curvature: f64,
     /// The unit motion along which the energy rises least, as a twist about the origin; its sign means nothing. A rotation is counted in radians times
     /// the root mean square distance of the contacts from their centroid, a translation is that of the centroid.
-    pub softest: Twist<D, C>,
+    pub softest: Motion<C>,
     /// What follows.
     pub verdict: StabilityVerdict,
 }
@@ -66,35 +68,17 @@ pub enum StabilityVerdict {
     Sliding,
 }
 
-impl<const D: usize, const C: usize> Stability<D, C> {
+impl<const C: usize> Stability<C> {
     /// Elastic and geometric stiffness together: the restoring wrench about the origin is `-H q` for a small twist q.
     #[must_use]
-    pub fn hessian(&self) -> SMatrix<f64, D, D> {
-        self.elastic + self.geometric
+    pub fn hessian(&self) -> DMatrix<f64> {
+        &self.elastic + &self.geometric
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The stability of an equilibrium of this grasp, its contacts where they are at first (displacements are small).
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::energy::StabilityVerdict;
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
-    /// let stability = grasp.stability(outcome.equilibrium().expect("holds"));
-    /// assert_eq!(stability.verdict, StabilityVerdict::Stable);
-    /// // Along y two tangential springs. A turn stretches them at arms of 1 m, and the pinch of 10 N pushes it on at each: 2 (800 - 10).
-    /// assert!((stability.elastic[(1, 1)] - 1600.0).abs() < 1e-9);
-    /// assert!((stability.hessian()[(2, 2)] - 1580.0).abs() < 1e-9);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn stability(&self, equilibrium: &Equilibrium<D, C>) -> Stability<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Energy::stability`](crate::ask::Energy::stability).
+    pub(crate) fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
@@ -103,7 +87,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.
-    fn drives_that_hold(&self, equilibrium: &Equilibrium<D, C>) -> (SMatrix<f64, D, D>, bool) {
+    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (SMatrix<f64, D, D>, bool) {
         let (mut elastic, mut slips) = (SMatrix::zeros(), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
@@ -127,7 +111,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         forces: &[SVector<f64, C>],
         states: &[ContactState<C>],
         (mut elastic, mut slides): (SMatrix<f64, D, D>, bool),
-    ) -> Stability<D, C> {
+    ) -> Stability<C> {
         let mut geometric = SMatrix::zeros();
         let contacts = arms.iter().zip(forces).zip(states);
         for (i, (site, ((arm, force), state))) in self.sites().iter().zip(contacts).enumerate() {
@@ -150,7 +134,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             geometric += turning_arm(arm, force);
         }
         // Columns: the twists about the origin that are unit twists in inside coordinates.
-        let units: [_; D] = std::array::from_fn(|k| *self.outside(&unit(k)).as_vector());
+        let units: [_; D] = std::array::from_fn(|k| self.outside_coordinates(&unit(k)));
         let units = SMatrix::<f64, D, D>::from_columns(&units);
         let hessian = units.transpose() * (elastic + geometric) * units;
         let (least, most, motion) = extremes(&hessian);
@@ -164,14 +148,31 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         } else {
             StabilityVerdict::Unstable
         };
+        let told = of_the_object::<C>() + self.linkage().map_or(0, |linkage| linkage.joints.len());
         Stability {
-            elastic,
-            geometric,
+            elastic: condensed(&elastic, told),
+            geometric: DMatrix::from_fn(told, told, |i, j| geometric[(i, j)]),
             least_curvature: least,
             most_curvature: most,
-            softest: self.outside(&motion),
+            softest: self.motion_outside(&motion),
             verdict,
         }
+    }
+}
+
+/// The stiffness that the first coordinates feel while those behind them, which nobody asks for, go where they are at rest.
+fn condensed<const D: usize>(stiffness: &SMatrix<f64, D, D>, told: usize) -> DMatrix<f64> {
+    let part = |rows: Range<usize>, columns: Range<usize>| {
+        DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])
+    };
+    let own = part(0..told, 0..told);
+    if told == D {
+        return own;
+    }
+    let across = part(told..D, 0..told);
+    match part(told..D, told..D).lu().solve(&across) {
+        Some(moved) => own - across.transpose() * moved,
+        None => own,
     }
 }
 

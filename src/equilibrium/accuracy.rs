@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::answer::{Cone, Equilibrium};
 use crate::contact::{Polygon, PolygonCone, State};
-use crate::grasp::{Grasp, Wrench, wrench_of};
+use crate::grasp::{Engine, Wrench, wrench_of};
 use crate::numerics::Draw;
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
@@ -30,32 +30,16 @@ pub struct Accuracy {
     pub condition: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// How far an equilibrium of this grasp is from the exact one, and how strongly it depends on the last digits of the question: two more
-    /// passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path
-    /// with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
-    ///
-    /// let accuracy = grasp.accuracy(outcome.equilibrium().expect("holds")).expect("its own answer");
-    /// assert!(accuracy.force < 1e-14 && accuracy.condition < 10.0);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn accuracy(&self, equilibrium: &Equilibrium<D, C>) -> Option<Accuracy> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
+    pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a path on the round cone are integrated: its law is not that of one state.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == Rung::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
-        let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist };
+        let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(at.twist);
         // Slides on the round cone belong to forces and slips as they are now.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
@@ -86,7 +70,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The local problem that an equilibrium solves; `None` for one with another number of contacts.
-    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<D, C>) -> Option<Problem<'_, D, C>> {
+    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, D, C>> {
         if equilibrium.contacts.len() != self.len() {
             return None;
         }
@@ -109,19 +93,19 @@ struct Variation<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Variation<D, C> {
     fn new(
-        grasp: &Grasp<D, C>,
-        load: &Wrench<D, C>,
+        grasp: &Engine<D, C>,
+        load: &Wrench<C>,
         problem: &Problem<D, C>,
         states: &[State<C>],
         at: &PieceState<D, C>,
         pattern: u64,
     ) -> Self {
         let mut signs = Draw::new([pattern, 0, 0]);
-        let load = load.as_vector().map(|w| w * signs.sign());
+        let load = load.coordinates::<D>().map(|w| w * signs.sign());
         let n = problem.len();
         let mut variation = Self {
             stretches: vec![SVector::zeros(); n],
-            load: grasp.inside_unchecked(&Wrench::from_vector(load)),
+            load: grasp.inside_unchecked(&Wrench::among(&load)),
             dragged: vec![SVector::zeros(); n],
         };
         for (i, site) in problem.sites.iter().enumerate() {

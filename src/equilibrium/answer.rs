@@ -6,25 +6,25 @@ use super::hand_answer::{JointAnswer, TendonAnswer};
 use super::residuals::Residuals;
 use crate::contact::{PolygonCone, State};
 use crate::forms::LeftOut;
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::{Coordinates, Motion, Twist, Wrench};
 use crate::search::{Doubt, Rung, Settings};
 
 /// How a question for an equilibrium ends.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum Outcome<const D: usize, const C: usize> {
+pub enum Outcome<const C: usize> {
     /// The grasp holds: here is where the object goes and what the contacts carry.
-    Equilibrium(Box<Equilibrium<D, C>>),
+    Equilibrium(Box<Equilibrium<C>>),
     /// No quasi-static equilibrium exists under this load, with the proof.
-    NoEquilibrium(NoEquilibrium<D, C>),
+    NoEquilibrium(NoEquilibrium<C>),
     /// None was found and none was ruled out.
     Undecided(Undecided),
 }
 
-impl<const D: usize, const C: usize> Outcome<D, C> {
+impl<const C: usize> Outcome<C> {
     /// The equilibrium, if there is one.
     #[must_use]
-    pub fn equilibrium(&self) -> Option<&Equilibrium<D, C>> {
+    pub fn equilibrium(&self) -> Option<&Equilibrium<C>> {
         match self {
             Self::Equilibrium(equilibrium) => Some(equilibrium),
             _ => None,
@@ -35,14 +35,14 @@ impl<const D: usize, const C: usize> Outcome<D, C> {
 /// An equilibrium of the elastic contacts, the load and the finger commands.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Equilibrium<const D: usize, const C: usize> {
+pub struct Equilibrium<const C: usize> {
     /// The load it balances, about the origin.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm,
     /// unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is about the centroid of
     /// the contact points, with lengths in units of their root mean square distance from it; a joint's displacement counts times a
     /// power of two near the longest motion of its contacts.
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
     /// Contact by contact, in the order of the grasp.
     pub contacts: Vec<ContactAnswer<C>>,
     /// Joint by joint, if a [hand](crate::grasp::Hand) holds the object, finger by finger.
@@ -50,17 +50,17 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Tendon by tendon.
     pub tendons: Vec<TendonAnswer>,
     /// By which rule this equilibrium was found; there may be others, see
-    /// [`Grasp::equilibria`](crate::grasp::Grasp::equilibria).
+    /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: Rung,
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
     /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
     /// from it, and joints as in the norm of `twist`; either sign is meant. None where every motion is resisted.
-    pub free_motions: Vec<Twist<D, C>>,
+    pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
     /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
-    pub neutral_motions: Vec<Twist<D, C>>,
+    pub neutral_motions: Vec<Motion<C>>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
     /// What was done to find it.
@@ -71,10 +71,10 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// `None` where there was no polygon: nothing slides, Newton's method found it, the state is one of a load path, or the answer is for the polygon itself.
     pub change_from_polygon: Option<f64>,
     /// What the questions to an answer start from.
-    pub(crate) local: LocalAnswer<D, C>,
+    pub(crate) local: LocalAnswer<C>,
 }
 
-impl<const D: usize, const C: usize> Equilibrium<D, C> {
+impl<const C: usize> Equilibrium<C> {
     /// Rotation from which motions are not small, rad: there the first order misses a tenth of an arm's length. It only labels answers.
     pub const LARGE_ROTATION: f64 = 0.5;
 
@@ -83,8 +83,8 @@ impl<const D: usize, const C: usize> Equilibrium<D, C> {
     /// gone far enough along it.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
-        // One angle in the plane, three in space; joints come behind them.
-        let rotation = self.twist.as_vector().iter().skip(C).take(2 * C - 3);
+        // One angle in the plane, three in space.
+        let rotation = self.twist.components().iter().skip(C);
         rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
     }
 
@@ -100,12 +100,13 @@ impl<const D: usize, const C: usize> Equilibrium<D, C> {
 
 /// The solution of the local problem behind an answer.
 #[derive(Debug, Clone)]
-pub(crate) struct LocalAnswer<const D: usize, const C: usize> {
+pub(crate) struct LocalAnswer<const C: usize> {
     pub(crate) states: Vec<State<C>>,
     /// Forces of the drives of a hand.
     pub(crate) drive_forces: Vec<SVector<f64, C>>,
     /// In inside coordinates.
-    pub(crate) twist: SVector<f64, D>,
+    pub(crate) twist: Coordinates<C>,
+    pub(crate) free_motions: Vec<Coordinates<C>>,
     /// Commanded displacements less clearance and less the slips.
     pub(crate) drives: Vec<SVector<f64, C>>,
     /// Slips that the drives count from.
@@ -243,19 +244,19 @@ pub struct WorkDone {
 /// No equilibrium exists: the grasp gives way under this load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct NoEquilibrium<const D: usize, const C: usize> {
+pub struct NoEquilibrium<const C: usize> {
     /// Why, and how that is known.
-    pub proof: Proof<D, C>,
+    pub proof: Proof<C>,
 }
 
 /// Why no equilibrium exists, and how that is known.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Proof<const D: usize, const C: usize> {
+pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
-        motion: Twist<D, C>,
+        motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },
@@ -263,7 +264,7 @@ pub enum Proof<const D: usize, const C: usize> {
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
-        motion: Twist<D, C>,
+        motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
         work: f64,
     },

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::answer::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
-use crate::grasp::Twist;
+use crate::grasp::Motion;
 use crate::search::Doubt;
 
 /// Numbers in brackets; what is rounding beside the largest is zero.
@@ -17,7 +17,7 @@ pub(crate) fn row(numbers: &[f64]) -> String {
     format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
 }
 
-impl<const D: usize, const C: usize> fmt::Display for Outcome<D, C> {
+impl<const C: usize> fmt::Display for Outcome<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Equilibrium(state) => write!(f, "equilibrium: {state}"),
@@ -28,9 +28,9 @@ impl<const D: usize, const C: usize> fmt::Display for Outcome<D, C> {
 }
 
 /// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone.
-impl<const D: usize, const C: usize> fmt::Display for Equilibrium<D, C> {
+impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let moved = row(self.twist.as_vector().as_slice());
+        let moved = row(self.twist.components());
         write!(f, "the object moves by {moved} m and rad, residual {:.0e}", self.residuals.worst())?;
         if self.is_beyond_small_motions() {
             f.write_str("; far beyond the small motions that this is good for")?;
@@ -56,15 +56,15 @@ fn word<const C: usize>(state: &ContactState<C>) -> &'static str {
     }
 }
 
-impl<const D: usize, const C: usize> fmt::Display for NoEquilibrium<D, C> {
+impl<const C: usize> fmt::Display for NoEquilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.proof.fmt(f)
     }
 }
 
-impl<const D: usize, const C: usize> fmt::Display for Proof<D, C> {
+impl<const C: usize> fmt::Display for Proof<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let of = |motion: &Twist<D, C>| row(motion.as_vector().as_slice());
+        let of = |motion: &Motion<C>| row(motion.object.components());
         match self {
             Self::FreeMotion { motion, .. } => write!(f, "nothing resists the motion {}", of(motion)),
             Self::SeparatingMotion { motion, .. } => {

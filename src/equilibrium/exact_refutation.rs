@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, LocalLaw, Sector};
-use crate::grasp::{Contact, Grasp, Site, Wrench};
+use crate::grasp::{Contact, Engine, Site, Wrench};
 use crate::object::Problem;
 use crate::proofs::{ESCAPE, Step, check};
 use crate::search::{Settings, refute};
@@ -170,7 +170,7 @@ fn is_contradicted(
 }
 
 /// Three fingers around a jar, each with a number of its own, pulled out with more than they hold.
-fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6, 3>) {
+fn jar(shift: f64, load: [f64; 3]) -> (Engine<6, 3>, Wrench<3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
         Contact::new([cos, sin, 0.1 * k], [-cos, -sin, 0.05 * k])
@@ -178,7 +178,7 @@ fn jar(shift: f64, load: [f64; 3]) -> (Grasp<6, 3>, Wrench<6, 3>) {
             .friction(0.5)
             .command([0.01 + 0.001 * k, 0.0, 0.0])
     };
-    (Grasp::new([0.0, 1.0, 2.0].map(finger)).expect("three fingers"), Wrench::<6, 3>::force(load))
+    (Engine::new([0.0, 1.0, 2.0].map(finger).to_vec()).expect("three fingers"), Wrench::<3>::force(load))
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Drive, Grasp, Linkage, Named, Owner, Role, of_the_object};
+use crate::grasp::{Drive, Engine, Linkage, Named, Owner, Role, of_the_object};
 use crate::object::Problem;
 use crate::search::Found;
 
@@ -63,7 +63,7 @@ struct Own {
     yielded: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// Joints and tendons of a solution of the local problem.
     pub(super) fn hand_answers(
         &self,

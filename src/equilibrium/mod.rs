@@ -34,8 +34,6 @@ mod questions;
 mod recomputed;
 mod refutation;
 mod residuals;
-#[cfg(feature = "plot")]
-mod without_hand;
 mod write_out;
 
 pub use crate::search::{Doubt, Rung, Settings};

@@ -5,9 +5,7 @@ use nalgebra::SVector;
 use super::answer::{Cone, ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::Polygon;
-use crate::grasp::{
-    Grasp, Hold, Site, Twist, Wrench, displacement_of, object_alone, of_the_object, wrench_of,
-};
+use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::search::Found;
 
@@ -80,25 +78,25 @@ impl Residuals {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; of joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
-        load: &Wrench<D, C>,
-        twist: &Twist<D, C>,
+        load: &Wrench<C>,
+        twist: &SVector<f64, D>,
         (answers, found): (&[ContactAnswer<C>], &Found<D, C>),
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
         // Comparisons below pass over what is not a number.
-        if !answers.iter().all(is_finite) || !twist.as_vector().iter().all(|x| x.is_finite()) {
+        if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
-        let load_force = SVector::<f64, C>::from_fn(|a, _| load.as_vector()[a]);
+        let load_force = SVector::<f64, C>::from_fn(|a, _| load.components()[a]);
         let object = of_the_object::<C>();
-        let turned: f64 = twist.as_vector().iter().take(object).skip(C).map(|x| x.abs()).sum();
-        let translated = object_alone::<D, C>(twist.as_vector());
+        let turned: f64 = twist.iter().take(object).skip(C).map(|x| x.abs()).sum();
+        let translated = object_alone::<D, C>(twist);
         // The law is about the slip since the state that the drives count from.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
@@ -138,7 +136,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         };
         for (i, answer) in answers.iter().enumerate() {
             let point = &self.contacts()[i].point;
-            let moved = displacement_of(point, twist.as_vector()) - self.carried(i, twist).0;
+            let moved = displacement_of(point, twist) - self.carried(i, twist).0;
             let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
             let told = Told { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
@@ -151,11 +149,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// How far the joints of its finger move a contact, along the coordinate axes, and the size of the terms of that sum.
-    fn carried(&self, contact: usize, twist: &Twist<D, C>) -> (SVector<f64, C>, f64) {
+    fn carried(&self, contact: usize, twist: &SVector<f64, D>) -> (SVector<f64, C>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
-            let step = motion * twist.as_vector()[of_the_object::<C>() + k];
+            let step = motion * twist[of_the_object::<C>() + k];
             sum += step;
             size += step.norm();
         }
@@ -166,13 +164,13 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn drives_told<'a>(
         &self,
         problem: &Problem<D, C>,
-        twist: &Twist<D, C>,
+        twist: &SVector<f64, D>,
         found: &'a Found<D, C>,
     ) -> Vec<Told<'a, C>> {
         if self.linkage().is_none() {
             return Vec::new();
         }
-        let inside = self.inside_twist(twist);
+        let inside = self.inside_motion(twist);
         let told = |(i, force): (usize, &'a SVector<f64, C>)| {
             let (site, separated) = (&self.sites()[i], found.states[i].is_open());
             let stretch = site.stretch(&problem.drives[i], &inside);
@@ -187,14 +185,14 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// Torques out of balance at the joints, over the largest of their terms.
     fn joints_out_of_balance(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         answers: &[ContactAnswer<C>],
         found: &Found<D, C>,
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
         let object = of_the_object::<C>();
-        let from_outside = self.inside_unchecked(load);
+        let from_outside = self.inside_unchecked(load) + linkage.pulled;
         let mut sums = linkage.held + from_outside;
         let mut sizes = linkage.held.abs() + from_outside.abs();
         let mut add = |k: usize, term: f64| {
@@ -216,8 +214,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 
     /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
     /// are sums of.
-    fn out_of_balance(&self, load: &Wrench<D, C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
-        let mut sum = *load.as_vector();
+    fn out_of_balance(&self, load: &Wrench<C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
+        let mut sum = load.coordinates::<D>();
         let (mut force_size, mut moment_size) = (0.0, 0.0);
         for k in 0..of_the_object::<C>() {
             *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
@@ -247,11 +245,13 @@ fn is_finite<const C: usize>(answer: &ContactAnswer<C>) -> bool {
 mod tests {
     use std::sync::Arc;
 
+    use nalgebra::SVector;
+
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
-    use crate::grasp::{Contact, Grasp, Twist, Wrench};
+    use crate::grasp::{Contact, Engine, Wrench};
     use crate::object::Load;
-    use crate::search::Found;
+    use crate::search::{Found, Settings};
 
     /// A comparison with a bound must fail wherever anything is not finite.
     #[test]
@@ -262,20 +262,20 @@ mod tests {
                 .friction(0.5)
                 .command([0.01, 0.0])
         };
-        let grasp = Grasp::<3, 2>::new([jaw(-1.0), jaw(1.0)])?;
-        let load = Wrench::<3, 2>::force([0.0, -1.0]);
-        let answer = grasp.solve(&load)?.equilibrium().ok_or("the jaws hold")?.clone();
+        let grasp = Engine::<3, 2>::new(vec![jaw(-1.0), jaw(1.0)])?;
+        let load = Wrench::<2>::force([0.0, -1.0]);
+        let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
         let problem = grasp.problem(polygon, false, grasp.drives(), &Load::from(&wrench));
         let states = answer.local.states.clone();
-        let found = Found::new(states, answer.site_forces(), answer.local.twist);
-        let worst = |twist: &Twist<3, 2>, contacts: &[_]| {
+        let found = Found::new(states, answer.site_forces(), answer.local.twist.to());
+        let worst = |twist: &SVector<f64, 3>, contacts: &[_]| {
             grasp.residuals(&problem, &load, twist, (contacts, &found), answer.cone).worst()
         };
-        assert!(worst(&answer.twist, &answer.contacts) < 1e-14);
+        assert!(worst(&answer.twist.to_vector(), &answer.contacts) < 1e-14);
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            let lost = Twist::from_vector([0.0, bad, 0.0]);
+            let lost = SVector::from([0.0, bad, 0.0]);
             assert_eq!(worst(&lost, &answer.contacts), f64::INFINITY);
             for part in 0..4 {
                 let mut contacts = answer.contacts.clone();
@@ -285,7 +285,7 @@ mod tests {
                     2 => contacts[0].slip[1] = bad,
                     _ => contacts[0].gap = bad,
                 }
-                assert_eq!(worst(&answer.twist, &contacts), f64::INFINITY, "{part} {bad}");
+                assert_eq!(worst(&answer.twist.to_vector(), &contacts), f64::INFINITY, "{part} {bad}");
             }
         }
         for k in 0..5 {

@@ -5,26 +5,28 @@ use nalgebra::{SMatrix, SVector};
 use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, LocalAnswer, WorkDone};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
-use crate::grasp::{Contact, Grasp, Hold, Stiffness, Twist, Wrench, object_alone, of_the_object};
+use crate::grasp::{
+    Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench, object_alone, of_the_object,
+};
 use crate::object::Problem;
 use crate::search::{Effort, Found, Rung};
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// Writes a solution of the local problem out as physics.
     pub(crate) fn equilibrium(
         &self,
         problem: &Problem<D, C>,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         found: Found<D, C>,
         rule: Rung,
         effort: &Effort,
         cone: Cone,
-    ) -> Equilibrium<D, C> {
+    ) -> Equilibrium<C> {
         let solved = self.contacts().iter().zip(solved_sites(problem, &found));
         let contacts: Vec<_> = solved.map(|(contact, solved)| solved.answer(contact)).collect();
-        let twist = self.outside(&found.twist);
+        let twist = self.outside_coordinates(&found.twist);
         let motions =
-            |list: &[SVector<f64, D>]| list.iter().map(|v| self.outside(v)).collect::<Vec<Twist<D, C>>>();
+            |list: &[SVector<f64, D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
         let mut stored_energy: f64 = stored.sum();
@@ -36,7 +38,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
-            twist,
+            twist: Twist::among(&twist),
             contacts,
             joints,
             tendons,
@@ -59,7 +61,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             local: LocalAnswer {
                 states: found.states,
                 drive_forces,
-                twist: found.twist,
+                twist: Coordinates::of(&found.twist),
+                free_motions: found.free_motions.iter().map(Coordinates::of).collect(),
                 drives: problem.drives.clone(),
                 slips: problem.slips.clone(),
             },

@@ -3,7 +3,7 @@
 //! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the friction
 //! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
 //!
-//! **Kinematic form** ([`Grasp::kinematic_form`](crate::grasp::Grasp::kinematic_form)). Everything sticks at first, F⁰ = K (a - Gᵀq⁰) with Σ G_i F⁰_i + W = 0: one d x d solve. On top of it
+//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). Everything sticks at first, F⁰ = K (a - Gᵀq⁰) with Σ G_i F⁰_i + W = 0: one d x d solve. On top of it
 //! come jumps z, gaps and slips `s = Σ σ_j h_j`, that change the forces by what the object does not follow:
 //!
 //! ```text
@@ -14,7 +14,7 @@
 //! Small, and solved by z = 0 exactly when everything rolls. Its matrix is not copositive: with strong friction Lemke's method can end on a ray
 //! although an equilibrium exists, so that a ray proves nothing.
 //!
-//! **Force form** ([`Grasp::force_form`](crate::grasp::Grasp::force_form)). Forces are the unknowns, compliances stand on the diagonal, the twist is free:
+//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances stand on the diagonal, the twist is free:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0

@@ -80,7 +80,7 @@ pub enum Why {
 ///
 /// The problem is stated in scaled variables (square roots of energy), in which stiffness ratios do not show:
 /// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
-/// [`Grasp::kinematic_form`](crate::grasp::Grasp::kinematic_form) and [`Grasp::force_form`](crate::grasp::Grasp::force_form).
+/// [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form) and [`Grasp::force_form`](crate::ask::Grasp::force_form).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Form {

@@ -35,7 +35,7 @@ pub enum Hold {
 /// A point contact with Coulomb friction between the object and an elastic finger.
 ///
 /// Built step by step; what is not said has the default given with each method. Checked when the
-/// [`Grasp`](crate::grasp::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
+/// [`Grasp`](crate::ask::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
 ///
 /// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with
 /// `t₂ = n × t₁`. Stiffnesses, commands and forces are along its axes, the normal first.

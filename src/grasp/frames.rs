@@ -87,12 +87,12 @@ fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
 
 macro_rules! in_other_frames {
     ($c:literal) => {
-        impl<const D: usize> Wrench<D, $c> {
+        impl Wrench<$c> {
             /// This load with moments about `point` instead of the origin: `m - point × f`, in axes
             /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::from_vector(moved_wrench::<D, $c>(&-SVector::from(point.into()), self.as_vector()))
+                Self::among(&moved_wrench::<6, $c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This load in other coordinates: `pose` is the frame in which it was given as seen
@@ -100,18 +100,18 @@ macro_rules! in_other_frames {
             /// p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned(&pose.rotation, self.as_vector());
-                Self::from_vector(moved_wrench::<D, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, 6, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_wrench::<6, $c>(&pose.translation.vector, &turned))
             }
         }
 
-        impl<const D: usize> Twist<D, $c> {
+        impl Twist<$c> {
             /// This motion told of the object's point at `point` instead of the one at the origin:
             /// its translation is [`Self::displacement_at`] that point, its rotation stays. In its
             /// result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::from_vector(moved_twist::<D, $c>(&-SVector::from(point.into()), self.as_vector()))
+                Self::among(&moved_twist::<6, $c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This motion in other coordinates: `pose` is the frame in which it was given as seen
@@ -119,8 +119,8 @@ macro_rules! in_other_frames {
             /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned(&pose.rotation, self.as_vector());
-                Self::from_vector(moved_twist::<D, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, 6, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_twist::<6, $c>(&pose.translation.vector, &turned))
             }
         }
     };

@@ -6,27 +6,28 @@
 
 use nalgebra::SVector;
 
-use super::held_object::Grasp;
+use super::engine::Engine;
+use super::motion::Motion;
 use super::rotation::{moved_twist, moved_wrench, of_the_object, planes};
 use super::wrench::{Twist, Wrench};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside(&self, wrench: &Wrench<D, C>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+    pub(crate) fn inside(&self, wrench: &Wrench<C>, what: &'static str) -> Result<SVector<f64, D>, Error> {
         wrench.check(what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
     /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
-        self.per_length(moved_wrench::<D, C>(&-self.origin, wrench.as_vector()))
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
+        self.per_length(moved_wrench::<D, C>(&-self.origin, &wrench.coordinates()))
     }
 
     /// What rounding takes from a wrench moved inside.
-    pub(crate) fn inside_rest(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
-        let (w, inside) = (wrench.as_vector(), self.inside_unchecked(wrench));
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
+        let (w, inside) = (wrench.coordinates::<D>(), self.inside_unchecked(wrench));
         let mut rest = SVector::zeros();
         for (k, &(i, j)) in planes::<C>().iter().enumerate() {
             let mut moment = DoubleDouble::new(w[C + k]);
@@ -44,19 +45,31 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// A wrench as the user sees it, from inside coordinates.
-    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<D, C> {
-        Wrench::from_vector(moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
+    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<C> {
+        Wrench::among(&moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
     }
 
-    /// A twist in inside coordinates: about the centroid, rotations times the inside unit of
-    /// length.
-    pub(crate) fn inside_twist(&self, twist: &Twist<D, C>) -> SVector<f64, D> {
-        self.times_length(moved_twist::<D, C>(&-self.origin, twist.as_vector()))
+    /// All coordinates of a motion inside, from those that the user sees.
+    pub(crate) fn inside_motion(&self, outside: &SVector<f64, D>) -> SVector<f64, D> {
+        self.times_length(moved_twist::<D, C>(&-self.origin, outside))
     }
 
-    /// A twist as the user sees it, from inside coordinates.
-    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<D, C> {
-        Twist::from_vector(moved_twist::<D, C>(&self.origin, &self.per_length(*q)))
+    /// A motion of the object as the user sees it, from inside coordinates.
+    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<C> {
+        Twist::among(&self.outside_coordinates(q))
+    }
+
+    /// A motion of object and joints as the user sees it, from inside coordinates.
+    pub(crate) fn motion_outside(&self, q: &SVector<f64, D>) -> Motion<C> {
+        let outside = self.outside_coordinates(q);
+        let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
+        let joints = outside.iter().skip(of_the_object::<C>()).take(joints).copied().collect();
+        Motion { object: Twist::among(&outside), joints }
+    }
+
+    /// All coordinates as the user sees them, those of drives that saturate behind the joints.
+    pub(crate) fn outside_coordinates(&self, q: &SVector<f64, D>) -> SVector<f64, D> {
+        moved_twist::<D, C>(&self.origin, &self.per_length(*q))
     }
 
     /// Angular components divided by the inside unit of length, those of joints by the lengths that measure them.

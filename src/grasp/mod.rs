@@ -25,11 +25,13 @@
 //! `collision-contacts` in the repository takes contacts from parry and shows all of it.
 
 mod contact;
+mod coordinates;
+mod engine;
 mod fingertip;
 mod frames;
 mod hand;
-mod held_object;
 mod inside;
+mod motion;
 mod pressure;
 mod remembered;
 mod rigid_motion;
@@ -43,12 +45,14 @@ mod wrench;
 #[cfg(feature = "serde")]
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
+pub(crate) use coordinates::Coordinates;
+pub(crate) use engine::Engine;
 pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
 pub use hand::{Finger, Hand, HandPart, Joint, Limit, Tendon};
-pub use held_object::Grasp;
+pub use motion::Motion;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{

@@ -17,7 +17,7 @@ use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQua
 
 use super::wrench::Twist;
 
-impl Twist<3, 2> {
+impl Twist<2> {
     /// The rigid motion of this twist, by the exponential map: the object turns by θ, and its
     /// origin moves by `s R(θ/2) u` with the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`.
     /// Other rigid motions that fit the twist to first order differ from this one to second order
@@ -48,7 +48,7 @@ impl Twist<3, 2> {
     ///
     /// let twist = Twist::new([0.3, -0.1], 0.5);
     /// let back = Twist::log(&twist.exp());
-    /// assert!((back - twist).as_vector().norm() < 1e-15);
+    /// assert!((back - twist).to_vector().norm() < 1e-15);
     /// assert_eq!(Twist::log(&Isometry2::translation(2.0, 1.0)), Twist::new([2.0, 1.0], 0.0));
     /// ```
     #[must_use]
@@ -59,7 +59,7 @@ impl Twist<3, 2> {
     }
 }
 
-impl Twist<6, 3> {
+impl Twist<3> {
     /// The rigid motion of this twist, by the exponential map: the object turns by |θ| about θ, and
     /// its origin moves by `R(θ/2) (s u⊥ + u∥)`. The translation u has the part u∥ along θ and u⊥
     /// across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid motions that
@@ -95,7 +95,7 @@ impl Twist<6, 3> {
     /// let quarter = std::f64::consts::FRAC_PI_2;
     /// let motion = Isometry3::new(Vector3::new(0.0, 0.0, 0.2), Vector3::z() * quarter);
     /// let twist = Twist::log(&motion);
-    /// assert!((twist - Twist::new([0.0, 0.0, 0.2], [0.0, 0.0, quarter])).as_vector().norm() < 1e-15);
+    /// assert!((twist - Twist::new([0.0, 0.0, 0.2], [0.0, 0.0, quarter])).to_vector().norm() < 1e-15);
     /// ```
     #[must_use]
     pub fn log(motion: &Isometry3<f64>) -> Self {

@@ -65,23 +65,6 @@ impl<const D: usize, const C: usize> Site<D, C> {
         Self { map, map_rest, size: map.norm(), support: Support::of(&map, &map_rest), ..self.clone() }
     }
 
-    /// This site where no joint moves it.
-    #[cfg(feature = "plot")]
-    pub(super) fn of_the_object<const N: usize>(&self) -> Site<N, C> {
-        let map = SMatrix::from_fn(|k, a| self.map[(k, a)]);
-        Site {
-            map,
-            map_rest: SMatrix::from_fn(|k, a| self.map_rest[(k, a)]),
-            size: map.norm(),
-            support: Support::of(&map, &SMatrix::zeros()),
-            frame: self.frame,
-            springs: self.springs,
-            friction: self.friction,
-            hold: self.hold,
-            polygon: self.polygon.clone(),
-        }
-    }
-
     /// A site whose only force acts along one axis of its own: a drive of a hand.
     pub(super) fn of_axis(axis: usize, along: &SVector<f64, D>, springs: Compliance<C>, hold: Hold) -> Self {
         let mut map = SMatrix::<f64, D, C>::zeros();

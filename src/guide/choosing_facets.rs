@@ -13,8 +13,8 @@
 //! # Where facets come in
 //!
 //! [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), to compare with codes that have nothing else;
-//! [`Grasp::follow_patch`](crate::grasp::Grasp::follow_patch), for thousands of contacts; the quadratic programs of [`energy`](crate::energy); and
-//! [`Grasp::bracket`](crate::grasp::Grasp::bracket), which shows what they do.
+//! [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch), for thousands of contacts; the quadratic programs of [`energy`](crate::energy); and
+//! [`Grasp::bracket`](crate::ask::Grasp::bracket), which shows what they do.
 //!
 //! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at `μ F_n cos(π/m)`; around it, its corners lie at `μ F_n / cos(π/m)`:
 //!
@@ -47,7 +47,7 @@
 //!     let round = grasp.onset(&ramp)?.factor().ok_or("it slides")?;
 //!     assert!((round - 3.0 * 0.5 * 4.0).abs() < 1e-12);
 //!     let eight = Settings::default().with_cone(PolygonCone::new(8, Fit::Inscribed)?);
-//!     let polygon = grasp.onset_with(&ramp, &eight.on_the_polygon())?.factor().ok_or("it slides")?;
+//!     let polygon = grasp.with(&eight.on_the_polygon()).onset(&ramp)?.factor().ok_or("it slides")?;
 //!     (least, most) = (least.min(polygon / round), most.max(polygon / round));
 //! }
 //! // Exact along a corner, off by 1 - cos(π/8) along a facet's middle.

@@ -7,7 +7,8 @@
 //!
 //! ```
 //! use grasp_lcp::planar::Contact;
-//! use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Wrench};
+//! use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+//! use grasp_lcp::planar::{Grasp, Wrench};
 //!
 //! // Two fingers of three joints (0.8, 0.8 and 0.5 N m/rad) squeeze an object with 4.5 N each; μ = 0.4.
 //! let finger = |x: f64| {
@@ -15,7 +16,7 @@
 //!     let pad = Contact::new([0.25 * x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.4).pressed_with(4.5);
 //!     Finger::new(joints.map(|(point, stiffness)| Joint::revolute(point).stiffness(stiffness))).contact(pad)
 //! };
-//! let grasp: Grasp<9> = Hand::new([finger(-1.0), finger(1.0)]).grasp()?; // 3 coordinates of the object, 6 joints
+//! let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp()?; // 3 coordinates of the object, 6 joints
 //! let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side])).map(|onset| onset.factor());
 //! let (down, up) = (onset(-1.0)?.expect("rolls"), onset(1.0)?.expect("rolls"));
 //! // Springs along the axes of the contacts would say 2 μ N = 3.6 N both ways.
@@ -38,9 +39,9 @@
 //! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
 //! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
 //!
-//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::grasp::Grasp) of D coordinates, the object's and [the hand's](crate::grasp::Hand::coordinates).
+//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp) of D coordinates, the object's and [the hand's](crate::grasp::Hand::coordinates).
 //! All questions are asked of it as of any other grasp. Loads are [`Wrench`](crate::grasp::Wrench)es of D components; those behind the object's are
-//! [torques on joints](crate::grasp::Wrench::on_joints), zero unless said. Answers tell
+//! [torques on joints](crate::ask::Grasp::with_joint_torques), zero unless said. Answers tell
 //! [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts, events and onsets their
 //! [drives](crate::load_path::Event::drives).
 //!
@@ -62,4 +63,4 @@
 //!
 //! Displacements are small: J is that of the posture in which contacts were given. Under load joint stiffness gets a geometric part, `∂Jᵀ/∂φ F`, which matters where
 //! torque times angle comes near the elastic energy; give it with [`Finger::coupled`](crate::grasp::Finger::coupled) if you know it and the sum is positive semidefinite.
-//! [Screening](crate::screening) and [`Grasp::follow_patch`](crate::grasp::Grasp::follow_patch) know no joints.
+//! [Screening](crate::screening) and [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch) know no joints.

@@ -36,7 +36,7 @@
 //!
 //! # On a grasp
 //!
-//! A free motion is noticed before any path is followed. After a ray [`Grasp::solve`](crate::grasp::Grasp::solve) tries
+//! A free motion is noticed before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries
 //! another [form](crate::forms), then a proof on the scene itself, in this order:
 //!
 //! | [`Proof`](crate::equilibrium::Proof) | the motion in it | means | what helps |
@@ -65,6 +65,6 @@
 //! let load = Wrench::force([1.0, 0.0]);
 //! let Outcome::NoEquilibrium(parts) = one.solve(&load)? else { panic!("nothing pulls back") };
 //! let Proof::SeparatingMotion { motion, work } = parts.proof else { panic!("{:?}", parts.proof) };
-//! assert!(motion.translation()[0] > 0.0 && work > 0.0);
+//! assert!(motion.object.translation()[0] > 0.0 && work > 0.0);
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```

@@ -48,7 +48,7 @@
 //!
 //! # Which one is returned
 //!
-//! [`Grasp::solve`](crate::grasp::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this order:
+//! [`Grasp::solve`](crate::ask::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this order:
 //!
 //! * everything rolls;
 //! * everything that touches rolls;
@@ -61,9 +61,9 @@
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) lists all of them. If there is only one, that is
+//! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, that is
 //!   it. (On the round cone the list has those that a polygon leads to.)
-//! * [`Grasp::follow`](crate::grasp::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
+//! * [`Grasp::follow`](crate::ask::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even that leaves a choice.
-//! * [`Grasp::stability`](crate::grasp::Grasp::stability) tells of one in which nothing slides whether a small push leaves it alone.
+//! * [`Energy::stability`](crate::ask::Energy::stability) tells of one in which nothing slides whether a small push leaves it alone.
 //! * A grasp that is to hold whatever happened before must hold in each of them.

@@ -12,7 +12,7 @@
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
 //! A point of a real lip that opens lets air in, so that the onset of peeling is the end. A load of several kinds at once has no such short formula,
-//! and is what [`Grasp::onset`](crate::grasp::Grasp::onset) answers.
+//! and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers.
 //!
 //! ```
 //! use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};

@@ -18,13 +18,13 @@
 //!
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): by how much the numbers violate equilibrium, springs, cones and gaps, recomputed
 //!   from contacts, commands and load. Some 1e-16. This says that the answer solves the question, not that the question is known well.
-//! * [`accuracy`](crate::grasp::Grasp::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
+//! * [`accuracy`](crate::ask::Grasp::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
 //!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
 //!   no digit of a force, however small the residual.
-//! * [`distinct`](crate::grasp::Grasp::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
+//! * [`distinct`](crate::ask::Grasp::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
 //!   sliding, rolling and sliding are the same forces; which word is used depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. Where friction is known to 10 %, a contact with a margin below
-//!   10 % of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::grasp::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
+//!   10 % of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
 //! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, the twist is one of many.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): how it was found. Anything but [`EverythingRolls`](crate::equilibrium::Rung::EverythingRolls)
 //!   may be one of several: see [`several_equilibria`](super::several_equilibria).
@@ -33,11 +33,11 @@
 //!
 //! | question | ask | why not another |
 //! |---|---|---|
-//! | Does it hold this load without sliding? | [`Grasp::onset`](crate::grasp::Grasp::onset): a factor above 1 | `solve` also finds equilibria with sliding |
-//! | Does it hold at all? | [`Grasp::solve`](crate::grasp::Grasp::solve), or [`follow`](crate::grasp::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
-//! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::grasp::Grasp::follow) | `solve` knows no history: all slip starts from zero |
+//! | Does it hold this load without sliding? | [`Grasp::onset`](crate::ask::Grasp::onset): a factor above 1 | `solve` also finds equilibria with sliding |
+//! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
+//! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
 //! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the answer around it |
-//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::grasp::Grasp::agreement_with_minimum_energy) | beyond its factor the program returns numbers that balance nothing |
+//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond its factor the program returns numbers that balance nothing |
 //!
 //! ```
 //! use grasp_lcp::load_path::{Leg, PathEnd};

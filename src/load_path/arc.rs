@@ -282,7 +282,7 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
         states: &[State<C>],
         factor: f64,
         at: &PieceState<D, C>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))

@@ -11,7 +11,7 @@ use super::segment::Segment;
 use crate::contact::ZERO_SLACK;
 use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
-use crate::grasp::{Grasp, Twist};
+use crate::grasp::{Engine, Motion};
 use crate::lcp;
 use crate::object::{Piece, Problem};
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
@@ -35,9 +35,9 @@ const FLEETING: f64 = 1e-9;
 /// What comes after an onset or after the end of a path.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum Beyond<const D: usize, const C: usize> {
+pub enum Beyond<const C: usize> {
     /// The equilibrium goes on with these contacts sliding or open. Of an onset; a path has been followed as far as it goes on.
-    Continues(Box<Continuation<D, C>>),
+    Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves that, or in the plane and on polygons every combination of contact states was
     /// tried. On the round cone it may be known only from a hundredth of the whole load (or of all commands, or of the leg where there is no load
     /// yet) further on.
@@ -48,7 +48,7 @@ pub enum Beyond<const D: usize, const C: usize> {
     /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
     /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
     /// [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof that nothing else holds was found.
-    Ends(NoEquilibrium<D, C>),
+    Ends(NoEquilibrium<C>),
     /// Nothing can be said, and why.
     Undecided(Doubt),
 }
@@ -56,31 +56,31 @@ pub enum Beyond<const D: usize, const C: usize> {
 /// How an equilibrium goes on past an event, per unit of load factor.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Continuation<const D: usize, const C: usize> {
+pub struct Continuation<const C: usize> {
     /// What every contact does next, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
-    pub twist_rate: Twist<D, C>,
+    pub twist_rate: Motion<C>,
     /// By which rule it was found.
     pub rule: Rung,
 }
 
 /// How an equilibrium goes on where its rates have a solution.
 pub(super) fn continuation<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
+    grasp: &Engine<D, C>,
     rates: &Problem<D, C>,
     found: Found<D, C>,
     rule: Rung,
-) -> Beyond<D, C> {
+) -> Beyond<C> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
     force_rates.truncate(grasp.len());
     Beyond::Continues(Box::new(Continuation {
         states,
         force_rates,
-        twist_rate: grasp.outside(&found.twist),
+        twist_rate: grasp.motion_outside(&found.twist),
         rule,
     }))
 }
@@ -100,7 +100,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
     (settled, effort): (Settled<D, C>, &Effort),
     end: &End<'_, D, C>,
     settings: &Settings,
-) -> Beyond<D, C> {
+) -> Beyond<C> {
     let here = segment.problem_at(end.factor);
     // A little further on, for what takes a finite distance to be seen.
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
@@ -152,7 +152,7 @@ fn from_scratch<'g, const D: usize, const C: usize>(
     past: impl Fn(f64) -> Problem<'g, D, C>,
     forces: &[SVector<f64, C>],
     settings: &Settings,
-) -> Beyond<D, C> {
+) -> Beyond<C> {
     // Some equilibrium, at a distance from the end that no path goes on so short a way.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
@@ -198,10 +198,7 @@ fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Probl
     if way.is_finite() { way } else { 0.0 }
 }
 
-fn search_beyond<const D: usize, const C: usize>(
-    here: &Problem<D, C>,
-    rates: &Problem<D, C>,
-) -> Beyond<D, C> {
+fn search_beyond<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> Beyond<C> {
     // The whole laws, driven at the rates.
     let rates = &Problem {
         drives: rates.drives.clone(),

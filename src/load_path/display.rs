@@ -8,7 +8,7 @@ use super::onset::{Departure, Onset, OnsetEvent};
 use crate::equilibrium::row;
 use crate::grasp::HandPart;
 
-impl<const D: usize, const C: usize> fmt::Display for Onset<D, C> {
+impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::At(event) => event.fmt(f),
@@ -41,7 +41,7 @@ impl<const C: usize> fmt::Display for Change<C> {
 }
 
 /// The factor, and who leaves rolling.
-impl<const D: usize, const C: usize> fmt::Display for OnsetEvent<D, C> {
+impl<const C: usize> fmt::Display for OnsetEvent<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at factor {:.12}:", self.factor)?;
         let mut between = " ";
@@ -78,7 +78,7 @@ impl fmt::Display for DriveChange {
     }
 }
 
-impl<const D: usize, const C: usize> fmt::Display for PathEnd<D, C> {
+impl<const C: usize> fmt::Display for PathEnd<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Completed => f.write_str("all legs are held to their end"),
@@ -91,10 +91,10 @@ impl<const D: usize, const C: usize> fmt::Display for PathEnd<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> fmt::Display for Loss<D, C> {
+impl<const C: usize> fmt::Display for Loss<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "this equilibrium ends at {:.9} of leg {}, under the load ", self.fraction, self.leg)?;
-        write!(f, "{}: {}", row(self.load.as_vector().as_slice()), self.kind)
+        write!(f, "{}: {}", row(self.load.components()), self.kind)
     }
 }
 

@@ -4,29 +4,29 @@ use nalgebra::SVector;
 
 use super::drive_change::DriveChange;
 use crate::equilibrium::{Equilibrium, Outcome};
-use crate::grasp::{HandPart, Twist, Wrench};
+use crate::grasp::{Coordinates, Engine, HandPart, Motion, Wrench};
 use crate::search::Doubt;
 
 /// Something changes: one or more contacts, at one load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct Event<const D: usize, const C: usize> {
+pub struct Event<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1, exact up to rounding; where something slides on the round cone up to the
     /// error of the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
     pub changes: Vec<(usize, Change<C>)>,
     /// What changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     pub drives: Vec<(HandPart, DriveChange)>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
-    pub state: Equilibrium<D, C>,
+    pub state: Equilibrium<C>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
-    pub free_motions: Vec<Twist<D, C>>,
+    pub free_motions: Vec<Motion<C>>,
     /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the
     /// rates proves or, among few contacts, trying all. `None` if neither says, as at the apex of a round cone.
     ///
@@ -70,14 +70,14 @@ pub enum Change<const C: usize> {
 /// How a load path ends.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum PathEnd<const D: usize, const C: usize> {
+pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
     /// This equilibrium ends here: no way goes on from it with a growing load. Whether another exists beyond is a question of its own, see
     /// [`LoadPath::beyond`](super::LoadPath::beyond).
-    Lost(Loss<D, C>),
+    Lost(Box<Loss<C>>),
     /// There is no equilibrium to start from.
-    NoStart(Box<Outcome<D, C>>),
+    NoStart(Box<Outcome<C>>),
     /// The path could not be followed further, and whether it goes on or ends there is not known. It holds up to there.
     Undecided {
         /// The leg, from 0.
@@ -89,10 +89,10 @@ pub enum PathEnd<const D: usize, const C: usize> {
     },
 }
 
-impl<const D: usize, const C: usize> PathEnd<D, C> {
+impl<const C: usize> PathEnd<C> {
     /// Where equilibrium was lost, if it was.
     #[must_use]
-    pub fn loss(&self) -> Option<&Loss<D, C>> {
+    pub fn loss(&self) -> Option<&Loss<C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }
     }
 
@@ -120,13 +120,13 @@ impl<const D: usize, const C: usize> PathEnd<D, C> {
 /// Where an equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Loss<const D: usize, const C: usize> {
+pub struct Loss<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// What ends the equilibrium.
     pub kind: LossKind,
     /// The contacts that stand on the edge of their cone there, from 0.
@@ -135,7 +135,22 @@ pub struct Loss<const D: usize, const C: usize> {
     pub drives: Vec<HandPart>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.
-    pub motion: Option<Twist<D, C>>,
+    pub motion: Option<Motion<C>>,
+    /// That motion in inside coordinates.
+    pub(super) inside: Option<Coordinates<C>>,
+}
+
+impl<const C: usize> Loss<C> {
+    /// This loss with the motion with which the object leaves, in inside coordinates.
+    pub(super) fn leaving<const D: usize>(
+        mut self,
+        grasp: &Engine<D, C>,
+        motion: Option<&SVector<f64, D>>,
+    ) -> Self {
+        self.motion = motion.map(|v| grasp.motion_outside(v));
+        self.inside = motion.map(Coordinates::of);
+        self
+    }
 }
 
 /// What ends an equilibrium as the load grows: all that can be said of the place alone.

@@ -1,6 +1,5 @@
 //! What contacts reach first on the way.
 
-use super::turn::Touch;
 use crate::contact::Exit;
 
 /// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
@@ -10,6 +9,6 @@ pub(super) type Standing<const C: usize> = Vec<(usize, Vec<Exit<C>>)>;
 pub(super) struct FirstExits<const C: usize> {
     /// The step there, and everything that reaches an edge.
     pub(super) standing: Option<(f64, Standing<C>)>,
-    /// What a load that turns only touches before.
-    pub(super) touches: Vec<Touch>,
+    /// Sites that come to the edge of their cone before and do not cross it, while a load turns, and where, rad.
+    pub(super) touches: Vec<(usize, f64)>,
 }

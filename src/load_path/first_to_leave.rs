@@ -75,7 +75,7 @@ pub(super) enum WhileTurning<const D: usize, const C: usize> {
 /// The first to leave while a load turns, or that there is none. `None` where the case is another one.
 pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     segment: &Segment<'_, D, C>,
-    turn: &Turn<D, C>,
+    turn: &Turn<C>,
     inside: &Harmonic<SVector<f64, D>>,
 ) -> Option<WhileTurning<D, C>> {
     let problem = &segment.problem;
@@ -136,9 +136,9 @@ impl<const D: usize, const C: usize> FirstToLeave<D, C> {
     pub(super) fn onset(
         self,
         mut segment: Segment<'_, D, C>,
-        load: Wrench<D, C>,
+        load: Wrench<C>,
         memory: &mut OnsetMemory<D, C>,
-    ) -> Onset<D, C> {
+    ) -> Onset<C> {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, stands, leaving, sites, .. } = memory;
         anew(states, segment.problem.len());
@@ -156,7 +156,8 @@ impl<const D: usize, const C: usize> FirstToLeave<D, C> {
         let stands = std::mem::take(stands);
         memory.lists.laws = std::mem::take(&mut segment.problem.laws);
         let rolls = (found, Rung::EverythingRolls);
-        Onset::At(memory.put(OnsetEvent::new(segment, (factor, load), leaving, stands, rolls)))
+        let event = OnsetEvent::new(segment, (factor, load), leaving, stands, rolls, &mut memory.coordinates);
+        Onset::At(memory.put(event))
     }
 }
 

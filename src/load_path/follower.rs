@@ -1,15 +1,19 @@
 //! What every follower of a load program answers, however it finds its way.
 
+use std::fmt::Debug;
+
+use nalgebra::SVector;
+
+use super::energy::Energy;
 use super::event::PathEnd;
 use super::journey::Journey;
 use super::segment::Segment;
 use crate::equilibrium::Equilibrium;
 use crate::object::Problem;
-use nalgebra::SVector;
 
 /// How far a follower has come.
 #[derive(Debug)]
-pub enum Came<T> {
+pub(crate) enum Came<T> {
     /// There is something to tell.
     To(T),
     /// Nothing yet.
@@ -20,7 +24,7 @@ pub enum Came<T> {
 
 /// Contacts at the place where they stand, and the rates of what stands on an edge there.
 #[derive(Debug)]
-pub struct Edge<'g, const D: usize, const C: usize> {
+pub(crate) struct Edge<'g, const D: usize, const C: usize> {
     pub(super) segment: Segment<'g, D, C>,
     pub(super) rates: Problem<'g, D, C>,
     pub(super) forces: Vec<SVector<f64, C>>,
@@ -28,7 +32,7 @@ pub struct Edge<'g, const D: usize, const C: usize> {
 
 /// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, in steps. It stands on a leg, and keeps the slip so
 /// far; which leg, and what comes after it, is for the path to say.
-pub trait Follower<'g, const D: usize, const C: usize> {
+pub(crate) trait Follower<'g, const D: usize, const C: usize>: Debug {
     /// What there is to tell on the way.
     type Told;
 
@@ -39,23 +43,61 @@ pub trait Follower<'g, const D: usize, const C: usize> {
     ///
     /// # Errors
     /// How the path ends if there is no way to go.
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>>;
+    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>>;
 
     /// Goes on to the next place to look at.
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Told>, PathEnd<D, C>>;
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Told>, PathEnd<C>>;
 
     /// The fraction of the leg that has been gone.
     fn fraction(&self) -> f64;
 
     /// The equilibrium there; `None` where rounding does not allow it to be told.
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>>;
+    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>>;
 
     /// Forces there, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>>;
 
     /// What stands on an edge there.
     fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C>;
+
+    /// [`Self::go_on`] no further than a fraction of the leg, for a follower that can stop anywhere.
+    ///
+    /// # Errors
+    /// As for [`Self::go_on`].
+    fn go_up_to(&mut self, journey: &Journey<'g, D, C>, _most: f64) -> Result<Came<Self::Told>, PathEnd<C>> {
+        self.go_on(journey)
+    }
+
+    /// Whether nothing has to be told or decided before the path goes on.
+    fn has_nothing_due(&self) -> bool {
+        true
+    }
+
+    /// Estimated error of the steps so far; see [`LoadPath::step_error`](super::LoadPath::step_error).
+    fn step_error(&self) -> f64 {
+        0.0
+    }
+
+    /// Energies of the legs so far, from a follower that counts them.
+    fn energies(&self) -> &[Energy] {
+        &[]
+    }
+
+    /// Whether a fraction of a leg lies behind, for a follower that keeps what lies behind.
+    fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
+        false
+    }
+
+    /// The equilibrium at a fraction of a leg that lies behind; `None` where rounding does not allow it to be told.
+    fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<C>> {
+        None
+    }
+
+    /// How often a contact has been looked at.
+    fn contacts_looked_at(&self) -> usize {
+        0
+    }
 }

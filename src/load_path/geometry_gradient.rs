@@ -6,7 +6,7 @@ use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::error::Error;
-use crate::grasp::Grasp;
+use crate::grasp::Engine;
 
 /// Derivatives of the load factor (without unit) at which one contact leaves rolling, by the geometry of every contact. Commands,
 /// clearances and stiffnesses stay along the axes of the contact frames, changes of commands along a ramp too.
@@ -31,36 +31,11 @@ pub struct GeometryGradient<const C: usize> {
     pub normal: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Derivatives of the onset by positions and normals of the contacts, one answer for each leaving contact, exact to first order: one
-    /// linear solve for each datum. Empty where [`Self::onset_gradients`] is.
-    ///
-    /// What a contact carries is seen from its frame: a frame that turns or moves changes the grasp map,
-    ///
-    /// ```text
-    /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0,      dτ = -dm / m'
-    /// ```
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 10 N, μ = 0.5, under a weight whose line is the middle: each carries half of it.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
-    ///
-    /// // The left finger comes nearer to that line by d: its share is 1 / (2 - d), the onset 2 μ N (1 - d/2).
-    /// let gradient = &grasp.onset_gradients_by_geometry(onset.event().expect("slides"))?[0];
-    /// assert!((gradient.point[0][0] + 5.0).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand, whose joints would move a contact at another place otherwise. Directions of normals
-    /// alone [`Self::sensitivity`] knows for hands, too.
-    pub fn onset_gradients_by_geometry(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
+    pub(crate) fn onset_gradients_by_geometry(
         &self,
-        event: &OnsetEvent<D, C>,
+        event: &OnsetEvent<C>,
     ) -> Result<Vec<GeometryGradient<C>>, Error> {
         self.refuse_hands("onset_gradients_by_geometry")?;
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(Vec::new()) };

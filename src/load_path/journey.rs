@@ -10,24 +10,24 @@ use super::segment::Segment;
 use crate::contact::Polygon;
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::object::{Load, Problem};
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
 /// A program of legs on its way.
 #[derive(Debug)]
-pub struct Journey<'g, const D: usize, const C: usize> {
-    pub(super) grasp: &'g Grasp<D, C>,
+pub(crate) struct Journey<'g, const D: usize, const C: usize> {
+    pub(super) grasp: &'g Engine<D, C>,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon<C>>,
-    pub(super) program: Program<D, C>,
+    pub(super) program: Program<C>,
 }
 
 impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
     /// A journey that has not begun yet, from rest under a load.
     pub(super) fn new(
-        grasp: &'g Grasp<D, C>,
-        start: &Wrench<D, C>,
+        grasp: &'g Engine<D, C>,
+        start: &Wrench<C>,
         settings: &Settings,
     ) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
@@ -47,7 +47,7 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
     }
 
     /// The equilibrium to start from; else how the path ends before it begins.
-    pub(super) fn start(&self, problem: &Problem<'g, D, C>) -> Result<Found<D, C>, PathEnd<D, C>> {
+    pub(super) fn start(&self, problem: &Problem<'g, D, C>) -> Result<Found<D, C>, PathEnd<C>> {
         match settle(problem, &self.settings) {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
@@ -79,7 +79,7 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
         problem: &Problem<'g, D, C>,
         fraction: f64,
         found: Found<D, C>,
-    ) -> Equilibrium<D, C> {
+    ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         self.grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())
     }
@@ -90,22 +90,23 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
         fraction: f64,
         kind: LossKind,
         sites: Vec<usize>,
-        motion: Option<Twist<D, C>>,
-    ) -> Loss<D, C> {
+        motion: Option<SVector<f64, D>>,
+    ) -> Loss<C> {
         let (contacts, drives) = self.grasp.sites_apart(sites);
         let (leg, load) = (self.program.leg, self.program.load_at(fraction));
-        Loss { leg, fraction, load, kind, contacts, drives, motion }
+        let loss = Loss { leg, fraction, load, kind, contacts, drives, motion: None, inside: None };
+        loss.leaving(self.grasp, motion.as_ref())
     }
 
     /// Where a path stands and cannot be followed further.
-    pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<D, C> {
+    pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<C> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
     /// Appends legs; a follower that takes straight ones alone has its name in the error.
     pub(super) fn extend(
         &mut self,
-        legs: &[Leg<D, C>],
+        legs: &[Leg<C>],
         straight_only: Option<&'static str>,
     ) -> Result<(), Error> {
         self.program.extend(self.grasp, legs, straight_only)

@@ -8,7 +8,7 @@ use super::course::Course;
 use super::ramp::{Ramp, vectors};
 use super::turn::{Turn, inside};
 use crate::error::{Error, Field};
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 
 /// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
 ///
@@ -39,8 +39,8 @@ use crate::grasp::{Grasp, Wrench};
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Leg<const D: usize, const C: usize> {
-    load: LoadGoal<D, C>,
+pub struct Leg<const C: usize> {
+    load: LoadGoal<C>,
     commands: Goal<Vec<SVector<f64, C>>>,
     joints: Goal<Vec<f64>>,
 }
@@ -52,19 +52,19 @@ enum Goal<T> {
     To(T),
 }
 
-impl<const D: usize, const C: usize> Leg<D, C> {
+impl<const C: usize> Leg<C> {
     const STAY: Self =
         Self { load: LoadGoal::Straight(Goal::Stay), commands: Goal::Stay, joints: Goal::Stay };
 
     /// The load changes by this much.
     #[must_use]
-    pub fn load_by(change: Wrench<D, C>) -> Self {
+    pub fn load_by(change: Wrench<C>) -> Self {
         Self { load: LoadGoal::Straight(Goal::By(change)), ..Self::STAY }
     }
 
     /// The load changes to this.
     #[must_use]
-    pub fn load_to(load: Wrench<D, C>) -> Self {
+    pub fn load_to(load: Wrench<C>) -> Self {
         Self { load: LoadGoal::Straight(Goal::To(load)), ..Self::STAY }
     }
 
@@ -91,7 +91,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]
-    pub fn turn(turn: &Turn<D, C>) -> Self {
+    pub fn turn(turn: &Turn<C>) -> Self {
         Self { load: LoadGoal::Turn(*turn), ..Self::STAY }
     }
 
@@ -109,13 +109,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
     /// Meanwhile the load changes by this much.
     #[must_use]
-    pub fn and_load_by(self, change: Wrench<D, C>) -> Self {
+    pub fn and_load_by(self, change: Wrench<C>) -> Self {
         Self { load: LoadGoal::Straight(Goal::By(change)), ..self }
     }
 
     /// Meanwhile the load changes to this.
     #[must_use]
-    pub fn and_load_to(self, load: Wrench<D, C>) -> Self {
+    pub fn and_load_to(self, load: Wrench<C>) -> Self {
         Self { load: LoadGoal::Straight(Goal::To(load)), ..self }
     }
 
@@ -134,14 +134,15 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     /// The joint commands of a hand change by this much: one displacement for each joint and then each tendon, rad or m.
     ///
     /// ```
-    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Leg, Wrench};
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    /// use grasp_lcp::planar::{Leg, Wrench};
     /// use grasp_lcp::planar::Contact;
     ///
     /// let jaw = |x: f64| {
     ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)])
     ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
     /// };
-    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?.with_joint_commands(&[0.01, 0.01])?;
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_commands(&[0.01, 0.01])?;
     /// // Close by 10 mm more, then pull: two springs of 1000 N/m in series carry 10 N.
     /// let legs = [Leg::joints_by([0.01, 0.01]), Leg::load_to(Wrench::force([0.0, -20.0]))];
     /// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
@@ -174,7 +175,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
     }
 
     /// What a ramp changes for one unit of its factor.
-    pub(super) fn along(ramp: &Ramp<D, C>) -> Self {
+    pub(super) fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| Goal::By(change.clone());
         Self {
             load: LoadGoal::Straight(Goal::By(ramp.direction)),
@@ -183,7 +184,7 @@ impl<const D: usize, const C: usize> Leg<D, C> {
         }
     }
 
-    fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+    fn check<const D: usize>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match &self.load {
             LoadGoal::Straight(Goal::Stay) => {}
             LoadGoal::Straight(Goal::By(load) | Goal::To(load)) => {
@@ -208,15 +209,15 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 
 /// What the load does along a leg.
 #[derive(Debug, Clone, PartialEq)]
-enum LoadGoal<const D: usize, const C: usize> {
-    Straight(Goal<Wrench<D, C>>),
+enum LoadGoal<const C: usize> {
+    Straight(Goal<Wrench<C>>),
     /// It changes as this one does.
-    Turn(Turn<D, C>),
+    Turn(Turn<C>),
 }
 
-impl<const D: usize, const C: usize> LoadGoal<D, C> {
+impl<const C: usize> LoadGoal<C> {
     /// The way from a load on, and where it ends.
-    fn course(&self, from: &Wrench<D, C>) -> (Course<Wrench<D, C>>, Wrench<D, C>) {
+    fn course(&self, from: &Wrench<C>) -> (Course<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(Goal::Stay) => *from,
             Self::Straight(Goal::By(change)) => *from + *change,
@@ -246,26 +247,26 @@ impl<T: Copy + Add<Output = T>> Goal<Vec<T>> {
 
 /// A program on its way: the present leg, and the goals between which it leads.
 #[derive(Debug, Clone)]
-pub(super) struct Program<const D: usize, const C: usize> {
+pub(super) struct Program<const C: usize> {
     /// From the first on that was not done when legs were added last.
-    legs: Vec<Leg<D, C>>,
+    legs: Vec<Leg<C>>,
     /// How many were done then.
     done: usize,
     /// The present leg; as many as there are legs when all are done.
     pub(super) leg: usize,
     /// How the load goes along the present leg.
-    pub(super) course: Course<Wrench<D, C>>,
+    pub(super) course: Course<Wrench<C>>,
     /// The load at the end of the present leg.
-    goal: Wrench<D, C>,
+    goal: Wrench<C>,
     /// Finger commands at the beginning and at the end of the present leg.
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
     /// Those of the joints.
     joints: [Vec<f64>; 2],
 }
 
-impl<const D: usize, const C: usize> Program<D, C> {
+impl<const C: usize> Program<C> {
     /// Without legs, at rest under a load and the commands of a grasp.
-    pub(super) fn new(grasp: &Grasp<D, C>, start: Wrench<D, C>) -> Self {
+    pub(super) fn new<const D: usize>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         let joints = grasp.joint_commands().to_vec();
         Self {
@@ -280,10 +281,10 @@ impl<const D: usize, const C: usize> Program<D, C> {
     }
 
     /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
-    pub(super) fn extend(
+    pub(super) fn extend<const D: usize>(
         &mut self,
-        grasp: &Grasp<D, C>,
-        legs: &[Leg<D, C>],
+        grasp: &Engine<D, C>,
+        legs: &[Leg<C>],
         straight_only: Option<&'static str>,
     ) -> Result<(), Error> {
         if let Some(method) = straight_only
@@ -320,14 +321,18 @@ impl<const D: usize, const C: usize> Program<D, C> {
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
-    pub(super) fn drives(&self, grasp: &Grasp<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+    pub(super) fn drives<const D: usize>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
         let mut drives = [Vec::new(), Vec::new()];
         self.drives_into(grasp, &mut drives);
         drives
     }
 
     /// [`Self::drives`] in memory that is there.
-    pub(super) fn drives_into(&self, grasp: &Grasp<D, C>, [base, change]: &mut [Vec<SVector<f64, C>>; 2]) {
+    pub(super) fn drives_into<const D: usize>(
+        &self,
+        grasp: &Engine<D, C>,
+        [base, change]: &mut [Vec<SVector<f64, C>>; 2],
+    ) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.driven_by(from.iter().copied(), joints_from, base);
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
@@ -335,7 +340,7 @@ impl<const D: usize, const C: usize> Program<D, C> {
     }
 
     /// How the load goes along the present leg, in inside coordinates.
-    pub(super) fn inside_course(&self, grasp: &Grasp<D, C>) -> Course<SVector<f64, D>> {
+    pub(super) fn inside_course<const D: usize>(&self, grasp: &Engine<D, C>) -> Course<SVector<f64, D>> {
         match &self.course {
             Course::Straight { from, .. } => {
                 let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
@@ -351,7 +356,7 @@ impl<const D: usize, const C: usize> Program<D, C> {
     }
 
     /// The load at a fraction of the present leg.
-    pub(super) fn load_at(&self, fraction: f64) -> Wrench<D, C> {
+    pub(super) fn load_at(&self, fraction: f64) -> Wrench<C> {
         self.course.at(fraction)
     }
 }

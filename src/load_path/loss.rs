@@ -16,23 +16,23 @@ use crate::search::{Effort, Settings, Settled};
 pub(super) fn end_of_path<const D: usize, const C: usize>(
     edge: &Edge<'_, D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
-    loss: Loss<D, C>,
+    loss: Loss<C>,
     settings: &Settings,
-) -> PathEnd<D, C> {
+) -> PathEnd<C> {
     let Edge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
-        let motion = Some(segment.grasp.outside(&v));
-        return PathEnd::Lost(Loss { kind: LossKind::GivesWay, motion, ..loss });
+        let loss = Loss { kind: LossKind::GivesWay, ..loss };
+        return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
     let motion = leaving_motion(rates, &segment.course.at(loss.fraction), &rates.yielding());
-    let corner = Loss { motion: motion.map(|v| segment.grasp.outside(&v)), ..loss };
-    let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(corner) };
+    let corner = loss.leaving(segment.grasp, motion.as_ref());
+    let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;
     let end = End { factor: corner.fraction, forces, motion };
     if no_rates(rates)
         || matches!(beyond_end(segment, rates, (settled, effort), &end, settings), Beyond::LimitLoad)
     {
-        return PathEnd::Lost(corner);
+        return PathEnd::Lost(Box::new(corner));
     }
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }

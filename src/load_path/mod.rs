@@ -1,13 +1,13 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory.
 //!
-//! **Onset** ([`Grasp::onset`](crate::grasp::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
+//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
 //! at which a condition of rolling is used up, found from two linear solves and no stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **A load that turns** ([`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn), [`Leg::turn`]), as a weight does in the frame of an object
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), as a weight does in the frame of an object
 //! that is tilted. While contacts keep their states forces and slips turn with it. A margin then is a trigonometric polynomial: its first fall below
 //! zero is isolated between its turning points.
 //!
@@ -20,27 +20,27 @@
 //! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends ([`Loss`]). Whether another exists just beyond ([`Beyond`]) is asked for by itself:
 //! it is a limit load if there is none, else a snap.
 //!
-//! **Load programs** ([`Grasp::follow`](crate::grasp::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
+//! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
 //! from before. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns along the way,
 //! `ds = γ F_t` with `|F_t| = μ F_n` at all times, and slips are integrated with an estimate of the error.
 //!
-//! A [`Path`] keeps the program, says where it stands, and ends; who follows it is a parameter.
+//! A [`Path`] keeps the program, says where it stands, and ends; what there is to tell is a parameter.
 //!
-//! | path | follower | tells | affordable |
+//! | path | goes by | tells | affordable |
 //! |---|---|---|---|
-//! | [`LoadPath`] | [`Pieces`]: whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
-//! | [`PatchPath`] | [`Patch`]: sums and queues, on polygons | every event, one contact at a time | 10⁵ |
-//! | [`SteppedPath`] | [`Steps`]: steps of exact slips, on the round cone | the steps | 10⁵ |
+//! | [`LoadPath`] | whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
+//! | [`PatchPath`] | sums and queues, on polygons | every event, one contact at a time | 10⁵ |
+//! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
-//! **Sensitivities** ([`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity), [`response`](crate::grasp::Grasp::response),
-//! [`onset_gradients`](crate::grasp::Grasp::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i that depends on
+//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
+//! [`onset_gradients`](crate::ask::Sensitivity::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i that depends on
 //! stiffness, friction and state, and a small change of a datum p leads to one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0
 //! ```
 //!
-//! Positions and normals ([`onset_gradients_by_geometry`](crate::grasp::Grasp::onset_gradients_by_geometry)) change the grasp maps: `-K_i dG_iᵀq` and `dG_i F_i` come in.
+//! Positions and normals ([`onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry)) change the grasp maps: `-K_i dG_iᵀq` and `dG_i F_i` come in.
 
 mod arc;
 mod beyond;
@@ -54,6 +54,7 @@ mod first_exits;
 mod first_to_leave;
 mod flow;
 mod follower;
+mod following;
 mod geometry;
 mod geometry_gradient;
 mod journey;
@@ -99,14 +100,12 @@ pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use onset_gradient::OnsetGradient;
 pub use onset_margins::Leaver;
 pub(crate) use onset_margins::OnsetMargins;
-pub use onset_workspace::OnsetWorkspace;
-pub use patch::{Patch, PatchEvent, PatchPath};
-pub use path::Path;
-pub use pieces::{LoadPath, Pieces};
+pub use patch::PatchEvent;
+pub use path::{LoadPath, PatchPath, Path, SteppedPath};
 pub use questions::{Reserve, RollingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
-pub use stepped::{Step, SteppedPath, Steps};
+pub use stepped::Step;
 pub use turn::{Touch, Turn};
 pub use turn_questions::TurnOnset;

@@ -64,7 +64,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         segment: &mut Segment<'_, D, C>,
         journey: &Journey<'_, D, C>,
         factor: f64,
-    ) -> Result<Onward<D, C>, PathEnd<D, C>> {
+    ) -> Result<Onward<D, C>, PathEnd<C>> {
         let settings = &journey.settings;
         let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
@@ -85,8 +85,8 @@ impl<const D: usize, const C: usize> Node<D, C> {
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
-            let motion = (found.twist.norm() > 0.0).then(|| segment.grasp.outside(&found.twist.normalize()));
-            return Err(PathEnd::Lost(loss(LossKind::LetsGo, motion)));
+            let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
+            return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion))));
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);

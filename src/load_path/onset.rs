@@ -6,38 +6,38 @@ use super::drive_change::DriveChange;
 use super::segment::Segment;
 use crate::contact::Stand;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
-use crate::grasp::{HandPart, Wrench};
-use crate::search::{Found, Rung};
+use crate::grasp::{Coordinates, HandPart, Wrench};
+use crate::search::{Found, Kept, Rung};
 
 /// The answer to "at which load factor τ >= 0 does the first contact leave rolling?", or at which angle of a load that turns.
 ///
 /// Of a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is where the turn begins.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub enum Onset<const D: usize, const C: usize> {
+pub enum Onset<const C: usize> {
     /// At this factor.
-    At(Box<OnsetEvent<D, C>>),
+    At(Box<OnsetEvent<C>>),
     /// However far the load goes along this direction, everything keeps rolling; of a turn, up to its last angle.
     Never,
     /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there rolls, and may leave at 0.)
-    AlreadySliding(Box<Equilibrium<D, C>>),
+    AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at factor 0.
-    NoBase(NoEquilibrium<D, C>),
+    NoBase(NoEquilibrium<C>),
     /// No contact leaves rolling, but from this factor on nothing resists the load: the reason.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
         /// Why it does not hold beyond; the work in it is that of the load's rate, J for one unit of the factor (J/rad of a turn).
-        reason: NoEquilibrium<D, C>,
+        reason: NoEquilibrium<C>,
     },
     /// Nothing can be said about the equilibrium at factor 0.
     Undecided(Undecided),
 }
 
-impl<const D: usize, const C: usize> Onset<D, C> {
+impl<const C: usize> Onset<C> {
     /// The event, if there is one.
     #[must_use]
-    pub fn event(&self) -> Option<&OnsetEvent<D, C>> {
+    pub fn event(&self) -> Option<&OnsetEvent<C>> {
         match self {
             Self::At(event) => Some(event),
             _ => None,
@@ -58,15 +58,15 @@ impl<const D: usize, const C: usize> Onset<D, C> {
 }
 
 /// The first contact leaves rolling. The equilibrium there is one call further
-/// ([`Grasp::state_at_onset`](crate::grasp::Grasp::state_at_onset)), and so is what comes next
-/// ([`Grasp::beyond`](crate::grasp::Grasp::beyond)).
+/// ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and so is what comes next
+/// ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct OnsetEvent<const D: usize, const C: usize> {
+pub struct OnsetEvent<const C: usize> {
     /// Load factor τ of a ramp, or the angle of a turn in rad, exact up to rounding.
     pub factor: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
@@ -74,45 +74,48 @@ pub struct OnsetEvent<const D: usize, const C: usize> {
     /// The friction cone that the event is for.
     pub cone: Cone,
     /// What the questions to the event start from.
-    pub(super) local: RollingState<D, C>,
+    pub(super) local: RollingState<C>,
 }
 
 /// Where everything rolls and some contacts stand on the edge of their cone, and where the ramp leads from there. Loads are in inside
 /// coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct RollingState<const D: usize, const C: usize> {
-    pub(super) found: Found<D, C>,
+pub(super) struct RollingState<const C: usize> {
+    pub(super) found: Kept<C>,
     pub(super) rule: Rung,
     pub(super) stands: Vec<Stand<C>>,
     /// The sites that leave.
     pub(super) leaving: Vec<usize>,
-    pub(super) wrench: SVector<f64, D>,
-    pub(super) wrench_rate: SVector<f64, D>,
+    pub(super) wrench: Coordinates<C>,
+    pub(super) wrench_rate: Coordinates<C>,
     pub(super) drives: Vec<SVector<f64, C>>,
     pub(super) drive_rates: Vec<SVector<f64, C>>,
     /// Slips of contacts that have closed on the way.
     pub(super) slips: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> OnsetEvent<D, C> {
-    /// The event at a factor, with the load and the rolling state there and what contacts stand on.
-    pub(super) fn new(
+impl<const C: usize> OnsetEvent<C> {
+    /// The event at a factor, with the load and the rolling state there and what contacts stand on, in lists that are there.
+    pub(super) fn new<const D: usize>(
         segment: Segment<'_, D, C>,
-        (factor, load): (f64, Wrench<D, C>),
+        (factor, load): (f64, Wrench<C>),
         (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),
         stands: Vec<Stand<C>>,
         (found, rule): (Found<D, C>, Rung),
+        lists: &mut [Vec<f64>; 3],
     ) -> Self {
+        let mut lists = lists.iter_mut();
+        let mut list = || lists.next().map(std::mem::take).unwrap_or_default();
         let Segment { grasp, cone, problem, change: drive_rates, course, .. } = segment;
         let mut drives = problem.drives;
         drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);
         let local = RollingState {
-            found,
+            found: Kept::of(found, list()),
             rule,
             stands,
             leaving: sites,
-            wrench: course.at(factor),
-            wrench_rate: course.rate_at(factor),
+            wrench: Coordinates::of_in(&course.at(factor), list()),
+            wrench_rate: Coordinates::of_in(&course.rate_at(factor), list()),
             drives,
             drive_rates,
             slips: problem.slips,

@@ -5,13 +5,13 @@ use nalgebra::SVector;
 use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
-use crate::grasp::Grasp;
+use crate::grasp::{Engine, of_the_object};
 
 /// Derivatives of the load factor (without unit) at which one contact leaves rolling. Those by positions and normals of contacts are a
-/// question of their own, [`Grasp::onset_gradients_by_geometry`].
+/// question of their own, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct OnsetGradient<const D: usize, const C: usize> {
+pub struct OnsetGradient<const C: usize> {
     /// What leaves: a contact, or a drive of a hand. Where several leave together the onset is the least of their factors: its one-sided derivative along
     /// a change of the data is the least of theirs.
     pub leaving: Leaver,
@@ -29,35 +29,15 @@ pub struct OnsetGradient<const D: usize, const C: usize> {
     pub joint_limit: Vec<f64>,
     /// By the components of the base load, or of the constant part of one that turns, 1/N and 1/(N m). Those by the load direction are the
     /// factor times these, those by the parts that turn cos θ and sin θ times. Not a number where a component works on a motion that nothing resists: with such a load there is no equilibrium.
-    pub base_load: SVector<f64, D>,
+    pub base_load: Vec<f64>,
     /// By a factor on the whole load, at 1: base and direction, or all parts of one that turns. Without a base load, and with commands
     /// that stay, it is minus the onset.
     pub load_scale: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The margin that vanishes is
-    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. Of a load that turns they are those of the angle.
-    ///
-    /// Empty if a contact had closed on the way, since the history then enters, too, or closes there and slides at once. Empty as well if the event has
-    /// another number of contacts.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let onset = grasp.onset(&ramp)?;
-    /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
-    /// let gradient = &grasp.onset_gradients(onset.event().expect("slides"))[0];
-    /// assert!((gradient.friction[0] - 20.0).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn onset_gradients(&self, event: &OnsetEvent<D, C>) -> Vec<OnsetGradient<D, C>> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients).
+    pub(crate) fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
         let Some(margins) = OnsetMargins::new(self, event) else { return Vec::new() };
         self.gradients_of(&margins, event).unwrap_or_default()
     }
@@ -65,8 +45,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn gradients_of(
         &self,
         margins: &OnsetMargins<D, C>,
-        event: &OnsetEvent<D, C>,
-    ) -> Option<Vec<OnsetGradient<D, C>>> {
+        event: &OnsetEvent<C>,
+    ) -> Option<Vec<OnsetGradient<C>>> {
         let (n, actuators) = (self.len(), self.joint_commands().len());
         let empty = |leaving| OnsetGradient {
             leaving,
@@ -76,11 +56,11 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             joint_command: Vec::with_capacity(actuators),
             joint_stiffness: Vec::with_capacity(actuators),
             joint_limit: Vec::with_capacity(actuators),
-            base_load: SVector::repeat(f64::NAN),
+            base_load: vec![f64::NAN; of_the_object::<C>()],
             load_scale: f64::NAN,
         };
         let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
-        let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<D, C>, f64)| {
+        let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<C>, f64)| {
             by.map(|by| gradients.iter_mut().zip(by).for_each(|(gradient, value)| place(gradient, value)))
         };
         for i in 0..n {
@@ -97,7 +77,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
             put(margins.by(Parameter::JointStiffness { joint }), &|g, value| g.joint_stiffness.push(value))?;
             put(margins.by(Parameter::JointLimit { joint }), &|g, value| g.joint_limit.push(value))?;
         }
-        for component in 0..D {
+        for component in 0..of_the_object::<C>() {
             // A load on a free motion is not carried at all: the onset does not depend on what cannot be.
             put(margins.by(Parameter::Load { component }), &|g, value| g.base_load[component] = value);
         }

@@ -6,7 +6,7 @@ use super::onset::{OnsetEvent, RollingState};
 use super::sensitivity::{Local, Parameter};
 use crate::contact::tangential;
 use crate::equilibrium::Cone;
-use crate::grasp::{Grasp, HandPart, Wrench};
+use crate::grasp::{Engine, HandPart, Wrench};
 
 /// What leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -36,7 +36,7 @@ struct Margin<const C: usize> {
 impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
-    pub(crate) fn new(grasp: &'g Grasp<D, C>, event: &OnsetEvent<D, C>) -> Option<Self> {
+    pub(crate) fn new(grasp: &'g Engine<D, C>, event: &OnsetEvent<C>) -> Option<Self> {
         let state = grasp.state_at_onset(event)?;
         let local = Local::new(grasp, &state)?;
         let has_slipped = |i: usize| {
@@ -51,7 +51,7 @@ impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
         if leaving.iter().any(|&site| local.states[site].is_open()) {
             return None;
         }
-        let rates = local.piece.solve(grasp.sites(), drive_rates, wrench_rate).ok()?;
+        let rates = local.piece.solve(grasp.sites(), drive_rates, &wrench_rate.to::<D>()).ok()?;
         let mut margins = Vec::with_capacity(leaving.len());
         for &site in leaving {
             let Some(leaver) = grasp.leaver(site) else { continue };
@@ -69,7 +69,7 @@ impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
     }
 
     /// The derivative of the factor of everything that leaves by one datum. `None` where
-    /// [`Grasp::sensitivity`](crate::grasp::Grasp::sensitivity) has no derivative of the forces.
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let (_, forces) = self.local.derivative(parameter)?;
         let of_friction = |margin: &Margin<C>| match parameter {
@@ -82,7 +82,7 @@ impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
     }
 
     /// The same by a load, beside what is there; in proportion to it.
-    pub(crate) fn by_load(&self, load: &Wrench<D, C>) -> Option<Vec<f64>> {
+    pub(crate) fn by_load(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let forces = self.local.forces_by_load(load)?;
         Some(self.margins.iter().map(|m| self.moved(m, &forces, 0.0)).collect())
     }

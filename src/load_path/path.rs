@@ -1,85 +1,131 @@
-//! A load program being followed, by whichever follower: how it starts, goes from leg to leg, and ends.
+//! A load program being followed, by whichever follower.
 
 use nalgebra::SVector;
 
-use super::beyond::{Beyond, End, beyond_end};
-use super::event::PathEnd;
-use super::follower::{Came, Edge, Follower};
-use super::journey::Journey;
+use super::beyond::Beyond;
+use super::energy::Energy;
+use super::event::{Event, PathEnd};
+use super::following::AnyPath;
 use super::leg::Leg;
+use super::patch::PatchEvent;
+use super::stepped::Step;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
-use crate::object::Problem;
-use crate::search::{Settings, settle};
+use crate::search::Settings;
 
 /// A load program being followed: an iterator over what happens on the way, so that the caller may look at each event or step and stop at any. When the
 /// iterator has ended, [`end`](Self::end) says how the path did.
 ///
-/// What there is to tell, and how many contacts are affordable, depends on the follower: [`LoadPath`](super::LoadPath),
-/// [`PatchPath`](super::PatchPath) or [`SteppedPath`](super::SteppedPath). The law is one: contacts stick, slide with memory of their slip, open and
-/// close again.
+/// What there is to tell (`T`), and how many contacts are affordable, depends on the follower: [`LoadPath`], [`PatchPath`] or [`SteppedPath`]. The law is
+/// one: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
-pub struct Path<'g, const D: usize, const C: usize, F> {
-    pub(super) journey: Journey<'g, D, C>,
-    /// `None` if there is no equilibrium to start from.
-    pub(super) follower: Option<F>,
-    end: Option<PathEnd<D, C>>,
-}
+pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
-impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F> {
-    /// A path from rest under a load, where a follower begins at the equilibrium if there is one, with the first leg before it.
-    pub(super) fn start(
-        grasp: &'g Grasp<D, C>,
-        (start, legs): (&Wrench<D, C>, &[Leg<D, C>]),
-        settings: &Settings,
-        begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<D, C>>,
-    ) -> Result<Self, Error> {
-        let mut journey = Journey::new(grasp, start, settings)?;
-        journey.extend(legs, F::STRAIGHT_ONLY)?;
-        let problem = journey.problem_at_start();
-        let goes = journey.program.begin_leg();
-        let mut path = match begin(&journey, &problem) {
-            Ok(follower) => Self { journey, follower: Some(follower), end: None },
-            Err(end) => Self { journey, follower: None, end: Some(end) },
-        };
-        path.set_out(goes);
-        Ok(path)
+/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
+/// [`Grasp::follow`](crate::ask::Grasp::follow); when the iterator has ended, [`end`](Self::end) says how the path did.
+///
+/// ```
+/// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
+///
+/// // A block of two springs in parallel, the second slides first: pulled, the stiffness halves on the way.
+/// let foot = |x: f64, mu: f64| {
+///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu).command([0.1, 0.0])
+/// };
+/// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
+/// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
+/// let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
+/// let events: Vec<_> = path.by_ref().collect();
+/// assert_eq!(events[0].changes[0].0, 1);
+/// // The guide gives way by 1/51: F_n = 50/51 N. Each foot carries half of the pull, up to 0.25 F_n.
+/// let slides_at = 2.0 * 0.25 * 50.0 / 51.0;
+/// assert!((events[0].load.resultant()[0] - slides_at).abs() < 1e-14);
+/// assert!(matches!(path.end(), Some(PathEnd::Completed)));
+///
+/// // Let go, the second foot sticks at once and keeps what it has slipped: backwards, against the pull.
+/// path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
+/// assert!(matches!(path.run()[0].changes[..], [(1, Change::Sticks)]));
+/// let end = path.state_at(1, 1.0).expect("has passed");
+/// assert!((end.contacts[1].slip[1] + (0.6 - slides_at) / 10.0).abs() < 1e-14);
+/// assert!(path.energies()[0].dissipated > 0.0 && path.energies()[1].dissipated == 0.0);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
+
+/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one
+/// contact at a time. Made by
+/// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch); when the iterator has ended,
+/// [`end`](Self::end) says how the path did.
+///
+/// The law is that of [`LoadPath`](crate::load_path::LoadPath), with slip memory, in space **on the
+/// polygonal cone**; legs are the same. Between events [`state`](Self::state) tells the equilibrium
+/// where the path stands, [`next_before`](Self::next_before) stops anywhere on the way. It does not
+/// say whether the continuation is unique, and keeps neither the pieces behind it nor energies. An event allocates nothing.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+///
+/// // A pad of a thousand springs under a rigid block, pressed most in the middle, dragged and let go.
+/// let n = 1000;
+/// let xi = |i: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
+/// let spring = |i: usize| {
+///     let press = 1.0 - xi(i) * xi(i);
+///     Contact::new([xi(i), 0.0], [0.0, 1.0]).series_stiffness(1.0, 0.8).friction(0.3).command([press, 0.0])
+/// };
+/// let grasp = Grasp::new((0..n).map(spring))?;
+/// let pressed: f64 = (0..n).map(|i| 1.0 - xi(i) * xi(i)).sum();
+/// let pull = |part: f64| Wrench::new([part * 0.3 * pressed, -pressed], 0.0);
+///
+/// let mut path = grasp.follow_patch(&pull(0.0), &[Leg::load_to(pull(0.5)), Leg::load_to(pull(0.0))])?;
+/// let events: Vec<_> = path.by_ref().collect();
+/// assert!(matches!(path.end(), Some(grasp_lcp::load_path::PathEnd::Completed)));
+/// // The rim slides on the way there and stays displaced: letting go is not the way back.
+/// assert!(events.len() > 300);
+/// assert!(path.state().unwrap().twist.translation()[0] > 0.0);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+pub type PatchPath<'g, const C: usize> = Path<'g, C, PatchEvent<C>>;
+
+/// A load program being followed in steps: an iterator over them, so that the caller may look at each and stop at any. Made by
+/// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path did.
+///
+/// The law is that of [`LoadPath`](crate::load_path::LoadPath), on the round cone, with slip memory: contacts stick, slide in directions that turn, open
+/// and close again. Their events are not told one by one; [`state`](Self::state) tells the equilibrium where the path stands.
+pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
+
+impl<'g, const C: usize, T> Path<'g, C, T> {
+    pub(crate) fn new(path: Box<dyn AnyPath<C, T> + 'g>) -> Self {
+        Self(path)
     }
 
     /// How the path ended; `None` while there is more to follow. `Completed` may become `None` again, see [`Self::continue_with`].
     #[must_use]
-    pub fn end(&self) -> Option<&PathEnd<D, C>> {
-        self.end.as_ref()
+    pub fn end(&self) -> Option<&PathEnd<C>> {
+        self.0.end()
     }
 
     /// Where the path stands: the leg, from 0, and how much of it has been gone, from 0 to 1. A completed path stands at the end of its last leg.
     #[must_use]
     pub fn place(&self) -> (usize, f64) {
-        let fraction = self.follower.as_ref().map_or(0.0, Follower::fraction);
-        self.journey.program.place(fraction)
+        self.0.place()
     }
 
     /// The equilibrium where the path stands, with residuals recomputed from the grasp, the load and the slip so far; `None` if there was none to
     /// start from, or where rounding does not allow it to be told. It is not checked against its residuals: look at them. Where an event lies exactly
     /// here, its states may be those before the event or those with which the path goes on.
     #[must_use]
-    pub fn state(&self) -> Option<Equilibrium<D, C>> {
-        self.follower.as_ref()?.state(&self.journey)
+    pub fn state(&self) -> Option<Equilibrium<C>> {
+        self.0.state()
     }
 
     /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…), in the order of the grasp; empty if there was no
     /// equilibrium to start from. Cheaper than [`Self::state`].
     #[must_use]
     pub fn forces(&self) -> Vec<SVector<f64, C>> {
-        let mut forces =
-            self.follower.as_ref().map(|follower| follower.forces(&self.journey)).unwrap_or_default();
-        forces.truncate(self.journey.grasp.len());
-        forces
+        self.0.forces()
     }
 
     /// Follows the path to its end and returns what there is to tell on the way.
-    pub fn run(&mut self) -> Vec<F::Told> {
+    pub fn run(&mut self) -> Vec<T> {
         self.by_ref().collect()
     }
 
@@ -87,69 +133,97 @@ impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Path<'g, D, C, F
     ///
     /// # Errors
     /// As for the method that has made the path.
-    pub fn continue_with(&mut self, legs: &[Leg<D, C>]) -> Result<(), Error> {
-        self.journey.extend(legs, F::STRAIGHT_ONLY)?;
-        if matches!(self.end, Some(PathEnd::Completed)) {
-            let goes = self.journey.program.begin_leg();
-            self.set_out(goes);
-        }
-        Ok(())
+    pub fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+        self.0.continue_with(legs)
     }
 
     /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost.
-    /// See [`Self::beyond_with`].
+    /// See [`Self::beyond`].
     #[must_use]
-    pub fn beyond(&self) -> Option<Beyond<D, C>> {
-        self.beyond_with(&self.journey.settings)
+    pub fn beyond(&self) -> Option<Beyond<C>> {
+        self.0.beyond(None)
     }
 
     /// Whether another equilibrium exists just beyond where this one was lost, with the slip so far, sought as far as these [`Settings`]
     /// allow. That takes longer than the path as a rule, in space up to a proof over all contact states. Among more contacts than all states can be
     /// tried of, a limit load is told from other ends where a motion proves it. `None` where the path has not been lost.
     #[must_use]
-    pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<D, C>> {
-        let loss = self.end.as_ref()?.loss()?;
-        let Edge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
-        let motion = loss.motion.map(|motion| self.journey.grasp.inside_twist(&motion));
-        let end = End { factor: loss.fraction, forces: &forces, motion };
-        let (settled, effort) = settle(&rates, settings);
-        Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
-    }
-
-    /// Sets out on the present leg if there is one, or completes the path.
-    fn set_out(&mut self, goes: bool) {
-        if let Some(follower) = &mut self.follower {
-            self.end = if goes { follower.set_out(&self.journey).err() } else { Some(PathEnd::Completed) };
-        }
-    }
-
-    /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
-    pub(super) fn go(
-        &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Told>, PathEnd<D, C>>,
-    ) -> Option<F::Told> {
-        match on(self.follower.as_mut()?, &self.journey) {
-            Ok(Came::To(told)) => return Some(told),
-            Ok(Came::OnTheWay) => {}
-            Ok(Came::ToTheEndOfTheLeg) => {
-                let goes = self.journey.program.next_leg();
-                self.set_out(goes);
-            }
-            Err(end) => self.end = Some(end),
-        }
-        None
+    pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
+        self.0.beyond(Some(settings))
     }
 }
 
-impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Iterator for Path<'g, D, C, F> {
-    type Item = F::Told;
+impl<const C: usize, T> Iterator for Path<'_, C, T> {
+    type Item = T;
 
-    fn next(&mut self) -> Option<F::Told> {
-        while self.end.is_none() {
-            if let told @ Some(_) = self.go(F::go_on) {
-                return told;
-            }
-        }
-        None
+    fn next(&mut self) -> Option<T> {
+        self.0.next()
+    }
+}
+
+impl<const C: usize> LoadPath<'_, C> {
+    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
+    /// rounding forbids that; zero where nothing had to be integrated, as always in the plane and on polygons.
+    ///
+    /// An estimate is for forces over the largest force of the step and for displacements over the largest one, whichever is worse. As a
+    /// rule the error is smaller. What an earlier error becomes later on is not in it; sliding forgets most of it.
+    #[must_use]
+    pub fn step_error(&self) -> f64 {
+        self.0.step_error()
+    }
+
+    /// Energies of every leg that was entered, J, up to where the path has been followed.
+    #[must_use]
+    pub fn energies(&self) -> &[Energy] {
+        self.0.energies()
+    }
+
+    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or stands at; `None` beyond. Where an event lies
+    /// exactly there, the state before it. On a sliding arc the step is made again up to there, to the same error; `None` where
+    /// rounding does not allow that.
+    #[must_use]
+    pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+        self.0.state_at(leg, fraction)
+    }
+}
+
+impl<const C: usize> PatchPath<'_, C> {
+    /// How often a contact has been looked at so far: a measure of the work that does not depend on
+    /// the machine.
+    #[must_use]
+    pub fn contacts_looked_at(&self) -> usize {
+        self.0.contacts_looked_at()
+    }
+
+    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands
+    /// there, or has ended before. To look at a state on the way, take events until there are none,
+    /// then ask for [`state`](Self::state).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
+    /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
+    /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
+    /// let mut path = grasp.follow_patch(&Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
+    ///
+    /// assert!(path.next_before(0, 0.5).is_none());
+    /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);
+    /// let event = path.next_before(0, 1.0).expect("slides");
+    /// assert!(event.contact == 1 && (event.load.resultant()[0] - 0.5).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<C>> {
+        self.0.next_before(leg, fraction)
+    }
+}
+
+impl<const C: usize> SteppedPath<'_, C> {
+    /// Estimated error of the forces, over the largest one, wherever the path has been. It is how far the path has been from one of the same steps,
+    /// each made at once instead of in two halves. To that comes what both may miss alike where a contact stops, opens or closes. As a rule
+    /// the error is a third of it.
+    #[must_use]
+    pub fn step_error(&self) -> f64 {
+        self.0.step_error()
     }
 }

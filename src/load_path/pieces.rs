@@ -13,53 +13,24 @@ use super::energy::Energy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
 use super::follower::{Came, Edge, Follower};
+use super::following::Following;
 use super::journey::Journey;
 use super::leg::Leg;
 use super::node::Node;
 use super::pace::Pace;
-use super::path::Path;
+use super::path::{LoadPath, Path};
 use super::segment::{Here, Segment};
 use super::stretch::{Bend, Stretch};
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::object::{PieceState, Problem};
 use crate::search::{Doubt, Settings};
 
-/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
-/// [`Grasp::follow`]; when the iterator has ended, [`end`](Self::end) says how the path did.
-///
-/// ```
-/// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
-///
-/// // A block of two springs in parallel, the second slides first: pulled, the stiffness halves on the way.
-/// let foot = |x: f64, mu: f64| {
-///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu).command([0.1, 0.0])
-/// };
-/// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
-/// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
-/// let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
-/// let events: Vec<_> = path.by_ref().collect();
-/// assert_eq!(events[0].changes[0].0, 1);
-/// // The guide gives way by 1/51: F_n = 50/51 N. Each foot carries half of the pull, up to 0.25 F_n.
-/// let slides_at = 2.0 * 0.25 * 50.0 / 51.0;
-/// assert!((events[0].load.resultant()[0] - slides_at).abs() < 1e-14);
-/// assert!(matches!(path.end(), Some(PathEnd::Completed)));
-///
-/// // Let go, the second foot sticks at once and keeps what it has slipped: backwards, against the pull.
-/// path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
-/// assert!(matches!(path.run()[0].changes[..], [(1, Change::Sticks)]));
-/// let end = path.state_at(1, 1.0).expect("has passed");
-/// assert!((end.contacts[1].slip[1] + (0.6 - slides_at) / 10.0).abs() < 1e-14);
-/// assert!(path.energies()[0].dissipated > 0.0 && path.energies()[1].dissipated == 0.0);
-/// # Ok::<(), grasp_lcp::Error>(())
-/// ```
-pub type LoadPath<'g, const D: usize, const C: usize> = Path<'g, D, C, Pieces<'g, D, C>>;
-
-/// The follower of a [`LoadPath`]: keeps the pieces behind it.
+/// The follower of a [`LoadPath`]: it keeps the pieces behind it.
 #[derive(Debug)]
-pub struct Pieces<'g, const D: usize, const C: usize> {
+pub(crate) struct Pieces<'g, const D: usize, const C: usize> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g, D, C>,
     pub(super) node: Node<D, C>,
@@ -75,68 +46,22 @@ pub struct Pieces<'g, const D: usize, const C: usize> {
     step_error: f64,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
-    /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
-    /// and [`Leg`] for an example. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
-    /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`].
-    pub fn follow(&self, start: &Wrench<D, C>, legs: &[Leg<D, C>]) -> Result<LoadPath<'_, D, C>, Error> {
-        self.follow_with(start, legs, &Settings::default())
-    }
-
-    /// The same with other [`Settings`]: on a polygon, or on the round cone with another error of the steps.
-    ///
-    /// # Errors
-    /// As for [`Self::follow`].
-    pub fn follow_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::follow`](crate::ask::Grasp::follow).
+    pub(crate) fn follow(
         &self,
-        start: &Wrench<D, C>,
-        legs: &[Leg<D, C>],
+        start: &Wrench<C>,
+        legs: &[Leg<C>],
         settings: &Settings,
-    ) -> Result<LoadPath<'_, D, C>, Error> {
-        Path::start(self, (start, legs), settings, Pieces::at_start)
-    }
-}
-
-impl<const D: usize, const C: usize> LoadPath<'_, D, C> {
-    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
-    /// rounding forbids that; zero where nothing had to be integrated, as always in the plane and on polygons.
-    ///
-    /// An estimate is for forces over the largest force of the step and for displacements over the largest one, whichever is worse. As a
-    /// rule the error is smaller. What an earlier error becomes later on is not in it; sliding forgets most of it.
-    #[must_use]
-    pub fn step_error(&self) -> f64 {
-        self.follower.as_ref().map_or(0.0, |pieces| pieces.step_error)
-    }
-
-    /// Energies of every leg that was entered, J, up to where the path has been followed.
-    #[must_use]
-    pub fn energies(&self) -> &[Energy] {
-        self.follower.as_ref().map_or(&[], |pieces| &pieces.energy)
-    }
-
-    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or stands at; `None` beyond. Where an event lies
-    /// exactly there, the state before it. On a sliding arc the step is made again up to there, to the same error; `None` where
-    /// rounding does not allow that.
-    #[must_use]
-    pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<D, C>> {
-        let pieces = self.follower.as_ref()?;
-        let on = |s: &&Stretch<'_, D, C>| s.leg == leg && fraction >= s.from && fraction <= s.to;
-        match pieces.behind.iter().find(on) {
-            Some(stretch) => pieces.state_on(stretch, fraction),
-            None if self.place() == (leg, fraction) => self.state(),
-            None => None,
-        }
+    ) -> Result<LoadPath<'_, C>, Error> {
+        Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 }
 
 impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
-    type Told = Event<D, C>;
+    type Told = Event<C>;
 
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>> {
+    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
         self.factor = 0.0;
         self.pace = Pace::new();
@@ -145,7 +70,7 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C>
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<D, C>>, PathEnd<D, C>> {
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
         if std::mem::take(&mut self.at_node) {
             return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
         }
@@ -158,7 +83,7 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C>
         self.factor
     }
 
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>> {
+    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
         match self.behind.last() {
             Some(last) => self.state_on(last, last.to),
             None => self.present_state(journey),
@@ -167,6 +92,22 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C>
 
     fn forces(&self, _: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
         self.node.at.forces.clone()
+    }
+
+    fn step_error(&self) -> f64 {
+        self.step_error
+    }
+
+    fn energies(&self) -> &[Energy] {
+        &self.energy
+    }
+
+    fn is_behind(&self, leg: usize, fraction: f64) -> bool {
+        self.stretch_behind(leg, fraction).is_some()
+    }
+
+    fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+        self.state_on(self.stretch_behind(leg, fraction)?, fraction)
     }
 
     fn edge(&self, _: &Journey<'g, D, C>) -> Edge<'g, D, C> {
@@ -178,7 +119,7 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C>
 
 impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     /// Stands at the equilibrium to start from, if there is one.
-    fn at_start(journey: &Journey<'g, D, C>, problem: &Problem<'g, D, C>) -> Result<Self, PathEnd<D, C>> {
+    fn at_start(journey: &Journey<'g, D, C>, problem: &Problem<'g, D, C>) -> Result<Self, PathEnd<C>> {
         let found = journey.start(problem)?;
         // At rest: nothing changes yet.
         let change = journey.grasp.drive_changes(None, None);
@@ -199,18 +140,22 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
         })
     }
 
-    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<D, C>> {
+    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, D, C>> {
+        self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
+    }
+
+    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<C>> {
         stretch.state_at(self.segment.grasp, self.segment.cone, fraction)
     }
 
     /// Decides how the path goes on from here; an event if a contact changes its state.
-    fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<D, C>>, PathEnd<D, C>> {
+    fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
         let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
         let onward = self.node.go_on(&mut self.segment, journey, self.factor)?;
         let grasp = journey.grasp;
         let free = self.here.as_ref().map_or(0, |here| here.free_motions.len());
         let set_free = onward.here.free_motions.len() > free;
-        let free_motions = onward.here.free_motions.iter().map(|v| grasp.outside(v)).collect();
+        let free_motions = onward.here.free_motions.iter().map(|v| grasp.motion_outside(v)).collect();
         self.here = Some(onward.here);
         self.pace = self.pace.at_node();
         let (changes, drives) = grasp.told_apart(onward.changes);
@@ -237,7 +182,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Where the path stands in its present states.
-    fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>> {
+    fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
             None => self.node.look(&self.segment, self.factor).ok()?,

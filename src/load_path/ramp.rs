@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::{Error, Field};
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
 /// change. τ has no unit; with a direction of 1 N it counts newtons.
@@ -16,24 +16,24 @@ use crate::grasp::{Grasp, Wrench};
 /// assert_eq!(ramp.load_at(3.0), Wrench::force([1.0, -6.0]));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ramp<const D: usize, const C: usize> {
-    pub(crate) base: Wrench<D, C>,
-    pub(crate) direction: Wrench<D, C>,
+pub struct Ramp<const C: usize> {
+    pub(crate) base: Wrench<C>,
+    pub(crate) direction: Wrench<C>,
     pub(crate) command_change: Option<Vec<SVector<f64, C>>>,
     pub(crate) joint_change: Option<Vec<f64>>,
 }
 
-impl<const D: usize, const C: usize> Ramp<D, C> {
+impl<const C: usize> Ramp<C> {
     /// The load changes, the fingers stay as commanded. Base in N and N m, direction in the same for each unit of the factor.
     #[must_use]
-    pub fn load(base: Wrench<D, C>, direction: Wrench<D, C>) -> Self {
+    pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
     /// The load stays, the finger commands change: one displacement a contact for each unit of the factor, each in its contact frame (m),
     /// the normal part positive into the object.
     #[must_use]
-    pub fn commands(load: Wrench<D, C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+    pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
     }
 
@@ -86,20 +86,23 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
     pub(crate) fn stands_still(&self) -> bool {
         let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
         let joints = self.joint_change.iter().flatten();
-        self.direction.as_vector().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
+        self.direction.components().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
     }
 
     /// What the drives of a grasp change by for each unit of the factor.
-    pub(crate) fn drive_changes(&self, grasp: &Grasp<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
+    pub(crate) fn drive_changes<const D: usize>(
+        &self,
+        grasp: &Engine<D, C>,
+    ) -> Result<Vec<SVector<f64, C>>, Error> {
         let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
     /// [`Self::drive_changes`] in memory that is there.
-    pub(super) fn drive_changes_into(
+    pub(super) fn drive_changes_into<const D: usize>(
         &self,
-        grasp: &Grasp<D, C>,
+        grasp: &Engine<D, C>,
         changes: &mut Vec<SVector<f64, C>>,
     ) -> Result<(), Error> {
         if let Some(change) = &self.command_change {
@@ -115,7 +118,7 @@ impl<const D: usize, const C: usize> Ramp<D, C> {
 
     /// The load at a factor, `base + τ direction`.
     #[must_use]
-    pub fn load_at(&self, factor: f64) -> Wrench<D, C> {
+    pub fn load_at(&self, factor: f64) -> Wrench<C> {
         self.base + self.direction * factor
     }
 }

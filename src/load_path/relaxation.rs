@@ -143,11 +143,12 @@ mod tests {
     use crate::PolygonCone;
     use crate::contact::{Polygon, Slide, State};
     use crate::equilibrium::Cone;
+    use crate::grasp::Engine;
     use crate::object::Load;
-    use crate::spatial::{Contact, Grasp};
+    use crate::spatial::Contact;
 
     /// Fingers round a ball, softer one way than the other, all sliding but one; commands change with the factor.
-    fn fingers(ratio: f64) -> Grasp {
+    fn fingers(ratio: f64) -> Engine<6, 3> {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
             let stiffness = [1.0, 0.8, 0.8 * ratio];
@@ -155,7 +156,7 @@ mod tests {
                 .series_stiffness_axes(stiffness)
                 .friction(0.5)
         };
-        Grasp::new((0..5).map(finger)).expect("a grasp")
+        Engine::new((0..5).map(finger).collect()).expect("a grasp")
     }
 
     #[test]

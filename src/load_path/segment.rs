@@ -8,14 +8,14 @@ use super::first_exits::{FirstExits, Standing};
 use super::turned::Turned;
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
-use crate::grasp::Grasp;
+use crate::grasp::Engine;
 use crate::numerics::anew;
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g, const D: usize, const C: usize> {
-    pub(super) grasp: &'g Grasp<D, C>,
+    pub(super) grasp: &'g Engine<D, C>,
     pub(super) cone: Cone,
     /// At factor 0; its drives count from the slip so far.
     pub(super) problem: Problem<'g, D, C>,
@@ -83,7 +83,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         states: &[State<C>],
         factor: f64,
         near: Option<&SVector<f64, D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Course::Straight { rate, .. } => rate,
@@ -115,10 +115,10 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     }
 
     /// From a factor on nothing resists this motion.
-    pub(super) fn unbalanced(&self, factor: f64, motion: Option<SVector<f64, D>>) -> NoEquilibrium<D, C> {
+    pub(super) fn unbalanced(&self, factor: f64, motion: Option<SVector<f64, D>>) -> NoEquilibrium<C> {
         let v = motion.unwrap_or_else(SVector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
-        let proof = Proof::FreeMotion { motion: self.grasp.outside(&v), work };
+        let proof = Proof::FreeMotion { motion: self.grasp.motion_outside(&v), work };
         NoEquilibrium { proof }
     }
 

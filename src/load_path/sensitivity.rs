@@ -19,7 +19,7 @@ use nalgebra::{SMatrix, SVector};
 use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Engine, Motion, Twist, Wrench, of_the_object};
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
@@ -89,45 +89,29 @@ pub enum Parameter {
 /// N/m, command and position m, direction of a normal rad, load N or N m.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Derivative<const D: usize, const C: usize> {
+pub struct Derivative<const C: usize> {
     /// Of the twist, m and rad per unit of the parameter; of least norm where motions are free.
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
+    /// Of the displacements of the joints of a hand, finger by finger, rad or m; empty without one.
+    pub joints: Vec<f64>,
     /// Of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
     pub forces: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
-    /// On a load path what has slipped so far stays. `None` if an index is out of range, if the equilibrium has another number of
-    /// contacts, or if the change has no equilibrium in these states (a load on a free motion). `None`, too, for the position of a
-    /// contact of a hand, and where another geometry holds a motion that is free in this one.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::load_path::Parameter;
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
-    /// let held = outcome.equilibrium().expect("holds");
-    /// let by_weight = grasp.sensitivity(held, Parameter::Load { component: 1 }).expect("a component");
-    /// assert!((by_weight.twist.translation()[1] - 1.0 / 1600.0).abs() < 1e-15); // two springs of 800 N/m
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn sensitivity(&self, equilibrium: &Equilibrium<D, C>, by: Parameter) -> Option<Derivative<D, C>> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
+    pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
         let local = Local::new(self, equilibrium)?;
         let (twist, mut forces) = local.derivative(by)?;
         forces.truncate(self.len());
-        Some(Derivative { twist: self.outside(&twist), forces })
+        let Motion { object: twist, joints } = self.motion_outside(&twist);
+        Some(Derivative { twist, joints, forces })
     }
 }
 
 /// An equilibrium with its piece.
 pub(super) struct Local<'g, const D: usize, const C: usize> {
-    grasp: &'g Grasp<D, C>,
+    grasp: &'g Engine<D, C>,
     pub(super) problem: Problem<'g, D, C>,
     pub(super) states: Vec<State<C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
@@ -140,7 +124,7 @@ pub(super) struct Local<'g, const D: usize, const C: usize> {
 const FREE: f64 = 1e-9;
 
 impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
-    pub(super) fn new(grasp: &'g Grasp<D, C>, equilibrium: &Equilibrium<D, C>) -> Option<Self> {
+    pub(super) fn new(grasp: &'g Engine<D, C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
         if equilibrium.contacts.len() != grasp.len() {
             return None;
         }
@@ -153,7 +137,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
         let forces = equilibrium.site_forces();
-        Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist })
+        Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist.to() })
     }
 
     pub(super) fn derivative(&self, by: Parameter) -> Option<(SVector<f64, D>, Vec<SVector<f64, C>>)> {
@@ -196,10 +180,10 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
                 drives[contact] = -change.tr_mul(&self.twist);
                 wrench = change * self.forces[contact];
             }
-            Parameter::Load { component } if component < D => {
+            Parameter::Load { component } if component < of_the_object::<C>() => {
                 let mut unit = SVector::<f64, D>::zeros();
                 unit[component] = 1.0;
-                wrench = self.grasp.inside_unchecked(&Wrench::from_vector(unit));
+                wrench = self.grasp.inside_unchecked(&Wrench::among(&unit));
             }
             _ => return None,
         }
@@ -235,7 +219,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
     }
 
     /// What a load beside the present one changes of the forces. `None` if nothing balances it in these states.
-    pub(super) fn forces_by_load(&self, load: &Wrench<D, C>) -> Option<Vec<SVector<f64, C>>> {
+    pub(super) fn forces_by_load(&self, load: &Wrench<C>) -> Option<Vec<SVector<f64, C>>> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let wrench = self.grasp.inside_unchecked(load);
         self.piece.solve(self.grasp.sites(), &at_rest, &wrench).ok().map(|solved| solved.forces)

@@ -63,7 +63,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         &self,
         segment: &Segment<'_, D, C>,
         factor: f64,
-    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at)
         } else {

@@ -17,7 +17,7 @@ const ROUGHLY: f64 = 1e-6;
 
 impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     /// Goes along the present piece to its end: the next edge, or the end of the leg. Whether that is done.
-    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<D, C>> {
+    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };

@@ -8,7 +8,7 @@ use super::flow::{Flow, Rule};
 use super::segment::{Here, Segment};
 use crate::contact::{Line, State};
 use crate::equilibrium::{Cone, Equilibrium};
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::object::{PieceState, Problem};
 use crate::search::{Effort, Found, Rung};
 
@@ -23,7 +23,7 @@ pub(super) struct Stretch<'g, const D: usize, const C: usize> {
     pub(super) change: Vec<SVector<f64, C>>,
     pub(super) course: Course<SVector<f64, D>>,
     /// How the load of the question goes.
-    pub(super) load: Course<Wrench<D, C>>,
+    pub(super) load: Course<Wrench<C>>,
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
@@ -47,10 +47,10 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
     /// The equilibrium at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
     pub(super) fn state_at(
         &self,
-        grasp: &'g Grasp<D, C>,
+        grasp: &'g Engine<D, C>,
         cone: Cone,
         fraction: f64,
-    ) -> Option<Equilibrium<D, C>> {
+    ) -> Option<Equilibrium<C>> {
         if let Some(bend) = &self.bend {
             return self.on_the_bend(bend, grasp, cone, fraction);
         }
@@ -83,10 +83,10 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
     fn on_the_bend(
         &self,
         bend: &Bend,
-        grasp: &'g Grasp<D, C>,
+        grasp: &'g Engine<D, C>,
         cone: Cone,
         fraction: f64,
-    ) -> Option<Equilibrium<D, C>> {
+    ) -> Option<Equilibrium<C>> {
         let segment = self.segment(grasp, cone);
         let at = if fraction >= self.to {
             self.there.clone()
@@ -120,19 +120,19 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
         Some(self.equilibrium(grasp, cone, fraction, &problem, found))
     }
 
-    fn segment(&self, grasp: &'g Grasp<D, C>, cone: Cone) -> Segment<'g, D, C> {
+    fn segment(&self, grasp: &'g Engine<D, C>, cone: Cone) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
         Segment { grasp, cone, problem, change, course: self.course, largest: 0.0 }
     }
 
     fn equilibrium(
         &self,
-        grasp: &Grasp<D, C>,
+        grasp: &Engine<D, C>,
         cone: Cone,
         fraction: f64,
         problem: &Problem<'g, D, C>,
         found: Found<D, C>,
-    ) -> Equilibrium<D, C> {
+    ) -> Equilibrium<C> {
         let load = self.load.at(fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }

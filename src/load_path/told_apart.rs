@@ -4,9 +4,9 @@ use super::drive_change::DriveChange;
 use super::event::Change;
 use super::onset::{Departure, Leaving};
 use super::onset_margins::Leaver;
-use crate::grasp::{Grasp, HandPart, Role};
+use crate::grasp::{Engine, HandPart, Role};
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// Changes of contacts, and those of drives by the names of their owners.
     pub(super) fn told_apart(&self, changes: Vec<(usize, Change<C>)>) -> Told<(usize, Change<C>)> {
         let (contacts, drives): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(i, _)| *i < self.len());

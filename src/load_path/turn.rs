@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::course::Course;
+use super::onset_margins::Leaver;
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::numerics::Harmonic;
 
 /// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
@@ -25,22 +26,22 @@ use crate::numerics::Harmonic;
 /// assert!((load.moment() - 0.2).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn<const D: usize, const C: usize> {
-    pub(super) load: Harmonic<Wrench<D, C>>,
+pub struct Turn<const C: usize> {
+    pub(super) load: Harmonic<Wrench<C>>,
     /// How far it turns, rad.
     pub(super) angle: f64,
 }
 
-impl<const D: usize, const C: usize> Turn<D, C> {
+impl<const C: usize> Turn<C> {
     /// From its three parts, N and N m; one full turn.
     #[must_use]
-    pub fn new(constant: Wrench<D, C>, cosine: Wrench<D, C>, sine: Wrench<D, C>) -> Self {
+    pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU }
     }
 
     /// This turn beside another load, which stays as it is.
     #[must_use]
-    pub fn beside(mut self, load: Wrench<D, C>) -> Self {
+    pub fn beside(mut self, load: Wrench<C>) -> Self {
         self.load.constant = self.load.constant + load;
         self
     }
@@ -67,23 +68,23 @@ impl<const D: usize, const C: usize> Turn<D, C> {
 
     /// The constant part, that of cos θ and that of sin θ.
     #[must_use]
-    pub fn parts(&self) -> [Wrench<D, C>; 3] {
+    pub fn parts(&self) -> [Wrench<C>; 3] {
         self.load.parts().map(|part| *part)
     }
 
     /// The load at an angle, rad.
     #[must_use]
-    pub fn load_at(&self, angle: f64) -> Wrench<D, C> {
+    pub fn load_at(&self, angle: f64) -> Wrench<C> {
         self.load.at(angle)
     }
 
     /// In inside coordinates, once checked; what acts on joints whatever they do belongs to the constant part.
-    pub(crate) fn inside(&self, grasp: &Grasp<D, C>) -> Harmonic<SVector<f64, D>> {
+    pub(crate) fn inside<const D: usize>(&self, grasp: &Engine<D, C>) -> Harmonic<SVector<f64, D>> {
         inside(grasp, &self.load)
     }
 
     /// What the load does from here on that changes as this one does: for one unit of the factor the whole turn.
-    pub(super) fn beginning_with(&self, load: &Wrench<D, C>) -> Course<Wrench<D, C>> {
+    pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Course<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Course::Turn { load, angle: self.angle }
     }
@@ -107,19 +108,19 @@ impl<const D: usize, const C: usize> Turn<D, C> {
     }
 
     /// A force that turns, given by its parts along the axis, at θ = 0 and a quarter turn on.
-    fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<D, C>) -> Self {
+    fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.map(wrench);
         Self::new(constant, cosine, sine)
     }
 }
 
-impl<const D: usize> Turn<D, 2> {
+impl Turn<2> {
     /// A force (N) through `point` (m) that turns from x to y.
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         let ([x, y], point) = (force.into(), point.into());
         let parts = [SVector::zeros(), SVector::from([x, y]), SVector::from([-y, x])];
-        Self::of_forces(parts, |force| Wrench::<D, 2>::force_at(force, point))
+        Self::of_forces(parts, |force| Wrench::<2>::force_at(force, point))
     }
 
     /// A weight (N) whose centre is at `point` (m), while the object is tilted from x to y together with its grasp.
@@ -129,7 +130,7 @@ impl<const D: usize> Turn<D, 2> {
     }
 }
 
-impl<const D: usize> Turn<D, 3> {
+impl Turn<3> {
     /// A force (N) through `point` (m) that turns about an axis by the right-hand rule; the axis has any length but zero.
     ///
     /// ```
@@ -165,7 +166,7 @@ impl<const D: usize> Turn<D, 3> {
         let axis = axis / scale / (length / scale);
         let along = axis * axis.dot(&force);
         let parts = [along, force - along, axis.cross(&force)];
-        Ok(Self::of_forces(parts, |force| Wrench::<D, 3>::force_at(force, point)))
+        Ok(Self::of_forces(parts, |force| Wrench::<3>::force_at(force, point)))
     }
 
     /// A weight (N) whose centre is at `point` (m), while the object is tilted about an axis together with its grasp, by the right-hand
@@ -184,8 +185,8 @@ impl<const D: usize> Turn<D, 3> {
 
 /// A load that turns in inside coordinates, once checked.
 pub(super) fn inside<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    load: &Harmonic<Wrench<D, C>>,
+    grasp: &Engine<D, C>,
+    load: &Harmonic<Wrench<C>>,
 ) -> Harmonic<SVector<f64, D>> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
@@ -194,12 +195,12 @@ pub(super) fn inside<const D: usize, const C: usize>(
     }
 }
 
-/// A contact touches the edge of its cone.
+/// A contact, or a drive of a hand, touches the edge of its cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Touch {
-    /// The contact, from 0; behind them the drives of a hand.
-    pub contact: usize,
+    /// Which contact, or which drive of a hand.
+    pub of: Leaver,
     /// Where, rad.
     pub angle: f64,
 }

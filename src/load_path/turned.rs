@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::first_exits::FirstExits;
-use super::turn::Touch;
 use crate::contact::{Exit, State, TurningExit, Wave};
 use crate::numerics::Harmonic;
 use crate::object::{PieceState, Problem};
@@ -57,7 +56,7 @@ fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64)
     let mut standing = Vec::new();
     for (contact, exits) in ways {
         touches.extend(exits.iter().filter_map(|exit| match exit {
-            TurningExit::Touches(angle) if *angle < end => Some(Touch { contact, angle: *angle }),
+            TurningExit::Touches(angle) if *angle < end => Some((contact, *angle)),
             _ => None,
         }));
         // Symmetric grasps reach several edges at once: equal up to the rounding of both.

@@ -49,7 +49,7 @@ const SHORTEST: f64 = 1e-13;
 
 impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
-    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<D, C>> {
+    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
@@ -207,7 +207,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
         journey: &Journey<'g, D, C>,
         here: &Here<D, C>,
         end: &End<D, C>,
-    ) -> Result<bool, PathEnd<D, C>> {
+    ) -> Result<bool, PathEnd<C>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
@@ -254,10 +254,10 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The end of an arc; the motion is that along it.
-    fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<D, C> {
+    fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<C> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
-        let motion = journey.grasp.outside(&here.twist_rate.normalize());
-        PathEnd::Lost(journey.loss(self.factor, kind, slides.collect(), Some(motion)))
+        let motion = here.twist_rate.normalize();
+        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(motion))))
     }
 }
 

@@ -29,7 +29,7 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
         (load, angle): (&Harmonic<SVector<f64, D>>, f64),
         factor: f64,
         near: Option<&SVector<f64, D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<D, C>> {
+    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let solved = |drives: &[SVector<f64, C>], load: &SVector<f64, D>| {

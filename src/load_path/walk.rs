@@ -6,7 +6,6 @@ use super::course::Course;
 use super::first_exits::Standing;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::segment::{Here, Segment};
-use super::turn::Touch;
 use crate::contact::{Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
@@ -17,18 +16,18 @@ use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 pub(super) struct Walk<'a, const D: usize, const C: usize> {
     pub(super) segment: Segment<'a, D, C>,
     /// The load as the question has it.
-    pub(super) course: Course<Wrench<D, C>>,
+    pub(super) course: Course<Wrench<C>>,
     /// How far the factor goes.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: Rung,
     pub(super) factor: f64,
     /// What was only touched on the way.
-    pub(super) touches: Vec<Touch>,
+    pub(super) touches: Vec<(usize, f64)>,
 }
 
 impl<const D: usize, const C: usize> Walk<'_, D, C> {
-    pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<D, C> {
+    pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
         let mut reached: Option<Standing<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
@@ -69,7 +68,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             }
             let first = self.segment.first_exits(&states, &here, self.end - self.factor);
             let passed = self.factor;
-            let touch = |touch: Touch| Touch { angle: passed + touch.angle, ..touch };
+            let touch = |(site, angle)| (site, passed + angle);
             self.touches.extend(first.touches.into_iter().map(touch));
             let Some((step, next)) = first.standing else { return Onset::Never };
             self.factor += step;
@@ -103,7 +102,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         stands: Vec<Stand<C>>,
         rates: &Problem<D, C>,
         settled: &Settled<D, C>,
-    ) -> Onset<D, C> {
+    ) -> Onset<C> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let next = match settled {
             Settled::Found(found, _) => Some(site_states(rates, found)),
@@ -129,7 +128,14 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
             ..Found::new(states, forces, here.twist)
         };
         let place = (self.factor, self.course.at(self.factor));
-        let event = OnsetEvent::new(segment.clone(), place, (leaving, sites), stands, (found, self.rule));
+        let event = OnsetEvent::new(
+            segment.clone(),
+            place,
+            (leaving, sites),
+            stands,
+            (found, self.rule),
+            &mut Default::default(),
+        );
         match segment.grasp.state_at_onset(&event) {
             Some(state) if state.residuals.worst() > ACCURATE => {
                 Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })

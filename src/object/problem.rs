@@ -14,7 +14,7 @@ use super::load::Load;
 use super::precise::PreciseTwist;
 use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
-use crate::grasp::{Grasp, Remembered, Site, Wrench};
+use crate::grasp::{Engine, Remembered, Site, Wrench};
 use crate::numerics::{DoubleDouble, anew};
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
@@ -55,7 +55,7 @@ impl<const C: usize> Default for Lists<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
+impl<const D: usize, const C: usize> Engine<D, C> {
     /// The problem at rest of this grasp.
     pub(crate) fn problem(
         &self,
@@ -86,7 +86,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub(crate) fn on_polygons(
         &self,
-        load: &Wrench<D, C>,
+        load: &Wrench<C>,
         cone: &PolygonCone,
     ) -> Result<Problem<'_, D, C>, Error> {
         let polygon = Polygon::shared(cone);

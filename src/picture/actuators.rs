@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
+use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Equilibrium};
-use crate::grasp::{Grasp, HandPart};
+use crate::grasp::HandPart;
 
 /// Names of joints and tendons, and where the joints turn.
 #[derive(Debug, Clone)]
@@ -13,17 +14,17 @@ pub(super) struct Actuators<const C: usize> {
 }
 
 impl<const C: usize> Actuators<C> {
-    pub(super) fn of<const D: usize>(grasp: &Grasp<D, C>) -> Self {
-        let joint = |(j, at)| (grasp.label_of(HandPart::Joint(j)), at);
-        let joints: Vec<_> = grasp.joint_centres().enumerate().map(joint).collect();
+    pub(super) fn of(grasp: &Grasp<C>) -> Self {
+        let joint = |(j, at): (usize, &Option<SVector<f64, C>>)| (grasp.label_of(HandPart::Joint(j)), *at);
+        let joints: Vec<_> = grasp.joint_centres().iter().enumerate().map(joint).collect();
         let tendons = grasp.joint_commands().len() - joints.len();
         Self { joints, tendons: (0..tendons).map(|t| grasp.label_of(HandPart::Tendon(t))).collect() }
     }
 
     /// Those that stand at their limit, and where.
-    pub(super) fn that_yield<const D: usize>(
+    pub(super) fn that_yield(
         &self,
-        state: &Equilibrium<D, C>,
+        state: &Equilibrium<C>,
     ) -> impl Iterator<Item = (&str, Option<SVector<f64, C>>)> {
         let yields = |state: DriveState| state == DriveState::Yields;
         let joints = self.joints.iter().zip(&state.joints).filter(move |(_, answer)| yields(answer.state));

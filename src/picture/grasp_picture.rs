@@ -64,9 +64,9 @@ const CONE: f64 = 1.15;
 /// # Errors
 /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
 /// outline is not finite, or if a length or force is too large or too small to be drawn.
-pub fn draw_grasp<const D: usize>(
-    grasp: &crate::grasp::Grasp<D, 2>,
-    state: &crate::equilibrium::Equilibrium<D, 2>,
+pub fn draw_grasp(
+    grasp: &Grasp,
+    state: &Equilibrium,
     outline: Option<Outline>,
     title: &str,
 ) -> Result<String, PictureError> {
@@ -77,9 +77,7 @@ pub fn draw_grasp<const D: usize>(
     if !outline.unwrap_or_default().iter().flatten().all(|x| x.is_finite()) {
         return Err(PictureError("a corner of the outline is not finite".into()));
     }
-    let bones = grasp.links().copied().collect();
-    Picture::new(&grasp.without_hand(), &state.without_hand(), outline, bones, Actuators::of(grasp))
-        .draw(title)
+    Picture::new(grasp, state, outline, grasp.links().to_vec(), Actuators::of(grasp)).draw(title)
 }
 
 struct Picture<'a> {

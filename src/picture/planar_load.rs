@@ -21,7 +21,7 @@ pub(super) struct PlanarLoad {
 impl PlanarLoad {
     /// For an object of a size (m) with this middle.
     pub(super) fn new(load: &Wrench, middle: Vector2<f64>, size: f64) -> Self {
-        let load = load.as_vector();
+        let load = load.components();
         let (force, about_origin) = (Vector2::new(load[0], load[1]), load[2]);
         let moment = about_origin - middle.perp(&force);
         if force.norm() * size <= ROUNDING * moment.abs() {

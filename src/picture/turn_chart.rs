@@ -3,9 +3,9 @@
 use super::chart::Chart;
 use super::palette::PALETTE;
 use super::series::{Series, Stroke};
-use crate::equilibrium::{ContactAnswer, ContactState, Settings};
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::error::Error;
-use crate::grasp::Grasp;
 use crate::load_path::{Change, Event, Leg, PathEnd, Turn};
 
 /// Angles at which states are drawn, events besides.
@@ -18,7 +18,6 @@ const APART: f64 = 0.15;
 /// friction or never slide are left out; of more than eight those are drawn that use most.
 ///
 /// ```
-/// use grasp_lcp::Settings;
 /// use grasp_lcp::picture::chart_of_turn;
 /// use grasp_lcp::planar::{Contact, Grasp, Turn};
 ///
@@ -28,23 +27,18 @@ const APART: f64 = 0.15;
 /// };
 /// let palms = Grasp::new([palm("below", -1.0), palm("above", 1.0)])?;
 /// let turn = Turn::tilting([0.0, -4.0], [0.0, 0.0]);
-/// let svg = chart_of_turn(&palms, &turn, &Settings::default(), "A tray")?.to_svg()?;
+/// let svg = chart_of_turn(&palms, &turn, "A tray")?.to_svg()?;
 /// assert!(svg.contains("lost: above on the edge") && svg.contains("angle (degrees)"));
 /// // A tray that falls from the start on has no curve.
 /// let heavy = Turn::tilting([40.0, 0.0], [0.0, 0.0]);
-/// assert!(chart_of_turn(&palms, &heavy, &Settings::default(), "A tray")?.to_svg().is_err());
+/// assert!(chart_of_turn(&palms, &heavy, "A tray")?.to_svg().is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// As for [`Grasp::onset_of_turn`].
-pub fn chart_of_turn<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    turn: &Turn<D, C>,
-    settings: &Settings,
-    title: &str,
-) -> Result<Chart, Error> {
-    let mut path = grasp.follow_with(&turn.load_at(0.0), &[Leg::turn(turn)], settings)?;
+pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &str) -> Result<Chart, Error> {
+    let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
     let events = path.run();
     let degrees = |fraction: f64| (fraction * turn.angle()).to_degrees();
     let last = path.end().and_then(PathEnd::fraction).unwrap_or(1.0);
@@ -110,7 +104,7 @@ fn fullest(mut curves: Vec<Series>) -> Vec<Series> {
 }
 
 /// Who leaves rolling at an event, and how, if anybody does.
-fn left_by<const D: usize, const C: usize>(grasp: &Grasp<D, C>, event: &Event<D, C>) -> Option<String> {
+fn left_by<const C: usize>(grasp: &Grasp<C>, event: &Event<C>) -> Option<String> {
     let word = |change: &Change<C>| match change {
         Change::Slides { .. } => Some("slides"),
         Change::Opens => Some("opens"),

@@ -10,15 +10,16 @@ use super::turn_onset::TurnAnswer;
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[allow(clippy::large_enum_variant)] // one is made for a question
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Answer<const D: usize, const C: usize> {
+pub enum Answer<const C: usize> {
     /// To `solve`.
-    Solve(SolveAnswer<D, C>),
+    Solve(SolveAnswer<C>),
     /// To `onset`.
-    Onset(OnsetAnswer<D, C>),
+    Onset(OnsetAnswer<C>),
     /// To `onset_of_turn`.
-    OnsetOfTurn(TurnAnswer<D, C>),
+    OnsetOfTurn(TurnAnswer<C>),
     /// To `follow`.
-    Follow(PathAnswer<D, C>),
+    Follow(PathAnswer<C>),
 }

@@ -7,33 +7,20 @@ use super::finger::Finger;
 use super::place::{Place, Places};
 use super::question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 use super::setup::Setup;
-use super::width::WithGrasp;
+use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
-use crate::load_path::{self, Ramp, Turn};
+use crate::grasp::Wrench;
+use crate::load_path::{self, Ramp};
 
-impl<const D: usize, const C: usize> Setup<D, C> {
-    /// A load as the grasp has it, whatever its number of coordinates.
-    #[must_use]
-    pub fn load<const W: usize>(&self, load: &Wrench<D, C>) -> Wrench<W, C> {
-        load.resized()
-    }
-
-    /// A load that turns as the grasp has it, whatever its number of coordinates.
-    #[must_use]
-    pub fn turn<const W: usize>(&self, turn: &Turn<D, C>) -> Turn<W, C> {
-        let [constant, cosine, sine] = turn.parts().map(|part| part.resized());
-        Turn::new(constant, cosine, sine).up_to(turn.angle())
-    }
-
+impl<const C: usize> Setup<C> {
     /// The ramp of a question as the grasp has it. Every point of a soft fingertip has the command changes of its
     /// contact.
     ///
     /// # Errors
     /// [`Error::Size`] unless there is one command change for each contact of the scene.
     /// [`Error::JointCommands`] unless there is one for each joint and each tendon. [`Error::NothingChanges`] if all of the ramp is zero.
-    pub fn ramp<const W: usize>(&self, asked: &RampAsked<D, C>) -> Result<Ramp<W, C>, Error> {
-        let mut ramp = Ramp::load(asked.base.resized(), asked.direction.resized());
+    pub fn ramp(&self, asked: &RampAsked<C>) -> Result<Ramp<C>, Error> {
+        let mut ramp = Ramp::load(asked.base, asked.direction);
         if let Some(change) = &asked.command_change {
             ramp = ramp.with_commands(self.spread(change, "command changes")?);
         }
@@ -49,17 +36,17 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// # Errors
     /// [`Error::Size`] unless a leg has one command for each contact of the scene.
     /// [`Error::JointCommands`] unless it has one for each joint and each tendon.
-    pub fn legs<const W: usize>(&self, legs: &[Leg<D, C>]) -> Result<Vec<load_path::Leg<W, C>>, Error> {
+    pub fn legs(&self, legs: &[Leg<C>]) -> Result<Vec<load_path::Leg<C>>, Error> {
         legs.iter().map(|leg| self.leg(leg)).collect()
     }
 
-    fn leg<const W: usize>(&self, leg: &Leg<D, C>) -> Result<load_path::Leg<W, C>, Error> {
+    fn leg(&self, leg: &Leg<C>) -> Result<load_path::Leg<C>, Error> {
         let mut out = load_path::Leg::load_by(Wrench::ZERO);
         match &leg.load {
             None => {}
-            Some(LoadGoal::Straight(Goal::By(change))) => out = out.and_load_by(change.resized()),
-            Some(LoadGoal::Straight(Goal::To(load))) => out = out.and_load_to(load.resized()),
-            Some(LoadGoal::Turn(turn)) => out = load_path::Leg::turn(&self.turn(turn)),
+            Some(LoadGoal::Straight(Goal::By(change))) => out = out.and_load_by(*change),
+            Some(LoadGoal::Straight(Goal::To(load))) => out = out.and_load_to(*load),
+            Some(LoadGoal::Turn(turn)) => out = load_path::Leg::turn(turn),
         }
         match &leg.commands {
             None => {}
@@ -78,11 +65,11 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     }
 
     /// Whether the lists of a question that have one entry a contact are as long as that.
-    pub(super) fn check(&self, question: &Question<D, C>) -> Result<(), Error> {
+    pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         match question {
             Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
-            Question::Onset(asked) => self.ramp::<D>(asked).map(drop),
-            Question::Follow { legs, .. } => self.legs::<D>(legs).map(drop),
+            Question::Onset(asked) => self.ramp(asked).map(drop),
+            Question::Follow { legs, .. } => self.legs(legs).map(drop),
         }
     }
 
@@ -135,47 +122,29 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     /// The answer to every question, in order.
     ///
     /// # Errors
-    /// As for [`Self::with_grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
+    /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
     /// answer: a malformed question is an error, "no equilibrium" is an answer.
-    pub fn answers(&self) -> Result<Vec<Answer<D, C>>, Error> {
-        self.with_grasp(Asked(self))?
+    pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
+        let (grasp, places) = (self.grasp()?, self.places()?);
+        self.questions.iter().map(|question| self.answer(&grasp, &places, question)).collect()
     }
 
-    fn answer<const W: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        places: &Places,
-        question: &Question<D, C>,
-    ) -> Result<Answer<D, C>, Error> {
-        let settings = &self.settings;
+    fn answer(&self, grasp: &Grasp<C>, places: &Places, question: &Question<C>) -> Result<Answer<C>, Error> {
         Ok(match question {
-            Question::Solve { load } => {
-                Answer::Solve(places.solved(grasp, &grasp.solve_with(&load.resized(), settings)?))
-            }
+            Question::Solve { load } => Answer::Solve(places.solved(grasp, &grasp.solve(load)?)),
             Question::Onset(asked) => {
-                let onset = grasp.onset_with(&self.ramp(asked)?, settings)?;
-                Answer::Onset(places.onset(grasp, settings, &onset))
+                let onset = grasp.onset(&self.ramp(asked)?)?;
+                Answer::Onset(places.onset(grasp, &onset))
             }
             Question::OnsetOfTurn(turn) => {
-                let found = grasp.onset_of_turn_with(&self.turn(turn), settings)?;
-                Answer::OnsetOfTurn(places.onset_of_turn(grasp, settings, &found))
+                let found = grasp.onset_of_turn(turn)?;
+                Answer::OnsetOfTurn(places.onset_of_turn(grasp, &found))
             }
             Question::Follow { start, legs } => {
-                let mut path = grasp.follow_with(&start.resized(), &self.legs(legs)?, settings)?;
+                let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 let events = path.run();
                 Answer::Follow(places.path(&path, &events))
             }
         })
-    }
-}
-
-/// The questions of a setup.
-struct Asked<'a, const D: usize, const C: usize>(&'a Setup<D, C>);
-
-impl<const D: usize, const C: usize> WithGrasp<C> for Asked<'_, D, C> {
-    type Output = Result<Vec<Answer<D, C>>, Error>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
-        let places = self.0.places()?;
-        self.0.questions.iter().map(|question| self.0.answer(grasp, &places, question)).collect()
     }
 }

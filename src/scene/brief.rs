@@ -5,10 +5,10 @@ use serde::Serialize;
 use super::place::{Doing, Places};
 use super::question::Question;
 use super::setup::Setup;
-use super::width::WithGrasp;
+use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::{Grasp, HandPart};
+use crate::grasp::HandPart;
 use crate::load_path::{Departure, DriveChange, Leaving, Onset, PathEnd};
 
 /// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
@@ -54,49 +54,28 @@ pub struct Brief {
     pub does: Option<&'static str>,
 }
 
-impl<const D: usize, const C: usize> Setup<D, C> {
+impl<const C: usize> Setup<C> {
     /// The answer to every question in short, in order.
     ///
     /// # Errors
     /// As for [`Self::answers`].
     pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
-        self.with_grasp(Briefly(self))?
+        let (grasp, places) = (self.grasp()?, self.places()?);
+        self.questions.iter().map(|question| self.brief(&grasp, &places, question)).collect()
     }
-}
 
-struct Briefly<'a, const D: usize, const C: usize>(&'a Setup<D, C>);
-
-impl<const D: usize, const C: usize> WithGrasp<C> for Briefly<'_, D, C> {
-    type Output = Result<Vec<Brief>, Error>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
-        let places = self.0.places()?;
-        self.0.questions.iter().map(|question| self.0.brief(grasp, &places, question)).collect()
-    }
-}
-
-impl<const D: usize, const C: usize> Setup<D, C> {
-    fn brief<const W: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        places: &Places,
-        question: &Question<D, C>,
-    ) -> Result<Brief, Error> {
-        let settings = &self.settings;
+    fn brief(&self, grasp: &Grasp<C>, places: &Places, question: &Question<C>) -> Result<Brief, Error> {
         Ok(match question {
-            Question::Solve { load } => {
-                places.solved_briefly("solve", &grasp.solve_with(&load.resized(), settings)?)
-            }
-            Question::Onset(asked) => {
-                places.onset_briefly("onset", &grasp.onset_with(&self.ramp(asked)?, settings)?)
-            }
+            Question::Solve { load } => places.solved_briefly("solve", &grasp.solve(load)?),
+            Question::Onset(asked) => places.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
-                let found = grasp.onset_of_turn_with(&self.turn(turn), settings)?;
+                let found = grasp.onset_of_turn(turn)?;
                 let mut brief = places.onset_briefly("onset_of_turn", &found.onset);
                 brief.angle = brief.factor.take();
                 brief
             }
             Question::Follow { start, legs } => {
-                let mut path = grasp.follow_with(&start.resized(), &self.legs(legs)?, settings)?;
+                let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
                 places.path_briefly(path.end())
             }
@@ -112,11 +91,7 @@ impl Brief {
 }
 
 impl Places {
-    fn solved_briefly<const W: usize, const C: usize>(
-        &self,
-        question: &'static str,
-        outcome: &Outcome<W, C>,
-    ) -> Brief {
+    fn solved_briefly<const C: usize>(&self, question: &'static str, outcome: &Outcome<C>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
             Outcome::NoEquilibrium(_) => Brief::new(question, "no_equilibrium"),
@@ -125,7 +100,7 @@ impl Places {
     }
 
     /// With the contact of the least margin.
-    fn tightest<const W: usize, const C: usize>(&self, brief: Brief, state: &Equilibrium<W, C>) -> Brief {
+    fn tightest<const C: usize>(&self, brief: Brief, state: &Equilibrium<C>) -> Brief {
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
@@ -133,11 +108,7 @@ impl Places {
         Brief { margin, first, does: Some(doing(contact)), ..brief }
     }
 
-    fn onset_briefly<const W: usize, const C: usize>(
-        &self,
-        question: &'static str,
-        onset: &Onset<W, C>,
-    ) -> Brief {
+    fn onset_briefly<const C: usize>(&self, question: &'static str, onset: &Onset<C>) -> Brief {
         match onset {
             Onset::At(event) => {
                 let of_contact = |leaving: &Leaving<C>| {
@@ -161,7 +132,7 @@ impl Places {
         }
     }
 
-    fn path_briefly<const W: usize, const C: usize>(&self, end: Option<&PathEnd<W, C>>) -> Brief {
+    fn path_briefly<const C: usize>(&self, end: Option<&PathEnd<C>>) -> Brief {
         let brief = |outcome| Brief {
             leg: end.and_then(PathEnd::leg),
             fraction: end.and_then(PathEnd::fraction),

@@ -4,22 +4,22 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::{JointTold, TendonTold};
 use super::fields::AsFound;
-use super::motion::Motion;
 use super::place::{Places, Touch};
+use crate::ask::Grasp;
 use crate::contact::PolygonCone;
 use crate::equilibrium::{self as state, Doubt, NoEquilibrium, Outcome, Rung};
-use crate::grasp::{Grasp, Twist, Wrench, of_the_object};
+use crate::grasp::{Motion, Twist, Wrench};
 
 /// How a question for an equilibrium ends; see [`Outcome`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum SolveAnswer<const D: usize, const C: usize> {
+pub enum SolveAnswer<const C: usize> {
     /// The grasp holds.
-    Equilibrium(Box<Equilibrium<D, C>>),
+    Equilibrium(Box<Equilibrium<C>>),
     /// No equilibrium exists under this load.
-    NoEquilibrium(Proof<D, C>),
+    NoEquilibrium(Proof<C>),
     /// None was found and none was ruled out.
     Undecided {
         /// Why.
@@ -32,11 +32,11 @@ pub enum SolveAnswer<const D: usize, const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "proof", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Proof<const D: usize, const C: usize> {
+pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
         /// The motion.
-        motion: Motion<D, C>,
+        motion: Motion<C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "AsFound::<f64>")]
         work: f64,
@@ -44,7 +44,7 @@ pub enum Proof<const D: usize, const C: usize> {
     /// No admissible contact force works against this unit motion, and the load drives it.
     SeparatingMotion {
         /// The motion.
-        motion: Motion<D, C>,
+        motion: Motion<C>,
         /// Work of the load on it, positive, J.
         #[serde(with = "AsFound::<f64>")]
         work: f64,
@@ -67,11 +67,11 @@ pub enum Proof<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Equilibrium<const D: usize, const C: usize> {
+pub struct Equilibrium<const C: usize> {
     /// The load it balances.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Motion of the object: translation of the origin (m) and rotation (rad).
-    pub twist: Twist<D, C>,
+    pub twist: Twist<C>,
     /// Contact by contact, in the order of the scene; a soft fingertip point by point.
     pub contacts: Vec<Touch<C>>,
     /// Joint by joint, finger by finger.
@@ -95,10 +95,10 @@ pub struct Equilibrium<const D: usize, const C: usize> {
     /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
     /// as one unit says [`state::Equilibrium::free_motions`].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Motion<D, C>>,
+    pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub neutral_motions: Vec<Motion<D, C>>,
+    pub neutral_motions: Vec<Motion<C>>,
     /// The largest change of a contact force, N, from the answer of the polygon that the search
     /// started from, if it did.
     #[serde(default, with = "AsFound::<Option<f64>>", skip_serializing_if = "Option::is_none")]
@@ -179,70 +179,23 @@ impl From<state::Accuracy> for Accuracy {
 
 impl Places {
     /// An outcome with all that is known of an equilibrium.
-    pub(super) fn solved<const W: usize, const D: usize, const C: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        outcome: &Outcome<W, C>,
-    ) -> SolveAnswer<D, C> {
+    pub(super) fn solved<const C: usize>(&self, grasp: &Grasp<C>, outcome: &Outcome<C>) -> SolveAnswer<C> {
         match outcome {
             Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.measured(grasp, state))),
             _ => self.outcome(outcome),
         }
     }
 
-    pub(super) fn outcome<const W: usize, const D: usize, const C: usize>(
-        &self,
-        outcome: &Outcome<W, C>,
-    ) -> SolveAnswer<D, C> {
+    pub(super) fn outcome<const C: usize>(&self, outcome: &Outcome<C>) -> SolveAnswer<C> {
         match outcome {
             Outcome::Equilibrium(state) => SolveAnswer::Equilibrium(Box::new(self.equilibrium(state))),
-            Outcome::NoEquilibrium(none) => SolveAnswer::NoEquilibrium(self.proof(none)),
+            Outcome::NoEquilibrium(none) => SolveAnswer::NoEquilibrium(proof(none)),
             Outcome::Undecided(undecided) => SolveAnswer::Undecided { doubt: undecided.doubt },
         }
     }
 
-    pub(super) fn proof<const W: usize, const D: usize, const C: usize>(
-        &self,
-        none: &NoEquilibrium<W, C>,
-    ) -> Proof<D, C> {
-        match &none.proof {
-            state::Proof::FreeMotion { motion, work } => {
-                Proof::FreeMotion { motion: self.motion(motion), work: *work }
-            }
-            state::Proof::SeparatingMotion { motion, work } => {
-                Proof::SeparatingMotion { motion: self.motion(motion), work: *work }
-            }
-            state::Proof::EveryStateTried { combinations } => {
-                Proof::EveryStateTried { combinations: *combinations }
-            }
-            state::Proof::EveryCaseContradicted { cases, escape } => {
-                Proof::EveryCaseContradicted { cases: *cases, escape: *escape }
-            }
-        }
-    }
-
-    /// A motion with its part of the joints.
-    pub(super) fn motion<const W: usize, const D: usize, const C: usize>(
-        &self,
-        twist: &Twist<W, C>,
-    ) -> Motion<D, C> {
-        let joints = &twist.as_vector().as_slice()[of_the_object::<C>()..];
-        Motion { object: twist.resized(), joints: joints.iter().take(self.joints.len()).copied().collect() }
-    }
-
-    pub(super) fn motions<const W: usize, const D: usize, const C: usize>(
-        &self,
-        twists: &[Twist<W, C>],
-    ) -> Vec<Motion<D, C>> {
-        twists.iter().map(|twist| self.motion(twist)).collect()
-    }
-
     /// An equilibrium with its accuracy, and with the states that are told from their neighbours.
-    fn measured<const W: usize, const D: usize, const C: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        state: &state::Equilibrium<W, C>,
-    ) -> Equilibrium<D, C> {
+    fn measured<const C: usize>(&self, grasp: &Grasp<C>, state: &state::Equilibrium<C>) -> Equilibrium<C> {
         let mut told = self.equilibrium(state);
         told.accuracy = grasp.accuracy(state).map(Accuracy::from);
         for (touch, distinct) in told.contacts.iter_mut().zip(grasp.distinct(state).into_iter().flatten()) {
@@ -251,13 +204,10 @@ impl Places {
         told
     }
 
-    pub(super) fn equilibrium<const W: usize, const D: usize, const C: usize>(
-        &self,
-        state: &state::Equilibrium<W, C>,
-    ) -> Equilibrium<D, C> {
+    pub(super) fn equilibrium<const C: usize>(&self, state: &state::Equilibrium<C>) -> Equilibrium<C> {
         Equilibrium {
-            load: state.load.resized(),
-            twist: state.twist.resized(),
+            load: state.load,
+            twist: state.twist,
             contacts: state.contacts.iter().enumerate().map(|(i, c)| self.touch(i, c)).collect(),
             joints: self.joints(&state.joints),
             tendons: self.tendons(&state.tendons),
@@ -270,10 +220,28 @@ impl Places {
             },
             rule: state.rule,
             stored_energy: state.stored_energy,
-            free_motions: self.motions(&state.free_motions),
-            neutral_motions: self.motions(&state.neutral_motions),
+            free_motions: state.free_motions.clone(),
+            neutral_motions: state.neutral_motions.clone(),
             change_from_polygon: state.change_from_polygon,
             pivots: state.work.pivots,
+        }
+    }
+}
+
+/// Why no equilibrium exists, as it is written.
+pub(super) fn proof<const C: usize>(none: &NoEquilibrium<C>) -> Proof<C> {
+    match &none.proof {
+        state::Proof::FreeMotion { motion, work } => {
+            Proof::FreeMotion { motion: motion.clone(), work: *work }
+        }
+        state::Proof::SeparatingMotion { motion, work } => {
+            Proof::SeparatingMotion { motion: motion.clone(), work: *work }
+        }
+        state::Proof::EveryStateTried { combinations } => {
+            Proof::EveryStateTried { combinations: *combinations }
+        }
+        state::Proof::EveryCaseContradicted { cases, escape } => {
+            Proof::EveryCaseContradicted { cases: *cases, escape: *escape }
         }
     }
 }

@@ -23,7 +23,7 @@ use crate::grasp::{self, Contact, Joint};
 ///     let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
 ///     Finger::new([slide]).contact(Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
 /// };
-/// let scene = Scene::from(Setup::<3, 2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0)));
+/// let scene = Scene::from(Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0)));
 /// let written = serde_json::to_value(&scene)?;
 /// assert_eq!(written["planar"]["fingers"][0]["joints"][0]["stiffness"], 1e3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

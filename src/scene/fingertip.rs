@@ -22,7 +22,7 @@ use crate::grasp::{Axes, Contact, Hold, Stiffness};
 /// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
 /// let (hard, soft) = (Fingertip::from(jaw(-1.0)), Fingertip::from(jaw(1.0)).soft(Tip::Pair { width: 0.01 }));
 /// // The pair shares the stiffness of its contact.
-/// let grasp = Setup::<3, 2>::new([hard, soft]).grasp()?;
+/// let grasp = Setup::<2>::new([hard, soft]).grasp()?;
 /// assert_eq!(grasp.len(), 3);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```

@@ -279,7 +279,6 @@ mod told;
 mod turn;
 mod turn_onset;
 mod warning;
-mod width;
 mod wrench;
 mod written;
 
@@ -291,7 +290,6 @@ pub use equilibrium::{Accuracy, Cone, Equilibrium, Proof, Residuals, SolveAnswer
 pub use fault::{At, Fault, FaultKind};
 pub use finger::Finger;
 pub use fingertip::{Fingertip, MovedBy};
-pub use motion::Motion;
 pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};
 pub use patch::Tip;
 pub use path::{Change, Energy, Event, Loss, PathAnswer, PathEnd, Turn};
@@ -300,5 +298,4 @@ pub use question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
 pub use turn_onset::{EdgeOf, EdgeTouch, TurnAnswer, TurnEvent, TurnOnset};
 pub use warning::Warning;
-pub use width::WithGrasp;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

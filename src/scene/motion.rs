@@ -1,19 +1,36 @@
-//! Motions of an object, and of the joints of the hand that holds it.
+//! Motions of an object and of the joints of a hand: `{"translation": …, "rotation": …, "joints": […]}`.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::fields::AsFound;
-use crate::grasp::Twist;
+use crate::grasp::{Motion, Twist};
 
-/// A motion that an answer speaks of.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// As it is written.
+#[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[non_exhaustive]
-pub struct Motion<const D: usize, const C: usize> {
+struct WrittenMotion<const C: usize> {
     /// Of the object: translation of the origin (m) and rotation (rad).
     #[serde(flatten)]
-    pub object: Twist<D, C>,
+    object: Twist<C>,
     /// Of the joints of a hand, finger by finger, rad or m; left out without a hand.
     #[serde(default, with = "AsFound::<Vec<f64>>", skip_serializing_if = "Vec::is_empty")]
-    pub joints: Vec<f64>,
+    joints: Vec<f64>,
 }
+
+/// The motion of the object, and `"joints": […]` with a hand (feature `serde`), see [`crate::scene`].
+impl<const C: usize> Serialize for Motion<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        WrittenMotion { object: self.object, joints: self.joints.clone() }.serialize(serializer)
+    }
+}
+
+/// The motion of the object, and `"joints": […]` with a hand (feature `serde`), see [`crate::scene`].
+impl<'de, const C: usize> Deserialize<'de> for Motion<C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        let WrittenMotion { object, joints } = WrittenMotion::deserialize(deserializer)?;
+        Ok(Self { object, joints })
+    }
+}
+
+#[cfg(feature = "schema")]
+schema_as_written!("Motion", Motion<C>, WrittenMotion<C>, C);

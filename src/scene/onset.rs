@@ -4,12 +4,12 @@ use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
 use super::drive::DriveTurn;
-use super::equilibrium::{Equilibrium, Proof};
+use super::equilibrium::{Equilibrium, Proof, proof};
 use super::fields::AsFound;
-use super::motion::Motion;
 use super::place::{Doing, Place, Places};
-use crate::equilibrium::{Doubt, Rung, Settings};
-use crate::grasp::{Grasp, Wrench};
+use crate::ask::Grasp;
+use crate::equilibrium::{Doubt, Rung};
+use crate::grasp::{Motion, Wrench};
 use crate::load_path as path;
 
 /// When the first contact leaves rolling; see [`path::Onset`].
@@ -17,25 +17,25 @@ use crate::load_path as path;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum OnsetAnswer<const D: usize, const C: usize> {
+pub enum OnsetAnswer<const C: usize> {
     /// At a load factor.
-    At(Box<Onset<D, C>>),
+    At(Box<Onset<C>>),
     /// However far the load goes along this direction, everything keeps rolling.
     Never,
     /// At factor 0 something slides already.
     AlreadySliding {
         /// The equilibrium there.
-        state: Box<Equilibrium<D, C>>,
+        state: Box<Equilibrium<C>>,
     },
     /// No equilibrium exists at factor 0.
-    NoBase(Proof<D, C>),
+    NoBase(Proof<C>),
     /// No contact leaves rolling, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
         #[serde(with = "AsFound::<f64>")]
         factor: f64,
         /// Why it does not hold beyond.
-        reason: Proof<D, C>,
+        reason: Proof<C>,
     },
     /// Nothing can be said about the equilibrium at factor 0.
     Undecided {
@@ -48,21 +48,21 @@ pub enum OnsetAnswer<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Onset<const D: usize, const C: usize> {
+pub struct Onset<const C: usize> {
     /// Load factor τ, no unit.
     #[serde(with = "AsFound::<f64>")]
     pub factor: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Which contacts leave, all at once.
     pub leaving: Vec<Leaving<C>>,
     /// Which joints and tendons give way there.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<DriveTurn>,
     /// What comes next.
-    pub beyond: Beyond<D, C>,
+    pub beyond: Beyond<C>,
     /// The equilibrium there.
-    pub state: Equilibrium<D, C>,
+    pub state: Equilibrium<C>,
 }
 
 /// A contact that leaves rolling.
@@ -99,7 +99,7 @@ pub enum Departure<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "what", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum Beyond<const D: usize, const C: usize> {
+pub enum Beyond<const C: usize> {
     /// The equilibrium goes on, with these rates per unit of load factor.
     Continues {
         /// What every contact does next, in the order of [`Equilibrium::contacts`].
@@ -108,7 +108,7 @@ pub enum Beyond<const D: usize, const C: usize> {
         #[serde(with = "AsFound::<Vec<SVector<f64, C>>>")]
         force_rates: Vec<SVector<f64, C>>,
         /// Rate of the object's motion, m and rad, and of the joints'.
-        twist_rate: Motion<D, C>,
+        twist_rate: Motion<C>,
         /// By which rule it was found.
         rule: Rung,
     },
@@ -119,7 +119,7 @@ pub enum Beyond<const D: usize, const C: usize> {
     /// This equilibrium ends; whether others exist is not known.
     Ends {
         /// Why.
-        reason: Proof<D, C>,
+        reason: Proof<C>,
     },
     /// Nothing can be said.
     Undecided {
@@ -129,43 +129,20 @@ pub enum Beyond<const D: usize, const C: usize> {
 }
 
 impl Places {
-    pub(super) fn beyond<const W: usize, const D: usize, const C: usize>(
-        &self,
-        beyond: &path::Beyond<W, C>,
-    ) -> Beyond<D, C> {
-        match beyond {
-            path::Beyond::Continues(next) => Beyond::Continues {
-                states: next.states.iter().map(|state| (*state).into()).collect(),
-                force_rates: next.force_rates.clone(),
-                twist_rate: self.motion(&next.twist_rate),
-                rule: next.rule,
-            },
-            path::Beyond::LimitLoad => Beyond::LimitLoad,
-            path::Beyond::Snap => Beyond::Snap,
-            path::Beyond::Ends(none) => Beyond::Ends { reason: self.proof(none) },
-            path::Beyond::Undecided(doubt) => Beyond::Undecided { doubt: *doubt },
-        }
-    }
-
-    pub(super) fn onset<const W: usize, const D: usize, const C: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        settings: &Settings,
-        onset: &path::Onset<W, C>,
-    ) -> OnsetAnswer<D, C> {
+    pub(super) fn onset<const C: usize>(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> OnsetAnswer<C> {
         match onset {
             path::Onset::At(event) => {
-                let (beyond, state) = (grasp.beyond_with(event, settings), grasp.state_at_onset(event));
+                let (beyond, state) = (grasp.beyond(event), grasp.state_at_onset(event));
                 // Both are there: the event is one of this grasp.
                 let (Some(beyond), Some(state)) = (beyond, state) else {
                     return OnsetAnswer::Undecided { doubt: Doubt::Inaccurate };
                 };
                 OnsetAnswer::At(Box::new(Onset {
                     factor: event.factor,
-                    load: event.load.resized(),
+                    load: event.load,
                     leaving: event.leaving.iter().map(|leaving| self.leaving(leaving)).collect(),
                     drives: self.turns(&event.drives),
-                    beyond: self.beyond(&beyond),
+                    beyond: told_beyond(&beyond),
                     state: self.equilibrium(&state),
                 }))
             }
@@ -173,9 +150,9 @@ impl Places {
             path::Onset::AlreadySliding(state) => {
                 OnsetAnswer::AlreadySliding { state: Box::new(self.equilibrium(state)) }
             }
-            path::Onset::NoBase(none) => OnsetAnswer::NoBase(self.proof(none)),
+            path::Onset::NoBase(none) => OnsetAnswer::NoBase(proof(none)),
             path::Onset::GivesWay { factor, reason } => {
-                OnsetAnswer::GivesWay { factor: *factor, reason: self.proof(reason) }
+                OnsetAnswer::GivesWay { factor: *factor, reason: proof(reason) }
             }
             path::Onset::Undecided(undecided) => OnsetAnswer::Undecided { doubt: undecided.doubt },
         }
@@ -189,5 +166,21 @@ impl Places {
                 path::Departure::Opens => Departure::Opens,
             },
         }
+    }
+}
+
+/// What comes next, as it is written.
+pub(super) fn told_beyond<const C: usize>(beyond: &path::Beyond<C>) -> Beyond<C> {
+    match beyond {
+        path::Beyond::Continues(next) => Beyond::Continues {
+            states: next.states.iter().map(|state| (*state).into()).collect(),
+            force_rates: next.force_rates.clone(),
+            twist_rate: next.twist_rate.clone(),
+            rule: next.rule,
+        },
+        path::Beyond::LimitLoad => Beyond::LimitLoad,
+        path::Beyond::Snap => Beyond::Snap,
+        path::Beyond::Ends(none) => Beyond::Ends { reason: proof(none) },
+        path::Beyond::Undecided(doubt) => Beyond::Undecided { doubt: *doubt },
     }
 }

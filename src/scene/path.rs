@@ -6,23 +6,22 @@ use serde::{Deserialize, Serialize};
 use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, SolveAnswer};
 use super::fields::AsFound;
-use super::motion::Motion;
-use super::onset::Beyond;
+use super::onset::{Beyond, told_beyond};
 use super::place::{Place, Places};
 use crate::equilibrium::Doubt;
-use crate::grasp::Wrench;
+use crate::grasp::{Motion, Wrench};
 use crate::load_path as path;
 
 /// A load path that was followed to its end; see [`path::LoadPath`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct PathAnswer<const D: usize, const C: usize> {
+pub struct PathAnswer<const C: usize> {
     /// How it ended.
     #[serde(flatten)]
-    pub end: PathEnd<D, C>,
+    pub end: PathEnd<C>,
     /// What happened on the way, in order.
-    pub events: Vec<Event<D, C>>,
+    pub events: Vec<Event<C>>,
     /// Of every leg that was entered, up to where the path was followed.
     pub energies: Vec<Energy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
@@ -34,28 +33,29 @@ pub struct PathAnswer<const D: usize, const C: usize> {
 /// How a load path ends; see [`path::PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[allow(clippy::large_enum_variant)] // one is made for a question
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum PathEnd<const D: usize, const C: usize> {
+pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed {
         /// The equilibrium there; left out where rounding does not allow it to be written down, and
         /// where there was no way to go.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        state: Option<Box<Equilibrium<D, C>>>,
+        state: Option<Box<Equilibrium<C>>>,
     },
     /// This equilibrium ends.
     Lost {
         /// Where and how.
         #[serde(flatten)]
-        loss: Loss<D, C>,
+        loss: Loss<C>,
         /// Whether another exists just beyond.
-        beyond: Beyond<D, C>,
+        beyond: Beyond<C>,
     },
     /// There is no equilibrium to start from.
     NoStart {
         /// What there is.
-        start: Box<SolveAnswer<D, C>>,
+        start: Box<SolveAnswer<C>>,
     },
     /// The path could not be followed further; it holds up to there.
     Undecided {
@@ -73,14 +73,14 @@ pub enum PathEnd<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Loss<const D: usize, const C: usize> {
+pub struct Loss<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone.
     #[serde(with = "AsFound::<f64>")]
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// What ends the equilibrium.
     pub kind: path::LossKind,
     /// The contacts that stand on the edge of their cone there.
@@ -90,21 +90,21 @@ pub struct Loss<const D: usize, const C: usize> {
     pub drives: Vec<Part>,
     /// The unit motion with which the object leaves, if the states determine one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub motion: Option<Motion<D, C>>,
+    pub motion: Option<Motion<C>>,
 }
 
 /// Something changes on a load path; see [`path::Event`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Event<const D: usize, const C: usize> {
+pub struct Event<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
     #[serde(with = "AsFound::<f64>")]
     pub fraction: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// What changes, contact by contact.
     pub changes: Vec<Change<C>>,
     /// Which joints and tendons change what they do.
@@ -112,13 +112,13 @@ pub struct Event<const D: usize, const C: usize> {
     pub drives: Vec<DriveTurn>,
     /// Unit motions that nothing resists from here on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub free_motions: Vec<Motion<D, C>>,
+    pub free_motions: Vec<Motion<C>>,
     /// Other ways in which the path could go on; 0 if the continuation is unique, left out if that
     /// is not known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event.
-    pub state: Equilibrium<D, C>,
+    pub state: Equilibrium<C>,
 }
 
 /// A contact that changes its state.
@@ -211,11 +211,11 @@ pub struct Energy {
 
 impl Places {
     /// A path that was followed to its end, and the events on the way.
-    pub(super) fn path<const W: usize, const D: usize, const C: usize>(
+    pub(super) fn path<const C: usize>(
         &self,
-        path: &path::LoadPath<W, C>,
-        events: &[path::Event<W, C>],
-    ) -> PathAnswer<D, C> {
+        path: &path::LoadPath<'_, C>,
+        events: &[path::Event<C>],
+    ) -> PathAnswer<C> {
         PathAnswer {
             end: self.end(path),
             events: events.iter().map(|event| self.event(event)).collect(),
@@ -234,17 +234,14 @@ impl Places {
         }
     }
 
-    fn end<const W: usize, const D: usize, const C: usize>(
-        &self,
-        path: &path::LoadPath<W, C>,
-    ) -> PathEnd<D, C> {
+    fn end<const C: usize>(&self, path: &path::LoadPath<'_, C>) -> PathEnd<C> {
         match path.end() {
             Some(path::PathEnd::Completed) => {
                 PathEnd::Completed { state: path.state().map(|state| Box::new(self.equilibrium(&state))) }
             }
             Some(path::PathEnd::Lost(loss)) => {
                 let beyond = path.beyond().unwrap_or(path::Beyond::Undecided(Doubt::OnTheBoundary));
-                PathEnd::Lost { loss: self.loss(loss), beyond: self.beyond(&beyond) }
+                PathEnd::Lost { loss: self.loss(loss), beyond: told_beyond(&beyond) }
             }
             Some(path::PathEnd::NoStart(outcome)) => {
                 PathEnd::NoStart { start: Box::new(self.outcome(outcome)) }
@@ -256,22 +253,19 @@ impl Places {
         }
     }
 
-    fn loss<const W: usize, const D: usize, const C: usize>(&self, loss: &path::Loss<W, C>) -> Loss<D, C> {
+    fn loss<const C: usize>(&self, loss: &path::Loss<C>) -> Loss<C> {
         Loss {
             leg: loss.leg,
             fraction: loss.fraction,
-            load: loss.load.resized(),
+            load: loss.load,
             kind: loss.kind,
             contacts: self.many(&loss.contacts),
             drives: loss.drives.iter().map(|part| self.part(*part)).collect(),
-            motion: loss.motion.as_ref().map(|motion| self.motion(motion)),
+            motion: loss.motion.clone(),
         }
     }
 
-    fn event<const W: usize, const D: usize, const C: usize>(
-        &self,
-        event: &path::Event<W, C>,
-    ) -> Event<D, C> {
+    fn event<const C: usize>(&self, event: &path::Event<C>) -> Event<C> {
         let change = |(contact, change): &(usize, path::Change<C>)| Change {
             place: self.contacts[*contact].clone(),
             what: (*change).into(),
@@ -279,10 +273,10 @@ impl Places {
         Event {
             leg: event.leg,
             fraction: event.fraction,
-            load: event.load.resized(),
+            load: event.load,
             changes: event.changes.iter().map(change).collect(),
             drives: self.turns(&event.drives),
-            free_motions: self.motions(&event.free_motions),
+            free_motions: event.free_motions.clone(),
             other_continuations: event.other_continuations,
             state: self.equilibrium(&event.state),
         }

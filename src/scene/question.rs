@@ -15,24 +15,24 @@ use crate::load_path::Turn;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
-pub enum Question<const D: usize, const C: usize> {
-    /// The equilibrium under a load; see [`Grasp::solve_with`](crate::grasp::Grasp::solve_with).
+pub enum Question<const C: usize> {
+    /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
         /// The load; none unless said otherwise.
-        #[serde(default = "no_load::<D, C>")]
-        load: Wrench<D, C>,
+        #[serde(default = "no_load::<C>")]
+        load: Wrench<C>,
     },
-    /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::grasp::Grasp::onset).
-    Onset(RampAsked<D, C>),
-    /// The onset of sliding while a load turns; see [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn).
-    OnsetOfTurn(Turn<D, C>),
-    /// The load path of a program; see [`Grasp::follow_with`](crate::grasp::Grasp::follow_with).
+    /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::ask::Grasp::onset).
+    Onset(RampAsked<C>),
+    /// The onset of sliding while a load turns; see [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
+    OnsetOfTurn(Turn<C>),
+    /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow).
     Follow {
         /// The load at the start; none unless said otherwise.
-        #[serde(default = "no_load::<D, C>")]
-        start: Wrench<D, C>,
+        #[serde(default = "no_load::<C>")]
+        start: Wrench<C>,
         /// The program.
-        legs: Vec<Leg<D, C>>,
+        legs: Vec<Leg<C>>,
     },
 }
 
@@ -40,21 +40,21 @@ pub enum Question<const D: usize, const C: usize> {
 const AN_OBJECT: &str = "a question with what it needs, such as {\"onset\": {\"direction\": {\"force\": [0, -1]}}}, with three numbers in space";
 
 /// A question that is read as an object: a bare name is refused with [`AN_OBJECT`].
-struct Named<const D: usize, const C: usize>(Question<D, C>);
+struct Named<const C: usize>(Question<C>);
 
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Named<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Named<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         Question::deserialize(deserializer).map(Self)
     }
 }
 
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Question<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Question<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, AN_OBJECT, |Named(question)| Ok(question))
     }
 }
 
-impl<const D: usize, const C: usize> Serialize for Question<D, C> {
+impl<const C: usize> Serialize for Question<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Question::serialize(self, serializer)
     }
@@ -65,13 +65,13 @@ impl<const D: usize, const C: usize> Serialize for Question<D, C> {
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct RampAsked<const D: usize, const C: usize> {
+pub struct RampAsked<const C: usize> {
     /// The load at factor 0; none unless said otherwise.
-    #[serde(default = "no_load::<D, C>")]
-    pub base: Wrench<D, C>,
+    #[serde(default = "no_load::<C>")]
+    pub base: Wrench<C>,
     /// What one unit of the factor adds to it; nothing unless said otherwise.
-    #[serde(default = "no_load::<D, C>")]
-    pub direction: Wrench<D, C>,
+    #[serde(default = "no_load::<C>")]
+    pub direction: Wrench<C>,
     /// What one unit of the factor adds to the finger commands, if to them at all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
@@ -80,15 +80,15 @@ pub struct RampAsked<const D: usize, const C: usize> {
     pub joint_change: Option<Vec<f64>>,
 }
 
-impl<const D: usize, const C: usize> RampAsked<D, C> {
+impl<const C: usize> RampAsked<C> {
     /// From no load along a direction, all commands as they are.
     #[must_use]
-    pub fn along(direction: Wrench<D, C>) -> Self {
+    pub fn along(direction: Wrench<C>) -> Self {
         Self { base: Wrench::ZERO, direction, command_change: None, joint_change: None }
     }
 }
 
-fn no_load<const D: usize, const C: usize>() -> Wrench<D, C> {
+fn no_load<const C: usize>() -> Wrench<C> {
     Wrench::ZERO
 }
 
@@ -126,11 +126,11 @@ pub enum Goal<T> {
 
 /// What becomes of the load along a leg.
 #[derive(Debug, Clone, PartialEq)]
-pub enum LoadGoal<const D: usize, const C: usize> {
+pub enum LoadGoal<const C: usize> {
     /// It goes straight to where it is told.
-    Straight(Goal<Wrench<D, C>>),
+    Straight(Goal<Wrench<C>>),
     /// It changes as this one does, see [`crate::load_path::Leg::turn`].
-    Turn(Turn<D, C>),
+    Turn(Turn<C>),
 }
 
 /// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
@@ -141,35 +141,35 @@ pub enum LoadGoal<const D: usize, const C: usize> {
 /// use grasp_lcp::scene::{Commands, Goal, Leg};
 ///
 /// let grip = Commands(vec![[0.002, 0.0].into(); 2]);
-/// let leg: Leg<3, 2> = Leg::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
+/// let leg: Leg<2> = Leg::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
 /// let written = r#"{"load_to": {"force": [0, -1]}, "commands_by": [[0.002, 0], [0.002, 0]]}"#;
-/// assert_eq!(serde_json::from_str::<Leg<3, 2>>(written)?, leg);
+/// assert_eq!(serde_json::from_str::<Leg<2>>(written)?, leg);
 ///
-/// let tilted: Leg<3, 2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
+/// let tilted: Leg<2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
 /// assert_eq!(tilted, Leg::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(1.5)));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Leg<const D: usize, const C: usize> {
+pub struct Leg<const C: usize> {
     /// What becomes of the load.
-    pub load: Option<LoadGoal<D, C>>,
+    pub load: Option<LoadGoal<C>>,
     /// What becomes of the finger commands.
     pub commands: Option<Goal<Commands<C>>>,
     /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
     pub joints: Option<Goal<Vec<f64>>>,
 }
 
-impl<const D: usize, const C: usize> Leg<D, C> {
+impl<const C: usize> Leg<C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
-    pub fn new(load: Option<Goal<Wrench<D, C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
+    pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
         Self { load: load.map(LoadGoal::Straight), commands, joints: None }
     }
 
     /// A leg along which the load changes as a turn does; all commands stay.
     #[must_use]
-    pub fn turn(turn: Turn<D, C>) -> Self {
+    pub fn turn(turn: Turn<C>) -> Self {
         Self { load: Some(LoadGoal::Turn(turn)), commands: None, joints: None }
     }
 
@@ -183,13 +183,13 @@ impl<const D: usize, const C: usize> Leg<D, C> {
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
-struct WrittenLeg<const D: usize, const C: usize> {
+struct WrittenLeg<const C: usize> {
     /// What the leg adds to the load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    load_by: Option<Wrench<D, C>>,
+    load_by: Option<Wrench<C>>,
     /// The load at its end, in place of `load_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    load_to: Option<Wrench<D, C>>,
+    load_to: Option<Wrench<C>>,
     /// What the leg adds to the commands: one row for each contact, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_by: Option<Commands<C>>,
@@ -204,7 +204,7 @@ struct WrittenLeg<const D: usize, const C: usize> {
     joints_to: Option<Vec<f64>>,
     /// How the load turns along the leg, in place of all others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    turn: Option<Turn<D, C>>,
+    turn: Option<Turn<C>>,
 }
 
 /// At most one of both.
@@ -225,9 +225,9 @@ fn split<T: Clone>(goal: Option<&Goal<T>>) -> (Option<T>, Option<T>) {
     }
 }
 
-impl<const D: usize, const C: usize> WrittenLeg<D, C> {
+impl<const C: usize> WrittenLeg<C> {
     /// What becomes of the load, in one way alone.
-    fn load(&self) -> Result<Option<LoadGoal<D, C>>, String> {
+    fn load(&self) -> Result<Option<LoadGoal<C>>, String> {
         let straight = goal(self.load_by, self.load_to, ["load_by", "load_to"])?;
         let Some(turn) = self.turn else { return Ok(straight.map(LoadGoal::Straight)) };
         let straight = straight.map(|goal| if matches!(goal, Goal::By(_)) { "load_by" } else { "load_to" });
@@ -237,7 +237,7 @@ impl<const D: usize, const C: usize> WrittenLeg<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Serialize for Leg<D, C> {
+impl<const C: usize> Serialize for Leg<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (straight, turn) = match &self.load {
             None => (None, None),
@@ -252,9 +252,9 @@ impl<const D: usize, const C: usize> Serialize for Leg<D, C> {
     }
 }
 
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a leg", |written: WrittenLeg<D, C>| {
+        object::read(deserializer, "a leg", |written: WrittenLeg<C>| {
             let load = written.load()?;
             let WrittenLeg { commands_by, commands_to, joints_by, joints_to, turn, .. } = written;
             let commands = goal(commands_by, commands_to, ["commands_by", "commands_to"])?;
@@ -268,4 +268,4 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Leg<D, C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Leg", Leg<D, C>, WrittenLeg<D, C>, D, C);
+schema_as_written!("Leg", Leg<C>, WrittenLeg<C>, C);

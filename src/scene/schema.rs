@@ -164,7 +164,7 @@ fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema 
     part
 }
 
-impl<const D: usize, const C: usize> JsonSchema for Wrench<D, C> {
+impl<const C: usize> JsonSchema for Wrench<C> {
     fn schema_name() -> Cow<'static, str> {
         "Wrench".into()
     }
@@ -189,7 +189,7 @@ impl<const D: usize, const C: usize> JsonSchema for Wrench<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> JsonSchema for Twist<D, C> {
+impl<const C: usize> JsonSchema for Twist<C> {
     fn schema_name() -> Cow<'static, str> {
         "Twist".into()
     }

@@ -10,9 +10,10 @@ use super::numbers::Given;
 use super::object;
 use super::question::Question;
 use super::rows::Row;
+use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{self, Grasp, Hand, Tendon};
+use crate::grasp::{self, Hand, Tendon};
 
 /// Contacts, questions and settings: `D` degrees of freedom of the object and `C` axes a contact, 3 and 2 in
 /// the plane, 6 and 3 in space.
@@ -39,7 +40,7 @@ use crate::grasp::{self, Grasp, Hand, Tendon};
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
-pub struct Setup<const D: usize, const C: usize> {
+pub struct Setup<const C: usize> {
     /// Contacts whose fingers have no joints. With those of the fingers at least one; without any
     /// [`Setup::grasp`] is an error.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -55,9 +56,9 @@ pub struct Setup<const D: usize, const C: usize> {
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub questions: Vec<Question<D, C>>,
+    pub questions: Vec<Question<C>>,
     /// For all questions. Where they are for the polygon, so are onsets
-    /// ([`Grasp::onset_with`]).
+    /// ([`Grasp::onset`]).
     #[serde(skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -69,7 +70,7 @@ fn is_default(settings: &Settings) -> bool {
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-struct Written<const D: usize, const C: usize> {
+struct Written<const C: usize> {
     /// Contacts whose fingers have no joints.
     #[serde(default)]
     contacts: Vec<Fingertip<C>>,
@@ -84,15 +85,15 @@ struct Written<const D: usize, const C: usize> {
     outline: Vec<Row<Given, C>>,
     /// What is asked, in order.
     #[serde(default)]
-    questions: Vec<Question<D, C>>,
+    questions: Vec<Question<C>>,
     /// For all questions.
     #[serde(default)]
     settings: Settings,
 }
 
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a setup", |written: Written<D, C>| {
+        object::read(deserializer, "a setup", |written: Written<C>| {
             let Written { contacts, fingers, tendons, outline, questions, settings } = written;
             let outline = outline.into_iter().map(|row| row.0).collect();
             let setup = Self { contacts, fingers, tendons, outline, questions, settings };
@@ -101,7 +102,7 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
             }
             if setup.is_held_by_a_hand() {
                 // Numbers of joints are judged together with what they move.
-                setup.check_hand().map_err(|error| error.to_string())?;
+                setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
                 setup.check(question).map_err(|error| format!("question {index}: {error}"))?;
@@ -111,21 +112,14 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Setup<D, C> {
     }
 }
 
-impl From<&Grasp<3, 2>> for Setup<3, 2> {
+impl<const C: usize> From<&Grasp<C>> for Setup<C> {
     /// Every contact as a point; nothing is asked yet.
-    fn from(grasp: &Grasp<3, 2>) -> Self {
+    fn from(grasp: &Grasp<C>) -> Self {
         Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
     }
 }
 
-impl From<&Grasp<6, 3>> for Setup<6, 3> {
-    /// Every contact as a point; nothing is asked yet.
-    fn from(grasp: &Grasp<6, 3>) -> Self {
-        Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
-    }
-}
-
-impl<const D: usize, const C: usize> Setup<D, C> {
+impl<const C: usize> Setup<C> {
     /// Contacts of which nothing is asked yet, without an outline, with default settings. A
     /// [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
@@ -155,7 +149,7 @@ impl<const D: usize, const C: usize> Setup<D, C> {
 
     /// This setup with one more question.
     #[must_use]
-    pub fn ask(mut self, question: Question<D, C>) -> Self {
+    pub fn ask(mut self, question: Question<C>) -> Self {
         self.questions.push(question);
         self
     }
@@ -186,25 +180,25 @@ impl<const D: usize, const C: usize> Setup<D, C> {
         !self.fingers.is_empty() || !self.tendons.is_empty()
     }
 
-    /// The grasp: soft fingertips are spread, so that it may have more contacts than the scene.
+    /// The grasp, asked with the settings of the setup: soft fingertips are spread, so that it may have more contacts than the scene.
     ///
     /// # Errors
-    /// As for [`Grasp::new`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
-    /// that the contact has in the scene. [`Error::Coordinates`] for a scene with fingers, whose
-    /// grasp has more coordinates: see [`Self::hand`] and [`Self::with_grasp`].
-    pub fn grasp(&self) -> Result<Grasp<D, C>, Error> {
-        if self.is_held_by_a_hand() {
-            return self.grasp_by_hand();
-        }
-        let mut points = Vec::with_capacity(self.contacts.len());
-        for (index, entry) in self.contacts.iter().enumerate() {
-            points.extend(entry.points(index)?);
-        }
-        Grasp::new(points).map_err(|error| self.in_the_scene(error))
+    /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
+    /// that the contact has in the scene.
+    pub fn grasp(&self) -> Result<Grasp<C>, Error> {
+        let grasp = if self.is_held_by_a_hand() {
+            self.hand()?.grasp()
+        } else {
+            let mut points = Vec::with_capacity(self.contacts.len());
+            for (index, entry) in self.contacts.iter().enumerate() {
+                points.extend(entry.points(index)?);
+            }
+            Grasp::new(points)
+        };
+        Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// The hand that holds the object: fingers that are nothing but a contact first. Call [`Hand::grasp`] with the
-    /// number of its coordinates.
+    /// The hand that holds the object: fingers that are nothing but a contact first.
     ///
     /// # Errors
     /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for what cannot be built.
@@ -219,10 +213,6 @@ impl<const D: usize, const C: usize> Setup<D, C> {
             first += finger.contacts.len();
         }
         Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
-    }
-
-    pub(super) fn grasp_by_hand<const W: usize>(&self) -> Result<Grasp<W, C>, Error> {
-        self.hand()?.grasp().map_err(|error| self.in_the_scene(error))
     }
 
     /// The index of a contact in a message is that of the scene, whatever number of points come before it.
@@ -241,4 +231,4 @@ impl<const D: usize, const C: usize> Setup<D, C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Setup", Setup<D, C>, Written<D, C>, D, C);
+schema_as_written!("Setup", Setup<C>, Written<C>, C);

@@ -4,13 +4,13 @@ use super::equilibrium::{Equilibrium, SolveAnswer};
 use super::onset::OnsetAnswer;
 use super::setup::Setup;
 use super::turn_onset::TurnAnswer;
+use crate::ask::Grasp;
 use crate::equilibrium::{self as state, Outcome};
 use crate::error::Error;
-use crate::grasp::Grasp;
 use crate::load_path as path;
 
-impl<const D: usize, const C: usize> Setup<D, C> {
-    /// An answer of this setup's grasp to [`Grasp::solve_with`], as [`Self::answers`] writes it: for whoever asks the grasp, and writes
+impl<const C: usize> Setup<C> {
+    /// An answer of this setup's grasp to [`Grasp::solve`], as [`Self::answers`] writes it: for whoever asks the grasp, and writes
     /// only what someone wants to read.
     ///
     /// ```
@@ -28,47 +28,36 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_outcome<const W: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        outcome: &Outcome<W, C>,
-    ) -> Result<SolveAnswer<D, C>, Error> {
+    pub fn tell_outcome(&self, grasp: &Grasp<C>, outcome: &Outcome<C>) -> Result<SolveAnswer<C>, Error> {
         Ok(self.places()?.solved(grasp, outcome))
     }
 
-    /// An answer of this setup's grasp to [`Grasp::onset_with`], with the settings of the setup. What comes beyond the onset and the
+    /// An answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. What comes beyond the onset and the
     /// equilibrium there are found now.
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_onset<const W: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        onset: &path::Onset<W, C>,
-    ) -> Result<OnsetAnswer<D, C>, Error> {
-        Ok(self.places()?.onset(grasp, &self.settings, onset))
+    pub fn tell_onset(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> Result<OnsetAnswer<C>, Error> {
+        Ok(self.places()?.onset(grasp, onset))
     }
 
-    /// An answer of this setup's grasp to [`Grasp::onset_of_turn_with`]; otherwise as [`Self::tell_onset`].
+    /// An answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise as [`Self::tell_onset`].
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_onset_of_turn<const W: usize>(
+    pub fn tell_onset_of_turn(
         &self,
-        grasp: &Grasp<W, C>,
-        onset: &path::TurnOnset<W, C>,
-    ) -> Result<TurnAnswer<D, C>, Error> {
-        Ok(self.places()?.onset_of_turn(grasp, &self.settings, onset))
+        grasp: &Grasp<C>,
+        onset: &path::TurnOnset<C>,
+    ) -> Result<TurnAnswer<C>, Error> {
+        Ok(self.places()?.onset_of_turn(grasp, onset))
     }
 
     /// An equilibrium of this setup's grasp, one of [`Grasp::equilibria`] for instance; its accuracy is left out.
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_equilibrium<const W: usize>(
-        &self,
-        state: &state::Equilibrium<W, C>,
-    ) -> Result<Equilibrium<D, C>, Error> {
+    pub fn tell_equilibrium(&self, state: &state::Equilibrium<C>) -> Result<Equilibrium<C>, Error> {
         Ok(self.places()?.equilibrium(state))
     }
 }

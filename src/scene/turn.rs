@@ -5,7 +5,6 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
@@ -21,7 +20,7 @@ use crate::load_path::Turn;
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
-struct WrittenTurn<const D: usize, const C: usize> {
+struct WrittenTurn<const C: usize> {
     /// A weight, N, while the object is tilted with its grasp.
     #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
@@ -35,13 +34,13 @@ struct WrittenTurn<const D: usize, const C: usize> {
     #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
     /// A wrench that stays.
-    beside: Option<Wrench<D, C>>,
+    beside: Option<Wrench<C>>,
     /// What stays of `constant + cosine cos θ + sine sin θ`, in place of weight and force.
-    constant: Option<Wrench<D, C>>,
+    constant: Option<Wrench<C>>,
     /// What goes with cos θ.
-    cosine: Option<Wrench<D, C>>,
+    cosine: Option<Wrench<C>>,
     /// What goes with sin θ.
-    sine: Option<Wrench<D, C>>,
+    sine: Option<Wrench<C>>,
     /// How far it turns, rad; a full turn if left out.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle: Option<Number<Given>>,
@@ -50,9 +49,9 @@ struct WrittenTurn<const D: usize, const C: usize> {
     reversed: bool,
 }
 
-impl<const D: usize, const C: usize> WrittenTurn<D, C> {
+impl<const C: usize> WrittenTurn<C> {
     /// The turn, whichever way it is said.
-    fn turn(&self) -> Result<Turn<D, C>, String> {
+    fn turn(&self) -> Result<Turn<C>, String> {
         let turn = match (&self.weight, &self.force) {
             (None, None) => self.of_wrenches()?,
             (Some(weight), None) => self.of_force("weight", weight)?.reversed(),
@@ -66,7 +65,7 @@ impl<const D: usize, const C: usize> WrittenTurn<D, C> {
     }
 
     /// A force through a point that turns, from x to y or by the right-hand rule.
-    fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<D, C>, String> {
+    fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<C>, String> {
         let wrenches = [("constant", &self.constant), ("cosine", &self.cosine), ("sine", &self.sine)];
         if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {
             return Err(format!("{name} and {other}: a turn has one of them"));
@@ -79,12 +78,12 @@ impl<const D: usize, const C: usize> WrittenTurn<D, C> {
             // From x to y is about z.
             (_, None) => [0.0, 0.0, 1.0],
         };
-        let turn = Turn::<6, 3>::force_at(force, at, axis).map_err(|error| error.to_string())?;
+        let turn = Turn::<3>::force_at(force, at, axis).map_err(|error| error.to_string())?;
         let [constant, cosine, sine] = turn.parts().map(|part| of_space(&part));
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
 
-    fn of_wrenches(&self) -> Result<Turn<D, C>, String> {
+    fn of_wrenches(&self) -> Result<Turn<C>, String> {
         let of_forces =
             [("at", self.at.is_some()), ("axis", self.axis.is_some()), ("beside", self.beside.is_some())];
         if let Some((name, _)) = of_forces.iter().find(|(_, given)| *given) {
@@ -100,17 +99,14 @@ impl<const D: usize, const C: usize> WrittenTurn<D, C> {
 }
 
 /// What the plane has of a wrench in space: it turns about z, the last axis. In space all of it.
-fn of_space<const D: usize, const C: usize>(wrench: &Wrench<6, 3>) -> Wrench<D, C> {
-    let (all, object) = (wrench.as_vector(), of_the_object::<C>());
-    Wrench::from_vector(SVector::<f64, D>::from_fn(|k, _| match k {
-        _ if k < C => all[k],
-        _ if k < object => all[6 + k - object],
-        _ => 0.0,
-    }))
+fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
+    let (force, moment) = wrench.components().split_at(3);
+    let planes = of_the_object::<C>() - C;
+    Wrench::from_components(&[&force[..C], &moment[3 - planes..]].concat())
 }
 
 /// `{"constant": …, "cosine": …, "sine": …, "angle": …}` (feature `serde`), see [`crate::scene`].
-impl<const D: usize, const C: usize> Serialize for Turn<D, C> {
+impl<const C: usize> Serialize for Turn<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let [constant, cosine, sine] = self.parts();
         let mut out = serializer.serialize_struct("Turn", 4)?;
@@ -123,12 +119,12 @@ impl<const D: usize, const C: usize> Serialize for Turn<D, C> {
 }
 
 /// A weight that is tilted, a force that turns, or three wrenches (feature `serde`), see [`crate::scene`]. Refuses what
-/// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn) would refuse.
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Turn<D, C> {
+/// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) would refuse.
+impl<'de, const C: usize> Deserialize<'de> for Turn<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a turn", |written: WrittenTurn<D, C>| written.turn())
+        object::read(deserializer, "a turn", |written: WrittenTurn<C>| written.turn())
     }
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Turn", Turn<D, C>, WrittenTurn<D, C>, D, C);
+schema_as_written!("Turn", Turn<C>, WrittenTurn<C>, C);

@@ -7,8 +7,9 @@ use super::equilibrium::{Equilibrium, Proof};
 use super::fields::AsFound;
 use super::onset::{Beyond, Leaving, Onset, OnsetAnswer};
 use super::place::{Place, Places};
-use crate::equilibrium::{Doubt, Settings};
-use crate::grasp::{Grasp, Wrench};
+use crate::ask::Grasp;
+use crate::equilibrium::Doubt;
+use crate::grasp::Wrench;
 use crate::load_path as path;
 
 /// The onset of sliding while a load turns, and what comes near to one; see [`path::TurnOnset`].
@@ -37,10 +38,10 @@ use crate::load_path as path;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct TurnAnswer<const D: usize, const C: usize> {
+pub struct TurnAnswer<const C: usize> {
     /// When the first contact leaves rolling.
     #[serde(flatten)]
-    pub onset: TurnOnset<D, C>,
+    pub onset: TurnOnset<C>,
     /// Where contacts and drives come as near to their edge as rounding without crossing it, up to the onset.
     pub touches: Vec<EdgeTouch>,
 }
@@ -50,25 +51,25 @@ pub struct TurnAnswer<const D: usize, const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum TurnOnset<const D: usize, const C: usize> {
+pub enum TurnOnset<const C: usize> {
     /// At an angle.
-    At(Box<TurnEvent<D, C>>),
+    At(Box<TurnEvent<C>>),
     /// Everything keeps rolling up to the last angle.
     Never,
     /// At angle 0 something slides already.
     AlreadySliding {
         /// The equilibrium there.
-        state: Box<Equilibrium<D, C>>,
+        state: Box<Equilibrium<C>>,
     },
     /// No equilibrium exists at angle 0.
-    NoBase(Proof<D, C>),
+    NoBase(Proof<C>),
     /// No contact leaves rolling, but from this angle on nothing resists the load.
     GivesWay {
         /// The angle up to which the grasp holds, rad.
         #[serde(with = "AsFound::<f64>")]
         angle: f64,
         /// Why it does not hold beyond.
-        reason: Proof<D, C>,
+        reason: Proof<C>,
     },
     /// Nothing can be said about the equilibrium at angle 0.
     Undecided {
@@ -81,21 +82,21 @@ pub enum TurnOnset<const D: usize, const C: usize> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct TurnEvent<const D: usize, const C: usize> {
+pub struct TurnEvent<const C: usize> {
     /// How far the load has turned, rad.
     #[serde(with = "AsFound::<f64>")]
     pub angle: f64,
     /// The load there.
-    pub load: Wrench<D, C>,
+    pub load: Wrench<C>,
     /// Which contacts leave, all at once.
     pub leaving: Vec<Leaving<C>>,
     /// Which joints and tendons give way there.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<DriveTurn>,
     /// What comes next; rates are for one radian.
-    pub beyond: Beyond<D, C>,
+    pub beyond: Beyond<C>,
     /// The equilibrium there.
-    pub state: Equilibrium<D, C>,
+    pub state: Equilibrium<C>,
 }
 
 /// An edge that is touched and not crossed while a load turns; see [`path::Touch`].
@@ -123,9 +124,9 @@ pub enum EdgeOf {
     Drive(Part),
 }
 
-impl<const D: usize, const C: usize> From<OnsetAnswer<D, C>> for TurnOnset<D, C> {
+impl<const C: usize> From<OnsetAnswer<C>> for TurnOnset<C> {
     /// The factor of an onset while a load turns is the angle.
-    fn from(onset: OnsetAnswer<D, C>) -> Self {
+    fn from(onset: OnsetAnswer<C>) -> Self {
         match onset {
             OnsetAnswer::At(onset) => {
                 let Onset { factor, load, leaving, drives, beyond, state } = *onset;
@@ -141,29 +142,23 @@ impl<const D: usize, const C: usize> From<OnsetAnswer<D, C>> for TurnOnset<D, C>
 }
 
 impl Places {
-    pub(super) fn onset_of_turn<const W: usize, const D: usize, const C: usize>(
+    pub(super) fn onset_of_turn<const C: usize>(
         &self,
-        grasp: &Grasp<W, C>,
-        settings: &Settings,
-        found: &path::TurnOnset<W, C>,
-    ) -> TurnAnswer<D, C> {
+        grasp: &Grasp<C>,
+        found: &path::TurnOnset<C>,
+    ) -> TurnAnswer<C> {
         TurnAnswer {
-            onset: self.onset(grasp, settings, &found.onset).into(),
-            touches: found.touches.iter().filter_map(|touch| self.edge_touch(grasp, touch)).collect(),
+            onset: self.onset(grasp, &found.onset).into(),
+            touches: found.touches.iter().map(|touch| self.edge_touch(touch)).collect(),
         }
     }
 
-    /// A touch by what the scene knows it by; none of what is nobody's.
-    fn edge_touch<const W: usize, const C: usize>(
-        &self,
-        grasp: &Grasp<W, C>,
-        touch: &path::Touch,
-    ) -> Option<EdgeTouch> {
-        let contact = self.contacts.get(touch.contact).cloned().map(EdgeOf::Contact);
-        let of = contact.or_else(|| {
-            let part = grasp.linkage()?.part(touch.contact - grasp.len())?;
-            Some(EdgeOf::Drive(self.part(part)))
-        })?;
-        Some(EdgeTouch { of, angle: touch.angle })
+    /// A touch by what the scene knows it by.
+    fn edge_touch(&self, touch: &path::Touch) -> EdgeTouch {
+        let of = match touch.of {
+            path::Leaver::Contact(contact) => EdgeOf::Contact(self.contacts[contact].clone()),
+            path::Leaver::Drive(part) => EdgeOf::Drive(self.part(part)),
+        };
+        EdgeTouch { of, angle: touch.angle }
     }
 }

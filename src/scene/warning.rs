@@ -7,10 +7,9 @@ use serde::Serialize;
 
 use super::question::Question;
 use super::setup::Setup;
-use super::width::WithGrasp;
 use super::written::{Scene, Space};
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::Wrench;
 
 /// Something that a scene says and hardly means.
 ///
@@ -19,7 +18,7 @@ use crate::grasp::{Grasp, Wrench};
 /// use grasp_lcp::scene::{Setup, Warning};
 ///
 /// let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
-/// let setup: Setup<3, 2> = Setup::new([contact(-1.0).into(), contact(1.0).into()]);
+/// let setup: Setup<2> = Setup::new([contact(-1.0).into(), contact(1.0).into()]);
 /// assert_eq!(setup.warnings()?, [Warning::NothingPresses]);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
@@ -66,14 +65,14 @@ impl Scene {
     }
 }
 
-impl<const D: usize, const C: usize> Setup<D, C> {
+impl<const C: usize> Setup<C> {
     /// What it says and hardly means.
     ///
     /// # Errors
-    /// As for [`Self::with_grasp`].
+    /// As for [`Self::grasp`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
-        if self.begins_without_load() && self.with_grasp(NothingPresses)? {
+        if self.begins_without_load() && !self.grasp()?.presses() {
             warnings.push(Warning::NothingPresses);
         }
         for (contact, entry) in self.entries().enumerate() {
@@ -86,26 +85,16 @@ impl<const D: usize, const C: usize> Setup<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Setup<D, C> {
+impl<const C: usize> Setup<C> {
     /// Whether a question does, or none is asked yet.
     fn begins_without_load(&self) -> bool {
-        let without = |question: &Question<D, C>| match question {
+        let without = |question: &Question<C>| match question {
             Question::Solve { load } => *load == Wrench::ZERO,
             Question::Onset(asked) => asked.base == Wrench::ZERO,
             Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
             Question::Follow { start, .. } => *start == Wrench::ZERO,
         };
         self.questions.is_empty() || self.questions.iter().any(without)
-    }
-}
-
-/// Whether no drive pushes at all.
-struct NothingPresses;
-
-impl<const C: usize> WithGrasp<C> for NothingPresses {
-    type Output = bool;
-    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> bool {
-        grasp.drives().iter().all(|drive| drive[0] <= 0.0)
     }
 }
 

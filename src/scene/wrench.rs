@@ -14,23 +14,18 @@ use super::object;
 use super::rows::Few;
 use crate::grasp::{Twist, Wrench, of_the_object, wrench_of};
 
-fn write<S: Serializer, const D: usize, const C: usize>(
+fn write<S: Serializer, const C: usize>(
     serializer: S,
-    components: &SVector<f64, D>,
+    components: &[f64],
     [name, linear_name, angular_name]: [&'static str; 3],
 ) -> Result<S::Ok, S::Error> {
-    let (linear, behind) = components.as_slice().split_at(C);
-    let (angular, joints) = behind.split_at(of_the_object::<C>() - C);
-    let mut out = serializer.serialize_struct(name, if joints.is_empty() { 2 } else { 3 })?;
+    let (linear, angular) = components.split_at(C);
+    let mut out = serializer.serialize_struct(name, 2)?;
     out.serialize_field(linear_name, &Few::<Found, 3>::of(linear))?;
     if let [moment] = angular {
         out.serialize_field(angular_name, &Number::<Found>::new(*moment))?;
     } else {
         out.serialize_field(angular_name, &Few::<Found, 3>::of(angular))?;
-    }
-    if !joints.is_empty() {
-        let joints: Vec<_> = joints.iter().map(|x| Number::<Found>::new(*x)).collect();
-        out.serialize_field("joints", &joints)?;
     }
     out.end()
 }
@@ -48,24 +43,11 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// All parts in one row, those of joints zero if they are left out.
-fn join<K, const D: usize, const C: usize>(
-    parts: [Option<&Few<K, 3>>; 2],
-    joints: Option<&[Number<K>]>,
-    names: [&str; 2],
-) -> Result<SVector<f64, D>, String> {
-    let object = of_the_object::<C>();
-    let linear_part = part(parts[0], C, names[0])?;
-    let angular_part = part(parts[1], object - C, names[1])?;
-    let joints = joints.unwrap_or_default();
-    if joints.len() > D - object {
-        return Err(format!("joints: {} given, must be at most {}", joints.len(), D - object));
-    }
-    Ok(SVector::from_fn(|k, _| match k {
-        _ if k < C => linear_part[k],
-        _ if k < object => angular_part[k - C],
-        _ => joints.get(k - object).map_or(0.0, |x| x.0),
-    }))
+/// Both parts in one row.
+fn join<K, const C: usize>(parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vec<f64>, String> {
+    let turns = of_the_object::<C>() - C;
+    let (linear, angular) = (part(parts[0], C, names[0])?, part(parts[1], turns, names[1])?);
+    Ok([&linear[..C], &angular[..turns]].concat())
 }
 
 #[derive(serde::Deserialize)]
@@ -73,7 +55,6 @@ fn join<K, const D: usize, const C: usize>(
 struct WrittenWrench {
     force: Option<Few<Given, 3>>,
     moment: Option<Few<Given, 3>>,
-    joints: Option<Vec<Number<Given>>>,
     at: Option<Few<Given, 3>>,
 }
 
@@ -82,23 +63,22 @@ struct WrittenWrench {
 struct WrittenTwist {
     translation: Option<Few<Found, 3>>,
     rotation: Option<Few<Found, 3>>,
-    joints: Option<Vec<Number<Found>>>,
 }
 
-/// `{"force": …, "moment": …}`, and `"joints": […]` behind a hand (feature `serde`), see [`crate::scene`].
-impl<const D: usize, const C: usize> Serialize for Wrench<D, C> {
+/// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
+impl<const C: usize> Serialize for Wrench<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write::<S, D, C>(serializer, self.as_vector(), ["Wrench", "force", "moment"])
+        write::<S, C>(serializer, self.components(), ["Wrench", "force", "moment"])
     }
 }
 
 /// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`].
 /// Refuses numbers that a grasp would refuse.
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Wrench<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, joints, at }| {
+        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {
             let parts = [force.as_ref(), moment.as_ref()];
-            let mut wrench = join::<_, D, C>(parts, joints.as_deref(), ["force", "moment"])?;
+            let mut wrench = join::<_, C>(parts, ["force", "moment"])?;
             if at.is_some() {
                 let at = part(at.as_ref(), C, "at")?;
                 let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
@@ -109,24 +89,25 @@ impl<'de, const D: usize, const C: usize> Deserialize<'de> for Wrench<D, C> {
                     wrench[k] += through[6 + k - object];
                 }
             }
-            Ok(Self::from_vector(wrench))
+            Ok(Self::from_components(&wrench))
         })
     }
 }
 
-/// `{"translation": …, "rotation": …}`, and `"joints": […]` behind a hand (feature `serde`), see [`crate::scene`].
-impl<const D: usize, const C: usize> Serialize for Twist<D, C> {
+/// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
+impl<const C: usize> Serialize for Twist<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write::<S, D, C>(serializer, self.as_vector(), ["Twist", "translation", "rotation"])
+        write::<S, C>(serializer, self.components(), ["Twist", "translation", "rotation"])
     }
 }
 
 /// `{"translation": …, "rotation": …}`, both optional (feature `serde`), see [`crate::scene`].
-impl<'de, const D: usize, const C: usize> Deserialize<'de> for Twist<D, C> {
+impl<'de, const C: usize> Deserialize<'de> for Twist<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a twist", |WrittenTwist { translation, rotation, joints }| {
+        object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
             let parts = [translation.as_ref(), rotation.as_ref()];
-            join::<_, D, C>(parts, joints.as_deref(), ["translation", "rotation"]).map(Self::from_vector)
+            join::<_, C>(parts, ["translation", "rotation"])
+                .map(|components| Self::from_components(&components))
         })
     }
 }

@@ -31,9 +31,9 @@ pub struct Scene {
 #[serde(rename_all = "snake_case")]
 pub enum Space {
     /// 3 degrees of freedom, 2 axes a contact.
-    Planar(Setup<3, 2>),
+    Planar(Setup<2>),
     /// 6 degrees of freedom, 3 axes a contact.
-    Spatial(Setup<6, 3>),
+    Spatial(Setup<3>),
 }
 
 /// What a caller knows a scene by; answers repeat it.
@@ -53,9 +53,9 @@ pub enum Id {
 #[serde(untagged)]
 pub enum Answers {
     /// Of a scene in the plane.
-    Planar(Vec<Answer<3, 2>>),
+    Planar(Vec<Answer<2>>),
     /// Of a scene in space.
-    Spatial(Vec<Answer<6, 3>>),
+    Spatial(Vec<Answer<3>>),
 }
 
 impl Answers {
@@ -94,14 +94,14 @@ impl From<Space> for Scene {
     }
 }
 
-impl From<Setup<3, 2>> for Scene {
-    fn from(setup: Setup<3, 2>) -> Self {
+impl From<Setup<2>> for Scene {
+    fn from(setup: Setup<2>) -> Self {
         Space::Planar(setup).into()
     }
 }
 
-impl From<Setup<6, 3>> for Scene {
-    fn from(setup: Setup<6, 3>) -> Self {
+impl From<Setup<3>> for Scene {
+    fn from(setup: Setup<3>) -> Self {
         Space::Spatial(setup).into()
     }
 }
@@ -166,9 +166,9 @@ struct In {
     /// For the reader of the file.
     comment: Option<String>,
     /// The grasp, if it is in the plane.
-    planar: Option<Setup<3, 2>>,
+    planar: Option<Setup<2>>,
     /// The grasp, if it is in space.
-    spatial: Option<Setup<6, 3>>,
+    spatial: Option<Setup<3>>,
 }
 
 impl Serialize for Scene {

@@ -124,14 +124,14 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// }
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    pub fn onsets_into(&self, pulls: &[Pull<D, C>], answers: &mut Vec<Screened>) {
+    pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.ask_into(pulls, answers);
     }
 
     /// At which angle the first contact of each grasp leaves rolling while each of the loads turns, on
     /// one thread; for all cores there is [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch).
     /// Answers come as from [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
-    pub fn turn_onsets_into(&self, turns: &[TurningPull<D, C>], answers: &mut Vec<ScreenedTurn>) {
+    pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
         self.ask_into(turns, answers);
     }
 
@@ -139,7 +139,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// the lists, on one thread; for all cores there is
     /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers come as from
     /// [`Self::onsets_into`], each with the bits of [`Fingers::least_squeeze`].
-    pub fn least_squeezes_into(&self, cases: &[LoadCases<D, C>], answers: &mut Vec<ScreenedSqueeze>) {
+    pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(cases, answers);
     }
 

@@ -109,7 +109,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// does not know.
     #[must_use]
     #[inline(never)]
-    pub fn onset(&self, pull: &Pull<D, C>) -> Screened {
+    pub fn onset(&self, pull: &Pull<C>) -> Screened {
         self.ask(pull)
     }
 
@@ -135,7 +135,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// ```
     #[must_use]
     #[inline(never)]
-    pub fn onset_of_turn(&self, turn: &TurningPull<D, C>) -> ScreenedTurn {
+    pub fn onset_of_turn(&self, turn: &TurningPull<C>) -> ScreenedTurn {
         self.ask(turn)
     }
 
@@ -157,7 +157,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// ```
     #[must_use]
     #[inline(never)]
-    pub fn least_squeeze(&self, cases: &LoadCases<D, C>) -> ScreenedSqueeze {
+    pub fn least_squeeze(&self, cases: &LoadCases<C>) -> ScreenedSqueeze {
         self.ask(cases)
     }
 

@@ -29,14 +29,14 @@ pub enum Verdict {
     /// However large the load grows, or as far as it turns, no contact leaves rolling.
     Never,
     /// Not every contact rolls at factor or angle zero: one would slide or be open there, perhaps
-    /// there is no equilibrium. [`Grasp::onset`](crate::grasp::Grasp::onset) and
-    /// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn) say more.
+    /// there is no equilibrium. [`Grasp::onset`](crate::ask::Grasp::onset) and
+    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) say more.
     NotRolling,
     /// The load works on a motion that no contact resists, at factor or angle zero or beyond.
     GivesWay,
     /// Single passes of floating-point arithmetic do not tell; ask
-    /// [`Grasp::onset`](crate::grasp::Grasp::onset) or
-    /// [`Grasp::onset_of_turn`](crate::grasp::Grasp::onset_of_turn).
+    /// [`Grasp::onset`](crate::ask::Grasp::onset) or
+    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     ///
     /// * A contact stands on the edge of its cone at factor or angle zero.
     /// * A margin closes so slowly that rounding would show in the factor or the angle.

@@ -8,17 +8,17 @@ use crate::grasp::Wrench;
 
 /// Loads on a grasp in screening, each of which it is to hold: one at a time, at least one.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LoadCases<const D: usize, const C: usize> {
-    pub(super) loads: Vec<Wrench<D, C>>,
+pub struct LoadCases<const C: usize> {
+    pub(super) loads: Vec<Wrench<C>>,
 }
 
-impl<const D: usize, const C: usize> LoadCases<D, C> {
+impl<const C: usize> LoadCases<C> {
     /// The loads on the object: forces in N, moments in N m. Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
     /// [`Error::Argument`] if there are none, [`Error::Wrench`] if a component of one is not finite or
     /// larger than 1e50.
-    pub fn new(loads: &[Wrench<D, C>]) -> Result<Self, Error> {
+    pub fn new(loads: &[Wrench<C>]) -> Result<Self, Error> {
         if loads.is_empty() {
             return Err(Error::Argument { what: "number of loads", value: 0.0, allowed: "at least 1" });
         }
@@ -27,7 +27,7 @@ impl<const D: usize, const C: usize> LoadCases<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Question<D, C> for LoadCases<D, C> {
+impl<const D: usize, const C: usize> Question<D, C> for LoadCases<C> {
     type Answer = ScreenedSqueeze;
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 

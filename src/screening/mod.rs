@@ -27,9 +27,9 @@
 //! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
 //! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
-//! [`Grasp::onset`]: crate::grasp::Grasp::onset
-//! [`Grasp::onset_of_turn`]: crate::grasp::Grasp::onset_of_turn
-//! [`Grasp::least_squeeze`]: crate::grasp::Grasp::least_squeeze
+//! [`Grasp::onset`]: crate::ask::Grasp::onset
+//! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
+//! [`Grasp::least_squeeze`]: crate::ask::Grasp::least_squeeze
 
 mod arccotangent;
 mod balance;

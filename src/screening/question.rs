@@ -29,13 +29,13 @@ pub(crate) trait Question<const D: usize, const C: usize>: Sync {
 impl<const D: usize, const C: usize, const N: usize, const L: usize> Scenes<'_, D, C, N, L> {
     /// The forces that a load alone brings about.
     #[inline(always)]
-    pub(super) fn under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
+    pub(super) fn under(&self, load: &Wrench<C>) -> Forces<C, N, L> {
         self.ready.under(self.block, load)
     }
 
     /// The forces of the commands and a load together.
     #[inline(always)]
-    pub(super) fn squeezed_under(&self, load: &Wrench<D, C>) -> Forces<C, N, L> {
+    pub(super) fn squeezed_under(&self, load: &Wrench<C>) -> Forces<C, N, L> {
         self.squeezed.with(&self.under(load), ON_THE_EDGE / ROUNDING)
     }
 

@@ -60,10 +60,10 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
 
     /// Forces that a load alone brings about, the fingers at rest.
     #[inline(always)]
-    pub(super) fn under(&self, block: &Block<C, N, L>, load: &Wrench<D, C>) -> Forces<C, N, L> {
+    pub(super) fn under(&self, block: &Block<C, N, L>, load: &Wrench<C>) -> Forces<C, N, L> {
         let mut lanes = [Lanes::ZERO; D];
         for k in 0..D {
-            lanes[k] = Lanes::all(load.as_vector()[k]);
+            lanes[k] = Lanes::all(load.components()[k]);
         }
         match self {
             Self::Pair(pair) => pair.load(&lanes),

@@ -25,7 +25,7 @@ pub enum SqueezeVerdict {
     /// A load works on a motion that no contact resists, however much the fingers press.
     GivesWay,
     /// Single passes of floating-point arithmetic do not tell; ask
-    /// [`Grasp::least_squeeze`](crate::grasp::Grasp::least_squeeze).
+    /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     ///
     /// * A factor would have fewer than six digits, because commands hardly change a margin or forces
     ///   only graze a cone.

@@ -13,7 +13,7 @@
 //! first root of `n² - |t|²`, an equation of degree four, is found as [`Grasp::onset_of_turn`] does,
 //! one scene at a time, and Newton's method on the margin gives it the last digits.
 //!
-//! [`Grasp::onset_of_turn`]: crate::grasp::Grasp::onset_of_turn
+//! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 
 use nalgebra::SVector;
 

@@ -13,21 +13,21 @@ use crate::numerics::Harmonic;
 
 /// A load on a grasp in screening that turns: a [`Turn`], checked once.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TurningPull<const D: usize, const C: usize> {
+pub struct TurningPull<const C: usize> {
     /// Its three parts.
-    pub(super) load: Harmonic<Wrench<D, C>>,
+    pub(super) load: Harmonic<Wrench<C>>,
     /// How far it turns, rad; infinite for a full turn and more.
     pub(super) most: f64,
 }
 
-impl<const D: usize, const C: usize> TurningPull<D, C> {
+impl<const C: usize> TurningPull<C> {
     /// The load on the object at angle θ is `constant + cosine cos θ + sine sin θ`. Forces are in N, moments in N m.
     /// Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of a part is not finite or larger than 1e50.
     /// [`Error::Argument`] unless the angle is more than zero, and at most 1e6.
-    pub fn new(turn: &Turn<D, C>) -> Result<Self, Error> {
+    pub fn new(turn: &Turn<C>) -> Result<Self, Error> {
         turn.check()?;
         let [constant, cosine, sine] = turn.parts();
         let most = if turn.angle() < TAU { turn.angle() } else { f64::INFINITY };
@@ -35,7 +35,7 @@ impl<const D: usize, const C: usize> TurningPull<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Question<D, C> for TurningPull<D, C> {
+impl<const D: usize, const C: usize> Question<D, C> for TurningPull<C> {
     type Answer = ScreenedTurn;
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: First::UNKNOWN, most: 0.0 };
 

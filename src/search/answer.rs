@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
+use crate::grasp::Coordinates;
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -23,7 +24,7 @@ pub enum Rung {
     /// Lemke's method on the force form: the end of a path of forces from none.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and
-    /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::grasp::Grasp::equilibria) finds that way.
+    /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds that way.
     Enumeration,
     /// Following a load path: the states come from the path's history.
     LoadPath,
@@ -76,6 +77,45 @@ impl<const D: usize, const C: usize> Found<D, C> {
             neutral_motions: Vec::new(),
             sizes: [0.0; 2],
             from_polygon: None,
+        }
+    }
+}
+
+/// A [`Found`] whatever its number of coordinates, for answers that remember it.
+#[derive(Debug, Clone)]
+pub(crate) struct Kept<const C: usize> {
+    pub(crate) states: Vec<State<C>>,
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    pub(crate) twist: Coordinates<C>,
+    free_motions: Vec<Coordinates<C>>,
+    neutral_motions: Vec<Coordinates<C>>,
+    sizes: [f64; 2],
+    from_polygon: Option<f64>,
+}
+
+impl<const C: usize> Kept<C> {
+    /// With a list for its coordinates.
+    pub(crate) fn of<const D: usize>(found: Found<D, C>, list: Vec<f64>) -> Self {
+        Self {
+            states: found.states,
+            forces: found.forces,
+            twist: Coordinates::of_in(&found.twist, list),
+            free_motions: found.free_motions.iter().map(Coordinates::of).collect(),
+            neutral_motions: found.neutral_motions.iter().map(Coordinates::of).collect(),
+            sizes: found.sizes,
+            from_polygon: found.from_polygon,
+        }
+    }
+
+    pub(crate) fn found<const D: usize>(&self) -> Found<D, C> {
+        Found {
+            states: self.states.clone(),
+            forces: self.forces.clone(),
+            twist: self.twist.to(),
+            free_motions: self.free_motions.iter().map(Coordinates::to).collect(),
+            neutral_motions: self.neutral_motions.iter().map(Coordinates::to).collect(),
+            sizes: self.sizes,
+            from_polygon: self.from_polygon,
         }
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use super::enumerate::search;
 use crate::contact::{Law, LocalLaw, tangential};
-use crate::grasp::{Contact, Grasp, Site, Wrench};
+use crate::grasp::{Contact, Engine, Site, Wrench};
 use crate::numerics::Draw;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
@@ -53,8 +53,8 @@ fn law<const C: usize>(draw: &mut Draw, normals: &[SVector<f64, C>], slip: &SVec
 }
 
 fn ask<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    along: &Wrench<D, C>,
+    grasp: &Engine<D, C>,
+    along: &Wrench<C>,
     draw: &mut Draw,
     count: &mut Count,
 ) {
@@ -95,7 +95,7 @@ fn in_the_plane() {
                 .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = planar::Grasp::new(contacts).expect("valid");
+        let grasp = Engine::<3, 2>::new(contacts).expect("valid");
         ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]), &mut draw, &mut count);
     }
     println!("in the plane {count:?}");
@@ -121,7 +121,7 @@ fn in_space() {
                 .friction(0.25 * (1.0 + own(3.0)))
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = spatial::Grasp::new(contacts).expect("valid");
+        let grasp = Engine::<6, 3>::new(contacts).expect("valid");
         let turn = if draw.normal() > 1.0 { 1.0 } else { 0.0 };
         let along = spatial::Wrench::new([0.0, 0.0, draw.sign()], [0.0, 0.0, turn]);
         ask(&grasp, &along, &mut draw, &mut count);

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::{Error, Field, is_moderate};
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 
 /// What is allowed.
 const ALLOWED: &str = "from 0 to 1e50";
@@ -19,13 +19,13 @@ const ALLOWED: &str = "from 0 to 1e50";
 /// # let _ = bounds;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bounds<const D: usize, const C: usize> {
+pub struct Bounds<const C: usize> {
     pub(super) commands: Option<Vec<SVector<f64, C>>>,
-    pub(super) base: Wrench<D, C>,
-    pub(super) direction: Wrench<D, C>,
+    pub(super) base: Wrench<C>,
+    pub(super) direction: Wrench<C>,
 }
 
-impl<const D: usize, const C: usize> Bounds<D, C> {
+impl<const C: usize> Bounds<C> {
     /// Everything is as it is said to be.
     #[must_use]
     pub fn none() -> Self {
@@ -41,25 +41,25 @@ impl<const D: usize, const C: usize> Bounds<D, C> {
 
     /// Bounds of the components of the base load, N and N m about the origin.
     #[must_use]
-    pub fn with_base(mut self, bounds: Wrench<D, C>) -> Self {
+    pub fn with_base(mut self, bounds: Wrench<C>) -> Self {
         self.base = bounds;
         self
     }
 
     /// Bounds of the components of the load direction, N and N m for each unit of the factor.
     #[must_use]
-    pub fn with_direction(mut self, bounds: Wrench<D, C>) -> Self {
+    pub fn with_direction(mut self, bounds: Wrench<C>) -> Self {
         self.direction = bounds;
         self
     }
 
     /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
-    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+    pub(super) fn check<const D: usize>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));
         for (bounds, what) in
             [(&self.base, "bound of the base load"), (&self.direction, "bound of the load direction")]
         {
-            if let Some(&value) = bounds.as_vector().iter().find(is_bad) {
+            if let Some(&value) = bounds.components().iter().find(is_bad) {
                 return Err(Error::Argument { what, value, allowed: ALLOWED });
             }
         }

@@ -19,14 +19,14 @@ use super::bounds::Bounds;
 use super::rolling::{Forces, Rolling, is_broken, round_row};
 use crate::contact::{Edges, Line};
 use crate::error::Error;
-use crate::grasp::{Contact, Grasp, Twist, Wrench};
+use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
 use crate::search::Settings;
 
 /// The answer to "what is the least onset of sliding, if commands and loads are off by no more than this?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum LeastOnset<const D: usize, const C: usize> {
+pub enum LeastOnset<const C: usize> {
     /// At this factor a contact leaves rolling in the worst case, in no case before.
     #[non_exhaustive]
     At {
@@ -37,7 +37,7 @@ pub enum LeastOnset<const D: usize, const C: usize> {
         /// The commands of the worst case, in the contact frames, m.
         commands: Vec<SVector<f64, C>>,
         /// Its base load and load direction.
-        ramp: Ramp<D, C>,
+        ramp: Ramp<C>,
     },
     /// Whatever is off, everything keeps rolling however far the load goes.
     Never,
@@ -49,7 +49,7 @@ pub enum LeastOnset<const D: usize, const C: usize> {
     /// Some load works on this motion, which nothing resists.
     GivesWay {
         /// A unit motion of the object.
-        motion: Twist<D, C>,
+        motion: Motion<C>,
     },
 }
 
@@ -68,55 +68,21 @@ struct Share<const C: usize> {
     forces: Forces<C>,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is. On the round cone
-    /// in space, with default [`Settings`]. Exact, not by sampling: see [`Bounds`].
-    ///
-    /// Of friction the worst case is the least: ask a grasp with that. Stiffness and geometry do not enter linearly;
-    /// [`Self::robust_onset`] has them to first order.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
-    ///
-    /// // Two fingers that press with 1000 N/m · 10 mm = 10 N, μ = 0.5, to 1 mm; a pull down of up to 2 N beside the weight.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let bounds = Bounds::none().with_commands([[0.001, 0.0]; 2]).with_base(Wrench::force([0.0, 2.0]));
-    /// // 2 μ · 9 N less 2 N.
-    /// let LeastOnset::At { factor, .. } = grasp.least_onset_within(&weight, &bounds)? else { panic!("it slides") };
-    /// assert!((factor - 7.0).abs() < 1e-13);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
-    /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn least_onset_within(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
+    pub(crate) fn least_onset_within(
         &self,
-        ramp: &Ramp<D, C>,
-        bounds: &Bounds<D, C>,
-    ) -> Result<LeastOnset<D, C>, Error> {
-        self.least_onset_within_with(ramp, bounds, &Settings::default())
-    }
-
-    /// The same with other [`Settings`], which say for which cone.
-    ///
-    /// # Errors
-    /// As for [`Self::least_onset_within`].
-    pub fn least_onset_within_with(
-        &self,
-        ramp: &Ramp<D, C>,
-        bounds: &Bounds<D, C>,
+        ramp: &Ramp<C>,
+        bounds: &Bounds<C>,
         settings: &Settings,
-    ) -> Result<LeastOnset<D, C>, Error> {
+    ) -> Result<LeastOnset<C>, Error> {
         self.refuse_hands("least_onset_within")?;
         bounds.check(self)?;
         let base = self.load_alone(&ramp.base, "base load")?;
         ramp.direction.check("load direction")?;
         let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
         let rolling = Rolling::new(self, settings);
-        let known = || -> Result<_, Twist<D, C>> {
+        let known = || -> Result<_, Motion<C>> {
             let base = rolling.forces(&self.drives(), &base)?;
             Ok((base, rolling.forces(&changes, &direction)?, shares(&rolling, bounds)?))
         };
@@ -152,14 +118,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     }
 
     /// The commands and the ramp of a corner.
-    fn case(
-        &self,
-        ramp: &Ramp<D, C>,
-        shares: &[Share<C>],
-        signs: &[f64],
-    ) -> (Vec<SVector<f64, C>>, Ramp<D, C>) {
+    fn case(&self, ramp: &Ramp<C>, shares: &[Share<C>], signs: &[f64]) -> (Vec<SVector<f64, C>>, Ramp<C>) {
         let mut commands: Vec<_> = self.contacts().iter().map(Contact::commanded).collect();
-        let (mut base, mut direction) = (*ramp.base.as_vector(), *ramp.direction.as_vector());
+        let (mut base, mut direction) = (ramp.base.coordinates::<D>(), ramp.direction.coordinates::<D>());
         for (share, sign) in shares.iter().zip(signs) {
             let off = sign * share.bound;
             match share.datum {
@@ -168,7 +129,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
                 Datum::Direction(component) => direction[component] += off,
             }
         }
-        let (base, direction) = (Wrench::from_vector(base), Wrench::from_vector(direction));
+        let (base, direction) = (Wrench::among(&base), Wrench::among(&direction));
         (commands, Ramp { base, direction, ..ramp.clone() })
     }
 }
@@ -176,8 +137,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
 /// What each datum with a bound does.
 fn shares<const D: usize, const C: usize>(
     rolling: &Rolling<D, C>,
-    bounds: &Bounds<D, C>,
-) -> Result<Vec<Share<C>>, Twist<D, C>> {
+    bounds: &Bounds<C>,
+) -> Result<Vec<Share<C>>, Motion<C>> {
     let grasp = rolling.grasp;
     let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], SVector::zeros());
     let mut shares = Vec::new();
@@ -192,10 +153,10 @@ fn shares<const D: usize, const C: usize>(
     for (bounds, datum) in
         [(&bounds.base, Datum::Base as fn(usize) -> Datum), (&bounds.direction, Datum::Direction)]
     {
-        for (k, &bound) in bounds.as_vector().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
+        for (k, &bound) in bounds.components().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
             let mut load = SVector::<f64, D>::zeros();
             load[k] = bound;
-            let forces = rolling.forces(&at_rest, &grasp.inside_unchecked(&Wrench::from_vector(load)))?;
+            let forces = rolling.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
             shares.push(Share { datum: datum(k), bound, forces });
         }
     }

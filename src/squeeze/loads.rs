@@ -1,31 +1,31 @@
 //! The loads that a grasp is to hold.
 
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
 
 /// A set of loads.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Loads<const D: usize, const C: usize> {
+pub enum Loads<const C: usize> {
     /// Each of these, one at a time.
-    Each(Vec<Wrench<D, C>>),
+    Each(Vec<Wrench<C>>),
     /// A load beside a force of any direction.
     AnyForce {
         /// What acts whatever the force does, N and N m.
-        base: Wrench<D, C>,
+        base: Wrench<C>,
         /// The size of the force, N.
         size: f64,
         /// The point that it acts at, m.
         point: [f64; C],
     },
     /// A load that turns, over a full turn or as far as it goes.
-    Turn(Turn<D, C>),
+    Turn(Turn<C>),
 }
 
-impl<const D: usize, const C: usize> Loads<D, C> {
+impl<const C: usize> Loads<C> {
     /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
-    pub(super) fn check(&self, grasp: &Grasp<D, C>) -> Result<(), Error> {
+    pub(super) fn check<const D: usize>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match self {
             Self::Each(list) => {
                 if list.is_empty() {

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::loads::Loads;
 use super::rolling::{Forces, Push, Rolling, is_broken, push, round_parts, round_row};
 use crate::contact::{Edges, ZERO_SLACK, tangential};
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::{Harmonic, Turning};
 
@@ -16,12 +16,12 @@ pub(super) struct Condition<const D: usize, const C: usize> {
     pub(super) row: SVector<f64, C>,
     pub(super) value: f64,
     size: f64,
-    pub(super) load: Wrench<D, C>,
+    pub(super) load: Wrench<C>,
 }
 
 /// Forces contact by contact, of the whole squeeze and of the loads without it.
 pub(super) struct Parts<'l, const D: usize, const C: usize> {
-    loads: &'l Loads<D, C>,
+    loads: &'l Loads<C>,
     squeeze: Forces<C>,
     /// For each load of a list; of a turn its three parts; of forces of any direction that of the base.
     base: Vec<Forces<C>>,
@@ -29,7 +29,7 @@ pub(super) struct Parts<'l, const D: usize, const C: usize> {
 }
 
 impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
-    pub(super) fn of(rolling: &Rolling<'_, D, C>, loads: &'l Loads<D, C>) -> Result<Self, Twist<D, C>> {
+    pub(super) fn of(rolling: &Rolling<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
         let grasp = rolling.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
@@ -37,7 +37,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         let mut without = grasp.drives();
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
         let at_rest = vec![SVector::zeros(); without.len()];
-        let under = |load: &Wrench<D, C>| rolling.forces(&without, &grasp.load_unchecked(load));
+        let under = |load: &Wrench<C>| rolling.forces(&without, &grasp.load_unchecked(load));
         let mut pushes = Vec::new();
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
@@ -100,12 +100,12 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
     /// Under each load of a list the condition that its force breaks most.
     fn under_each(
         &self,
-        list: &[Wrench<D, C>],
+        list: &[Wrench<C>],
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
         let (squeeze, size) = self.pressed(contact, factor);
-        let worst = |(load, forces): (&Wrench<D, C>, &Forces<C>)| {
+        let worst = |(load, forces): (&Wrench<C>, &Forces<C>)| {
             let (row, value) = edges.worst(&(forces.of[contact] + squeeze))?;
             Some(Condition { row, value, size: forces.sizes[contact] + size, load: *load })
         };
@@ -115,7 +115,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
     /// Under the worst of all forces of a size: of each facet, and of the facets of a round cone one that it breaks.
     fn under_any_force(
         &self,
-        (base, size, point): (&Wrench<D, C>, f64, &[f64; C]),
+        (base, size, point): (&Wrench<C>, f64, &[f64; C]),
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {
@@ -142,7 +142,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
     /// Where in a turn a condition is broken.
     fn under_a_turn(
         &self,
-        turn: &Turn<D, C>,
+        turn: &Turn<C>,
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<D, C>> {

@@ -3,14 +3,14 @@
 use nalgebra::SVector;
 
 use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
-use crate::grasp::{Grasp, Twist, Wrench, wrench_of};
+use crate::grasp::{Engine, Motion, Wrench, wrench_of};
 use crate::numerics::Harmonic;
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
 /// A grasp in which everything rolls.
 pub(super) struct Rolling<'g, const D: usize, const C: usize> {
-    pub(super) grasp: &'g Grasp<D, C>,
+    pub(super) grasp: &'g Engine<D, C>,
     problem: Problem<'g, D, C>,
     piece: std::sync::Arc<Piece<D, C>>,
     pub(super) edges: Vec<Edges<C>>,
@@ -51,7 +51,7 @@ pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> 
 }
 
 impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
-    pub(super) fn new(grasp: &'g Grasp<D, C>, settings: &Settings) -> Self {
+    pub(super) fn new(grasp: &'g Engine<D, C>, settings: &Settings) -> Self {
         let polygon = Polygon::shared(&settings.cone);
         let nothing = Load::from(&SVector::zeros());
         let problem = grasp.problem(polygon, settings.is_round::<C>(), grasp.drives(), &nothing);
@@ -70,7 +70,7 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
         &self,
         drives: &[SVector<f64, C>],
         load: &SVector<f64, D>,
-    ) -> Result<Forces<C>, Twist<D, C>> {
+    ) -> Result<Forces<C>, Motion<C>> {
         match self.piece.solve(self.problem.sites, drives, load) {
             Ok(state) => {
                 let sizes = self.problem.force_sizes(drives, load.norm(), &state);
@@ -78,13 +78,13 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
             }
             Err(unbalanced) => {
                 let motion = unbalanced.motion.unwrap_or_else(SVector::zeros);
-                Err(self.grasp.outside(&motion))
+                Err(self.grasp.motion_outside(&motion))
             }
         }
     }
 
     /// What forces through a point change, contact by contact.
-    pub(super) fn pushes(&self, point: &[f64; C]) -> Result<Vec<Push<C>>, Twist<D, C>> {
+    pub(super) fn pushes(&self, point: &[f64; C]) -> Result<Vec<Push<C>>, Motion<C>> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let mut pushes: Vec<_> =
             at_rest.iter().map(|_| Push { columns: [SVector::zeros(); C], size: 0.0 }).collect();
@@ -101,8 +101,8 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
 }
 
 /// A force at a point.
-pub(super) fn push<const D: usize, const C: usize>(point: &[f64; C], force: &[f64; C]) -> Wrench<D, C> {
-    Wrench::from_vector(wrench_of::<D, C>(&SVector::from(*point), &SVector::from(*force)))
+pub(super) fn push<const C: usize>(point: &[f64; C], force: &[f64; C]) -> Wrench<C> {
+    Wrench::among(&wrench_of::<6, C>(&SVector::from(*point), &SVector::from(*force)))
 }
 
 /// The row `(limit, -cos φ, -sin φ)` of a round cone.

@@ -8,7 +8,7 @@ use super::loads::check_point;
 use super::rolling::{Push, Rolling, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
 use crate::numerics::Turning;
 use crate::search::Settings;
@@ -19,7 +19,7 @@ const MOST_CUTS: usize = 200;
 /// The answer to "a force of which direction slides first?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum WeakestDirection<const D: usize, const C: usize> {
+pub enum WeakestDirection<const C: usize> {
     /// A force of this size in this direction; no smaller force slides in any direction.
     #[non_exhaustive]
     Force {
@@ -28,7 +28,7 @@ pub enum WeakestDirection<const D: usize, const C: usize> {
         /// Unit direction, coordinate axes.
         direction: [f64; C],
         /// The base load with that force.
-        load: Wrench<D, C>,
+        load: Wrench<C>,
         /// The contact that leaves rolling, or the drive of a hand that reaches its limit.
         leaver: Leaver,
     },
@@ -37,7 +37,7 @@ pub enum WeakestDirection<const D: usize, const C: usize> {
     /// Some force works on this motion, which nothing resists.
     GivesWay {
         /// A unit motion of the object.
-        motion: Twist<D, C>,
+        motion: Motion<C>,
     },
     /// Under the base load something slides, is open, or has no equilibrium.
     NotRolling,
@@ -45,48 +45,14 @@ pub enum WeakestDirection<const D: usize, const C: usize> {
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The direction in which the least force through a point (m) makes a contact leave rolling, beside a base load. On the round cone in
-    /// space, with default [`Settings`].
-    ///
-    /// Of each facet the worst direction is known in closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
-    ///
-    /// The round cone has a facet at every angle. The least is found where a trigonometric polynomial falls below zero, see [the room](crate::squeeze).
-    /// So it is least over all directions up to rounding, whatever the number of minima.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};
-    ///
-    /// // Two fingers that press with 10 N, μ = 0.5: along the line of the fingers 20 N open one, across 10 N make both slide. Between, a
-    /// // finger carries F_n = 10 + x/2, F_t = y/2: y/2 = 5 + x/4 is nearest at x = -4, y = 8.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 1000.0).friction(0.5).pressed_with(10.0);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let WeakestDirection::Force { size, direction, .. } = grasp.weakest_direction(&Wrench::ZERO, [0.0, 0.0])? else { panic!("it slides") };
-    /// assert!((size - 80_f64.sqrt()).abs() < 1e-14);
-    /// assert!((direction[0].abs() - 0.2_f64.sqrt()).abs() < 1e-15 && (direction[1].abs() - 0.8_f64.sqrt()).abs() < 1e-15);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50.
-    pub fn weakest_direction(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
+    pub(crate) fn weakest_direction(
         &self,
-        base: &Wrench<D, C>,
-        point: impl Into<[f64; C]>,
-    ) -> Result<WeakestDirection<D, C>, Error> {
-        self.weakest_direction_with(base, point, &Settings::default())
-    }
-
-    /// The same with other [`Settings`], which say for which cone.
-    ///
-    /// # Errors
-    /// As for [`Self::weakest_direction`].
-    pub fn weakest_direction_with(
-        &self,
-        base: &Wrench<D, C>,
+        base: &Wrench<C>,
         point: impl Into<[f64; C]>,
         settings: &Settings,
-    ) -> Result<WeakestDirection<D, C>, Error> {
+    ) -> Result<WeakestDirection<C>, Error> {
         let point = point.into();
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::grasp::{Contact, Grasp};
+use crate::grasp::Contact;
 
 /// What normal forces there may be. Friction follows them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +38,9 @@ pub struct WrenchScale<const C: usize> {
 
 impl<const C: usize> WrenchScale<C> {
     /// That of a grasp.
-    pub(super) fn of<const D: usize>(grasp: &Grasp<D, C>) -> Self {
-        let points = || grasp.contacts().iter().map(Contact::point);
-        let about = points().sum::<SVector<f64, C>>() / grasp.len() as f64;
+    pub(crate) fn of(contacts: &[Contact<C>]) -> Self {
+        let points = || contacts.iter().map(Contact::point);
+        let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;
         let length = points().map(|point| (point - about).norm()).fold(0.0, f64::max);
         // Contacts at one point have no length of their own.
         Self { about: about.into(), length: if length > 0.0 { length } else { 1.0 } }

@@ -12,7 +12,7 @@ use nalgebra::SVector;
 
 use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist};
+use crate::grasp::{Engine, Twist};
 use crate::numerics::{Orthogonal, unit};
 use crate::object::{Load, Problem};
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
@@ -30,7 +30,7 @@ const CLEARLY_INSIDE: f64 = 1e-9;
 /// The answer to "could contact forces balance any load?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Closure<const D: usize, const C: usize> {
+pub enum Closure<const C: usize> {
     /// They could.
     #[non_exhaustive]
     Closed {
@@ -42,40 +42,15 @@ pub enum Closure<const D: usize, const C: usize> {
     #[non_exhaustive]
     Open {
         /// A unit motion v against which no contact force works. A load that works along it, W·v > 0, cannot be balanced.
-        motion: Twist<D, C>,
+        motion: Twist<C>,
     },
     /// On the boundary, as far as rounding can tell.
     Boundary,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Whether contact forces inside their friction cones could balance any load, on the round cone in space.
-    ///
-    /// Stiffness, commands and squeeze play no part in this: it says what fingers *could* hold if they pressed as needed, not what these do.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Closure, Contact, Grasp};
-    ///
-    /// // Two fingers opposite each other with friction; in the plane that is enough. One that is moved up lies outside the other's cone.
-    /// let finger = |x: f64, y: f64| Contact::new([x, y], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
-    /// let pinch = Grasp::new([finger(-1.0, 0.0), finger(1.0, 0.0)])?;
-    /// assert!(matches!(pinch.force_closure()?, Closure::Closed { .. }) && matches!(pinch.form_closure()?, Closure::Open { .. }));
-    /// let apart = Grasp::new([finger(-1.0, 0.0), finger(1.0, 1.5)])?;
-    /// assert!(matches!(apart.force_closure()?, Closure::Open { .. }));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn force_closure(&self) -> Result<Closure<D, C>, Error> {
-        self.force_closure_with(&Settings::default())
-    }
-
-    /// The same with other [`Settings`], which say for which cone.
-    ///
-    /// # Errors
-    /// As for [`Self::force_closure`].
-    pub fn force_closure_with(&self, settings: &Settings) -> Result<Closure<D, C>, Error> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
+    pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error> {
         self.refuse_hands("force_closure")?;
         let problem = self.without_load(settings);
         let axes =
@@ -91,12 +66,8 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(self.closure(&axes, &straight, |v| round_generators(&problem, v).collect(), inside))
     }
 
-    /// Whether the contacts hold the object without any friction: normal forces could balance any load, and no motion is left, to first
-    /// order.
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn form_closure(&self) -> Result<Closure<D, C>, Error> {
+    /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
+    pub(crate) fn form_closure(&self) -> Result<Closure<C>, Error> {
         self.refuse_hands("form_closure")?;
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
@@ -111,7 +82,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         straight: &[Generator<D, C>],
         round: impl Fn(&SVector<f64, D>) -> Vec<Generator<D, C>>,
         inside: impl Fn(&[SVector<f64, C>]) -> bool,
-    ) -> Closure<D, C> {
+    ) -> Closure<C> {
         let sites = self.sites();
         let factor =
             Orthogonal::new(axes.iter().map(|&(i, axis)| sites[i].map.column(axis).into_owned()).collect());

@@ -6,7 +6,7 @@
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::numerics::{largest_ball, simplex};
 use crate::search::Settings;
 
@@ -16,7 +16,7 @@ const CLOSE: f64 = 1e-9;
 /// How large a load of any direction some contact forces can balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct WrenchBall<const D: usize, const C: usize> {
+pub struct WrenchBall<const C: usize> {
     /// ε is at least this, N: every load this large in its [scale](WrenchScale) can be balanced. Zero where some direction cannot be at all.
     pub at_least: f64,
     /// And at most this, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. Where a grasp is
@@ -24,47 +24,17 @@ pub struct WrenchBall<const D: usize, const C: usize> {
     /// [`Settings::most_steps`] may end it before.
     pub at_most: f64,
     /// A load of size 1 N in its scale; more than `at_most` times as much cannot be balanced.
-    pub weakest: Wrench<D, C>,
+    pub weakest: Wrench<C>,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`]: on the round
-    /// cone in space.
-    ///
-    /// It is what some contact forces *could* do, if fingers were told. What these fingers do, squeezed this much, is for
-    /// [`Self::onset`] to say.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp};
-    /// use grasp_lcp::statics::Budget;
-    ///
-    /// // Two fingers that face each other, μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
-    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let all = pinch.ferrari_canny(Budget::Total(1.0))?;
-    /// // The edges of both cones are (1, ±0.5, ∓0.5) and (-1, ±0.5, ±0.5): a tetrahedron whose faces are 1/3 away.
-    /// assert!((all.at_least - 1.0 / 3.0).abs() < 1e-9 && (all.at_most - 1.0 / 3.0).abs() < 1e-9);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Argument`] for a budget that is not positive, [`Error::Unlimited`] for a contact that is bonded, pulls or never slides,
-    /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn ferrari_canny(&self, budget: Budget) -> Result<WrenchBall<D, C>, Error> {
-        self.ferrari_canny_with(budget, &WrenchScale::of(self), &Settings::default())
-    }
-
-    /// The same with another scale of moments and other [`Settings`]: for another cone, and [`Settings::most_steps`] for the support points that are asked
-    /// for.
-    ///
-    /// # Errors
-    /// As for [`Self::ferrari_canny`]; [`Error::Argument`] for a scale whose point or length is none.
-    pub fn ferrari_canny_with(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
+    pub(crate) fn ferrari_canny(
         &self,
         budget: Budget,
         scale: &WrenchScale<C>,
         settings: &Settings,
-    ) -> Result<WrenchBall<D, C>, Error> {
+    ) -> Result<WrenchBall<C>, Error> {
         let set = self.wrench_set(budget, scale, settings, "ferrari_canny")?;
         let support = |v: &_| set.support(v);
         let (at_least, at_most, direction) = match simplex(&support) {

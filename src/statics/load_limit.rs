@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench};
+use crate::grasp::{Engine, Twist, Wrench};
 use crate::numerics::{Crossing, Vertex, shoot, simplex};
 use crate::search::Settings;
 
@@ -22,7 +22,7 @@ const SHORTER: [f64; 7] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3];
 /// How far a load can grow.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum LoadLimit<const D: usize, const C: usize> {
+pub enum LoadLimit<const C: usize> {
     /// Up to a factor.
     #[non_exhaustive]
     Factor {
@@ -33,62 +33,30 @@ pub enum LoadLimit<const D: usize, const C: usize> {
         /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
         forces: Vec<SVector<f64, C>>,
         /// The motion that the load makes beyond `at_most`: no forces within the budget work as much against it.
-        motion: Twist<D, C>,
+        motion: Twist<C>,
     },
     /// Not even the base load can be balanced.
     #[non_exhaustive]
     NoBase {
         /// The motion that it makes: no forces within the budget work as much against it.
-        motion: Twist<D, C>,
+        motion: Twist<C>,
     },
     /// Rounding was in the way.
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
-    /// analysis, with default [`Settings`], on the round cone in space. What these fingers do as springs is for [`Self::reserve`] to say.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::statics::{Budget, LoadLimit};
-    ///
-    /// // Two fingers that face each other carry 2 · 0.5 · 10 N, if none may press with more than 10 N.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
-    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let limit = pinch.load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(10.0))?;
-    /// let LoadLimit::Factor { at_least, at_most, forces, .. } = limit else { panic!("nothing is on it yet") };
-    /// assert!((at_least - 10.0).abs() < 1e-9 && (at_most - 10.0).abs() < 1e-9);
-    /// assert!(forces.iter().all(|force| (force[0] - 10.0).abs() < 1e-9));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50; [`Error::Argument`] for a direction or a budget of nothing; [`Error::Unlimited`]
-    /// for a contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
-    pub fn load_limit(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
+    pub(crate) fn load_limit(
         &self,
-        base: &Wrench<D, C>,
-        direction: &Wrench<D, C>,
-        budget: Budget,
-    ) -> Result<LoadLimit<D, C>, Error> {
-        self.load_limit_with(base, direction, budget, &Settings::default())
-    }
-
-    /// The same with other [`Settings`], which say for which cone.
-    ///
-    /// # Errors
-    /// As for [`Self::load_limit`].
-    pub fn load_limit_with(
-        &self,
-        base: &Wrench<D, C>,
-        direction: &Wrench<D, C>,
+        base: &Wrench<C>,
+        direction: &Wrench<C>,
         budget: Budget,
         settings: &Settings,
-    ) -> Result<LoadLimit<D, C>, Error> {
+    ) -> Result<LoadLimit<C>, Error> {
         base.check("base load")?;
         direction.check("load direction")?;
-        let set = self.wrench_set(budget, &WrenchScale::of(self), settings, "load_limit")?;
+        let set = self.wrench_set(budget, &WrenchScale::of(self.contacts()), settings, "load_limit")?;
         let [base, rate] = [base, direction].map(|load| -set.inside(load));
         let size = rate.norm();
         if size == 0.0 {
@@ -97,32 +65,9 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         }
         Ok(limit(set, &base, &(rate / size)).over(size))
     }
-
-    /// How much of a budget a load needs: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
-    /// `Budget::Total(1.0)` the least sum of them. Infinite where no forces do.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::statics::Budget;
-    ///
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
-    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let [at_least, at_most] = pinch.budget_needed(&Wrench::force([0.0, -3.0]), Budget::Each(1.0))?;
-    /// assert!((at_least - 3.0).abs() < 1e-9 && (at_most - 3.0).abs() < 1e-9);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::load_limit`].
-    pub fn budget_needed(&self, load: &Wrench<D, C>, budget: Budget) -> Result<[f64; 2], Error> {
-        Ok(match self.load_limit(&Wrench::ZERO, load, budget)? {
-            LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
-            LoadLimit::NoBase { .. } | LoadLimit::Undecided => [0.0, f64::INFINITY],
-        })
-    }
 }
 
-impl<const D: usize, const C: usize> LoadLimit<D, C> {
+impl<const C: usize> LoadLimit<C> {
     /// For a load so many times as large.
     fn over(self, size: f64) -> Self {
         match self {
@@ -139,7 +84,7 @@ fn limit<const D: usize, const C: usize>(
     mut set: WrenchSet<D, C>,
     base: &SVector<f64, D>,
     rate: &SVector<f64, D>,
-) -> LoadLimit<D, C> {
+) -> LoadLimit<C> {
     set.flat = simplex(&|v: &_| set.support(v)).err().unwrap_or_default();
     // Along what no force acts the set has some thickness now, and a load no part of it.
     let unheld = |load: &SVector<f64, D>| {

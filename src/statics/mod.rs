@@ -1,9 +1,9 @@
 //! The questions that grasp planners ask first, of geometry and friction alone: which loads *could* contact forces balance?
 //!
-//! Nothing here knows of springs or of how much the fingers press. [Force closure](crate::grasp::Grasp::force_closure) says that some contact
-//! forces balance any load whatever. The [measure of Ferrari and Canny](crate::grasp::Grasp::ferrari_canny) says how large a load of the worst direction they
-//! balance within a [`Budget`] of normal forces; [limit analysis](crate::grasp::Grasp::load_limit) how far a given one can grow. Whether these fingers,
-//! squeezed this much, do so is for [`Grasp::solve`](crate::grasp::Grasp::solve) and [`Grasp::onset`](crate::grasp::Grasp::onset) to say.
+//! Nothing here knows of springs or of how much the fingers press. [Force closure](crate::ask::Statics::force_closure) says that some contact
+//! forces balance any load whatever. The [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) says how large a load of the worst direction they
+//! balance within a [`Budget`] of normal forces; [limit analysis](crate::ask::Statics::load_limit) how far a given one can grow. Whether these fingers,
+//! squeezed this much, do so is for [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset) to say.
 //!
 //! | file | idea |
 //! |---|---|

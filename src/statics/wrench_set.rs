@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector};
 use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
-use crate::grasp::{Grasp, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
+use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
 use crate::numerics::unit;
 use crate::object::Problem;
 
@@ -55,7 +55,7 @@ pub(super) struct WrenchSet<const D: usize, const C: usize> {
 impl<const D: usize, const C: usize> WrenchSet<D, C> {
     pub(super) fn new(
         problem: &Problem<'_, D, C>,
-        grasp: &Grasp<D, C>,
+        grasp: &Engine<D, C>,
         budget: Budget,
         scale: WrenchScale<C>,
         question: &'static str,
@@ -81,7 +81,8 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
             };
             Ok(Pushing { map, cone })
         };
-        let contacts = problem.locals().zip(grasp.frames()).enumerate().map(pushing);
+        let contacts =
+            problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
         Ok(Self { contacts: contacts.collect::<Result<_, _>>()?, budget, scale, flat: Vec::new() })
     }
 
@@ -112,21 +113,21 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     }
 
     /// A wrench of the question.
-    pub(super) fn inside(&self, wrench: &Wrench<D, C>) -> SVector<f64, D> {
+    pub(super) fn inside(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
         let about = SVector::from(self.scale.about);
-        scaled::<D, C>(moved_wrench::<D, C>(&-about, wrench.as_vector()), 1.0 / self.scale.length)
+        scaled::<D, C>(moved_wrench::<D, C>(&-about, &wrench.coordinates()), 1.0 / self.scale.length)
     }
 
     /// And back.
-    pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<D, C> {
+    pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<C> {
         let about = SVector::from(self.scale.about);
-        Wrench::from_vector(moved_wrench::<D, C>(&about, &scaled::<D, C>(wrench, self.scale.length)))
+        Wrench::among(&moved_wrench::<D, C>(&about, &scaled::<D, C>(wrench, self.scale.length)))
     }
 
     /// The motion on which wrenches work as much as they reach in a direction.
-    pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<D, C> {
+    pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<C> {
         let about = SVector::from(self.scale.about);
-        Twist::from_vector(moved_twist::<D, C>(&about, &scaled::<D, C>(direction, 1.0 / self.scale.length)))
+        Twist::among(&moved_twist::<D, C>(&about, &scaled::<D, C>(direction, 1.0 / self.scale.length)))
     }
 }
 

@@ -92,11 +92,11 @@ impl Reply {
         }
     }
 
-    fn answer_setup<const D: usize, const C: usize>(
+    fn answer_setup<const C: usize>(
         &mut self,
-        mut setup: Setup<D, C>,
+        mut setup: Setup<C>,
         options: &StreamOptions,
-        wrap: impl FnOnce(Vec<crate::scene::Answer<D, C>>) -> Answers,
+        wrap: impl FnOnce(Vec<crate::scene::Answer<C>>) -> Answers,
     ) -> Result<(), Fault> {
         if setup.questions.is_empty() {
             return Err(Fault::of_scene("no questions: there is nothing to answer".to_owned()));

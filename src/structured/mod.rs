@@ -29,4 +29,4 @@ mod workspace;
 
 pub(crate) use proposal::{propose, propose_by_newton};
 pub use view::{Search, View};
-pub use workspace::Workspace;
+pub(crate) use workspace::SearchSettings;

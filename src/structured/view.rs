@@ -1,5 +1,7 @@
 //! What a workspace has found.
 
+use std::fmt::Debug;
+
 use nalgebra::SVector;
 
 use super::workspace::Workspace;
@@ -9,9 +11,9 @@ use crate::grasp::Twist;
 /// How a search for an equilibrium ended.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
-pub enum Search<'a, const D: usize, const C: usize> {
+pub enum Search<'a, const C: usize> {
     /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`View::residual`]).
-    Found(View<'a, D, C>),
+    Found(View<'a, C>),
     /// The load works on a motion that no contact resists: there is no equilibrium.
     FreeMotion,
     /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
@@ -25,12 +27,12 @@ pub enum Search<'a, const D: usize, const C: usize> {
 
 /// An equilibrium in the memory of its workspace.
 #[derive(Debug, Clone, Copy)]
-pub struct View<'a, const D: usize, const C: usize> {
-    workspace: &'a Workspace<D, C>,
+pub struct View<'a, const C: usize> {
+    workspace: &'a dyn Viewed<C>,
 }
 
-impl<'a, const D: usize, const C: usize> View<'a, D, C> {
-    pub(super) fn of(workspace: &'a Workspace<D, C>) -> Self {
+impl<'a, const C: usize> View<'a, C> {
+    pub(super) fn of(workspace: &'a dyn Viewed<C>) -> Self {
         Self { workspace }
     }
 
@@ -38,34 +40,34 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
     #[must_use]
     pub fn forces(&self) -> &'a [SVector<f64, C>] {
-        &self.workspace.solution.forces
+        self.workspace.forces()
     }
 
     /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
     /// the contacts leave it free motions.
     #[must_use]
-    pub fn twist(&self) -> Twist<D, C> {
-        self.workspace.twist
+    pub fn twist(&self) -> Twist<C> {
+        self.workspace.twist()
     }
 
     /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
     /// and moments, friction cones, gaps and slips. At most 1e-10, as a rule a few roundings.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        self.workspace.solution.residual
+        self.workspace.residual()
     }
 
     /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to
     /// the equilibrium.
     #[must_use]
     pub fn pivots(&self) -> usize {
-        self.workspace.path.pivots
+        self.workspace.pivots()
     }
 
     /// Steps of Newton's method, if they led to it. On polygons no pivot was needed then.
     #[must_use]
     pub fn newton_steps(&self) -> Option<usize> {
-        self.workspace.newton_steps
+        self.workspace.newton_steps()
     }
 
     /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact. A
@@ -75,5 +77,41 @@ impl<'a, const D: usize, const C: usize> View<'a, D, C> {
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
         let workspace = self.workspace;
         (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
+    }
+}
+
+/// What a view shows of its workspace, whatever the number of coordinates.
+pub(super) trait Viewed<const C: usize>: Debug {
+    fn forces(&self) -> &[SVector<f64, C>];
+    fn twist(&self) -> Twist<C>;
+    fn residual(&self) -> f64;
+    fn pivots(&self) -> usize;
+    fn newton_steps(&self) -> Option<usize>;
+    fn rows(&self, contact: usize) -> [Option<Row>; 3];
+}
+
+impl<const D: usize, const C: usize> Viewed<C> for Workspace<D, C> {
+    fn forces(&self) -> &[SVector<f64, C>] {
+        &self.solution.forces
+    }
+
+    fn twist(&self) -> Twist<C> {
+        self.twist
+    }
+
+    fn residual(&self) -> f64 {
+        self.solution.residual
+    }
+
+    fn pivots(&self) -> usize {
+        self.path.pivots
+    }
+
+    fn newton_steps(&self) -> Option<usize> {
+        self.newton_steps
+    }
+
+    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
+        Workspace::rows(self, contact)
     }
 }

@@ -12,8 +12,8 @@ use super::view::{Search, View};
 use crate::contact::{Answer, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
-use crate::grasp::{Grasp, Site, Twist, Wrench};
-use crate::numerics::{Orthogonal, without};
+use crate::grasp::{Engine, Site, Twist, Wrench};
+use crate::numerics::{Memory, Orthogonal, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
@@ -21,22 +21,9 @@ const OTHER_PATHS: usize = 3;
 /// From this many contacts on Newton's method is tried first.
 const MANY: usize = 32;
 
-/// Memory for equilibria under one load after another, by Lemke's method on lists of contact
-/// states.
-///
-/// After the first scene it allocates nothing for scenes with no more contacts. The first that needs
-/// Lemke's method after others that Newton's has settled is a first scene, too. With thousands of
-/// contacts the thread pool of the feature `parallel` may allocate.
-///
-/// It looks for one equilibrium, in space on the polygonal cone or
-/// [on the round one](Self::on_the_round_cone), and says how exactly it satisfies every condition.
-/// It proves nothing where it finds none. [`Grasp::solve`] knows more ways to one, proofs that there
-/// is none, and the answer as physics.
-///
-/// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the
-/// next one. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
+/// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
-pub struct Workspace<const D: usize, const C: usize> {
+pub(crate) struct Workspace<const D: usize, const C: usize> {
     pub(super) path: Path<D, C>,
     /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the
     /// last scene if only load, commands or friction have changed.
@@ -46,10 +33,9 @@ pub struct Workspace<const D: usize, const C: usize> {
     x: Vec<f64>,
     laws: Vec<Law<C>>,
     drives: Vec<SVector<f64, C>>,
-    cone: PolygonCone,
     polygon: Arc<Polygon<C>>,
-    /// Whether answers are for the round cone.
-    round: bool,
+    /// How it is asked now.
+    pub(super) asked: SearchSettings,
     /// What contacts answer there.
     answers: Vec<Answer<C>>,
     pub(super) solution: Solution<D, C>,
@@ -57,20 +43,22 @@ pub struct Workspace<const D: usize, const C: usize> {
     travelled: SVector<f64, D>,
     /// Steps of Newton's method, if they led to the solution.
     pub(super) newton_steps: Option<usize>,
-    pub(super) twist: Twist<D, C>,
+    pub(super) twist: Twist<C>,
 }
 
-impl<const D: usize, const C: usize> Default for Workspace<D, C> {
-    fn default() -> Self {
-        Self::new(PolygonCone::default())
-    }
+/// What a workspace is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SearchSettings {
+    /// The polygonal cone that answers are for, or that leads to the round one.
+    pub(crate) cone: PolygonCone,
+    /// Whether answers are for the round cone.
+    pub(crate) round: bool,
+    /// Whether Lemke's first path is the only one.
+    pub(crate) one_path: bool,
 }
 
 impl<const D: usize, const C: usize> Workspace<D, C> {
-    /// A workspace without memory yet, for answers on this polygonal cone, which is looked at in
-    /// space only.
-    #[must_use]
-    pub fn new(cone: PolygonCone) -> Self {
+    fn new(asked: SearchSettings) -> Self {
         Self {
             path: Path::default(),
             springs: Vec::new(),
@@ -78,103 +66,18 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             x: Vec::new(),
             laws: Vec::new(),
             drives: Vec::new(),
-            cone,
-            polygon: Polygon::shared(&cone),
-            round: false,
+            polygon: Polygon::shared(&asked.cone),
+            asked,
             answers: Vec::new(),
             solution: Solution::default(),
             travelled: SVector::zeros(),
             newton_steps: None,
-            twist: Twist::from_vector(SVector::zeros()),
+            twist: Twist::ZERO,
         }
     }
 
-    /// A workspace without memory yet, for answers on the round cone: by Newton's method from the
-    /// elastic trial state, else from an equilibrium on the default polygonal cone. In the plane
-    /// there is only one cone.
-    ///
-    /// ```
-    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::structured::{Search, Workspace};
-    ///
-    /// // Four fingers on a ring, 10 N each, μ = 0.5: the round cone carries 20 N upwards whatever the frames.
-    /// let finger = |x: f64, y: f64| {
-    ///     Contact::new([x, y, 0.0], [-x, -y, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0, 0.0])
-    /// };
-    /// let grasp = Grasp::new([finger(1.0, 0.0), finger(0.0, 1.0), finger(-1.0, 0.0), finger(0.0, -1.0)])?;
-    /// let mut workspace = Workspace::on_the_round_cone();
-    /// for up in [0.0, 10.0, 19.9] {
-    ///     let Search::Found(found) = workspace.solve(&grasp, &Wrench::force([0.0, 0.0, up]))? else { panic!("it holds") };
-    ///     assert!(found.residual() < 1e-13);
-    /// }
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn on_the_round_cone() -> Self {
-        Self { round: C == 3, ..Self::default() }
-    }
-
-    /// The polygonal cone that answers are for, or that leads to the round one.
-    #[must_use]
-    pub fn cone(&self) -> PolygonCone {
-        self.cone
-    }
-
-    /// Whether answers are for the round cone.
-    #[must_use]
-    pub fn is_round(&self) -> bool {
-        self.round
-    }
-
-    /// An equilibrium of a grasp under a load on the object. It is found by Newton's method from 32
-    /// contacts on and on the round cone, if that arrives, else along up to four of Lemke's paths from
-    /// the elastic trial state. A step of Newton's method and a pivot cost O(n) with n contacts.
-    ///
-    /// ```
-    /// use grasp_lcp::PolygonCone;
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::structured::{Search, Workspace};
-    ///
-    /// // Eight springs under a block of 16 N, which is pulled sideways: μ = 0.5 holds 8 N.
-    /// let spring = |i: u8| {
-    ///     Contact::new([f64::from(i), 0.0], [0.0, 1.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.002, 0.0])
-    /// };
-    /// let grasp = Grasp::new((0..8).map(spring))?;
-    /// let mut workspace = Workspace::new(PolygonCone::default());
-    /// for pull in 0..8 {
-    ///     let load = Wrench::force_at([f64::from(pull), -16.0], [3.5, 0.0]);
-    ///     let Search::Found(found) = workspace.solve(&grasp, &load)? else { panic!("it holds") };
-    ///     assert!(found.residual() < 1e-14);
-    ///     assert!((found.twist().translation()[0] - f64::from(pull) / 6400.0).abs() < 1e-15);
-    /// }
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn solve(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D, C>) -> Result<Search<'_, D, C>, Error> {
-        self.solve_along(OTHER_PATHS, grasp, load)
-    }
-
-    /// The same along Lemke's first path only, that of the covering vector of ones, whatever the
-    /// number of contacts. On the round cone Newton's method goes on from where it leads.
-    ///
-    /// # Errors
-    /// As for [`Workspace::solve`].
-    pub fn solve_along_one_path(
-        &mut self,
-        grasp: &Grasp<D, C>,
-        load: &Wrench<D, C>,
-    ) -> Result<Search<'_, D, C>, Error> {
-        self.solve_along(0, grasp, load)
-    }
-
-    fn solve_along(
-        &mut self,
-        other_paths: usize,
-        grasp: &Grasp<D, C>,
-        load: &Wrench<D, C>,
-    ) -> Result<Search<'_, D, C>, Error> {
+    fn solve(&mut self, grasp: &Engine<D, C>, load: &Wrench<C>) -> Result<Search<'_, C>, Error> {
+        let other_paths = if self.asked.one_path { 0 } else { OTHER_PATHS };
         let wrench = grasp.load_alone(load, "load")?;
         self.path.pivots = 0;
         self.laws.clear();
@@ -208,7 +111,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
 
     /// Whether an equilibrium is found; `None` if no contact resists the load.
     fn seek(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> Option<bool> {
-        let newton_first = other_paths > 0 && problem.len() >= MANY && !self.round;
+        let newton_first = other_paths > 0 && problem.len() >= MANY && !self.asked.round;
         self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
         if self.newton_steps.is_some() {
             return Some(true);
@@ -216,7 +119,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
         if !self.stick(problem) {
             return None;
         }
-        Some(if self.round {
+        Some(if self.asked.round {
             self.round_off(problem, other_paths)
         } else {
             self.search(problem, other_paths)
@@ -255,7 +158,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     pub(super) fn rows(&self, contact: usize) -> [Option<Row>; 3] {
         let gap = Row::Gap { contact };
         let slip = |facet| Row::Slip { contact, facet };
-        if self.round {
+        if self.asked.round {
             let state = &self.answers[contact].state;
             return [state.is_open().then_some(gap), state.slides().then_some(slip(0)), None];
         }
@@ -310,5 +213,19 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
 
     fn at_rest_along_free_motions(&self, twist: SVector<f64, D>) -> SVector<f64, D> {
         without(twist, &self.factor.null_vectors()[..D - self.factor.rank()])
+    }
+}
+
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Workspace::solve`](crate::ask::Workspace::solve), in the memory that was lent before if this engine has used it.
+    pub(crate) fn search_in<'w>(
+        &self,
+        load: &Wrench<C>,
+        asked: &SearchSettings,
+        memory: &'w mut Memory,
+    ) -> Result<Search<'w, C>, Error> {
+        let workspace = memory.of(|| Workspace::<D, C>::new(*asked));
+        workspace.asked = *asked;
+        workspace.solve(self, load)
     }
 }

@@ -13,7 +13,7 @@ const BLOCKS: usize = 256;
 /// the loads. What `answers` held before is lost; its memory is used again. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
-    pulls: &[Pull<D, C>],
+    pulls: &[Pull<C>],
     answers: &mut Vec<Screened>,
 ) {
     ask(batch, pulls, answers);
@@ -23,7 +23,7 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
 /// turns: [`Batch::turn_onsets_into`] on all cores. Answers come as from [`onsets_of_batch`].
 pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
-    turns: &[TurningPull<D, C>],
+    turns: &[TurningPull<C>],
     answers: &mut Vec<ScreenedTurn>,
 ) {
     ask(batch, turns, answers);
@@ -34,7 +34,7 @@ pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
 /// [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
-    cases: &[LoadCases<D, C>],
+    cases: &[LoadCases<C>],
     answers: &mut Vec<ScreenedSqueeze>,
 ) {
     ask(batch, cases, answers);

@@ -13,7 +13,6 @@ mod robust_onset;
 mod uncertainty;
 
 pub use batch::{least_squeezes_of_batch, onsets_of_batch, turn_onsets_of_batch};
-pub use grasps::{onset_of_each, onset_of_each_with};
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
 pub use robust_onset::{LeaverSpread, OnsetSpread, RobustOnset};

@@ -14,24 +14,24 @@ use super::in_order::map_in_order;
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::Grasp;
+use crate::grasp::Engine;
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 
 /// An onset of sliding with its spread.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct RobustOnset<const D: usize, const C: usize> {
+pub struct RobustOnset<const C: usize> {
     /// The onset of the grasp as it is given.
-    pub onset: Onset<D, C>,
+    pub onset: Onset<C>,
     /// How far it spreads, to first order. `None` where nothing leaves, where the onset has no gradient
-    /// ([`Grasp::onset_gradients`]), and where nothing resists from the onset on.
+    /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), and where nothing resists from the onset on.
     pub spread: Option<OnsetSpread>,
 }
 
 /// How far an onset spreads where the data are not known exactly, to first order.
 ///
 /// That holds where a few σ of each datum change which contact leaves first in no other way than the gradients do. Contacts that leave
-/// little later do not count; [`Grasp::onset_of_samples`] has them. Not a number where a datum leaves no equilibrium when it is off, see
+/// little later do not count; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) has them. Not a number where a datum leaves no equilibrium when it is off, see
 /// [`GeometryGradient`](crate::load_path::GeometryGradient).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -70,47 +70,15 @@ impl OnsetSpread {
     }
 }
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// The onset of sliding with its mean and standard deviation to first order, by the gradients of the onset: samples of a grasp beside
-    /// it are asked for by [`Self::onset_of_samples`].
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::sweep::Uncertainty;
-    ///
-    /// let finger = |x: f64, mu: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(mu).pressed_with(10.0);
-    /// let grasp = Grasp::new([finger(1.0, 0.4), finger(-1.0, 0.6)])?;
-    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    ///
-    /// // The right finger slides at 2 μ N = 8 newtons, in proportion to its friction, which is known to 5 %.
-    /// let robust = grasp.robust_onset(&weight, &Uncertainty::seeded(1).with_friction(0.05))?;
-    /// let spread = robust.spread.expect("slides");
-    /// assert!((spread.deviation.expect("one leaves") - 0.4).abs() < 1e-12);
-    /// assert!((spread.held_with(3.0) - 6.8).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`], and [`Error::NotForHands`] for uncertain positions of a hand's contacts.
-    pub fn robust_onset(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
+    pub(crate) fn robust_onset(
         &self,
-        ramp: &Ramp<D, C>,
-        uncertainty: &Uncertainty,
-    ) -> Result<RobustOnset<D, C>, Error> {
-        self.robust_onset_with(ramp, uncertainty, &Settings::default())
-    }
-
-    /// [`Self::robust_onset`] with other [`Settings`].
-    ///
-    /// # Errors
-    /// As for [`Self::robust_onset`].
-    pub fn robust_onset_with(
-        &self,
-        ramp: &Ramp<D, C>,
+        ramp: &Ramp<C>,
         uncertainty: &Uncertainty,
         settings: &Settings,
-    ) -> Result<RobustOnset<D, C>, Error> {
-        let onset = self.onset_with(ramp, settings)?;
+    ) -> Result<RobustOnset<C>, Error> {
+        let onset = self.onset(ramp, settings)?;
         let spread = match onset.event() {
             Some(event) => self.onset_spread(event, uncertainty)?,
             None => None,
@@ -118,54 +86,20 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         Ok(RobustOnset { onset, spread })
     }
 
-    /// The robust onsets along many ramps, each that of [`Self::robust_onset`], in the order of the ramps: with a ramp for each direction
-    /// of the load a map of how robust the grasp is. The same bits for any number of threads; an error in one does not stop the rest.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    /// use grasp_lcp::sweep::Uncertainty;
-    ///
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
-    /// let grasp = Grasp::new([finger(1.0), finger(-1.0)])?;
-    /// let off = Uncertainty::seeded(1).with_friction(0.1).with_position(0.01);
-    ///
-    /// // Which force holds with three standard deviations in reserve, by direction?
-    /// let towards = |angle: f64| Ramp::load(Wrench::ZERO, Wrench::force([angle.cos(), angle.sin()]));
-    /// let ramps: Vec<_> = (0..36).map(|k| towards(f64::from(k) * 10_f64.to_radians())).collect();
-    /// let map = grasp.robust_onset_each(&ramps, &off);
-    /// for robust in map {
-    ///     let spread = robust?.spread.expect("slides");
-    ///     assert!(spread.held_with(3.0) < spread.factor);
-    /// }
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn robust_onset_each(
+    /// [`Grasp::robust_onset_each`](crate::ask::Grasp::robust_onset_each).
+    pub(crate) fn robust_onset_each(
         &self,
-        ramps: &[Ramp<D, C>],
-        uncertainty: &Uncertainty,
-    ) -> Vec<Result<RobustOnset<D, C>, Error>> {
-        self.robust_onset_each_with(ramps, uncertainty, &Settings::default())
-    }
-
-    /// [`Self::robust_onset_each`] with other [`Settings`].
-    #[must_use]
-    pub fn robust_onset_each_with(
-        &self,
-        ramps: &[Ramp<D, C>],
+        ramps: &[Ramp<C>],
         uncertainty: &Uncertainty,
         settings: &Settings,
-    ) -> Vec<Result<RobustOnset<D, C>, Error>> {
-        map_in_order(ramps, |ramp| self.robust_onset_with(ramp, uncertainty, settings))
+    ) -> Vec<Result<RobustOnset<C>, Error>> {
+        map_in_order(ramps, |ramp| self.robust_onset(ramp, uncertainty, settings))
     }
 
-    /// How far an onset spreads, of a ramp or of a load that turns. `None` where [`Self::onset_gradients`] is empty.
-    ///
-    /// # Errors
-    /// [`Error::NotForHands`] for uncertain positions of a hand's contacts.
-    pub fn onset_spread(
+    /// [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
+    pub(crate) fn onset_spread(
         &self,
-        event: &OnsetEvent<D, C>,
+        event: &OnsetEvent<C>,
         uncertainty: &Uncertainty,
     ) -> Result<Option<OnsetSpread>, Error> {
         if uncertainty.position != 0.0 {
@@ -197,7 +131,7 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
     fn moves(
         &self,
         margins: &OnsetMargins<D, C>,
-        event: &OnsetEvent<D, C>,
+        event: &OnsetEvent<C>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
         let leavers = margins.leavers().count();

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use super::in_order::map_in_order;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Contact, Grasp};
+use crate::grasp::{Contact, Engine};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Draw;
 
@@ -112,7 +112,7 @@ impl Uncertainty {
     }
 
     /// What sample `number` multiplies the load by; [`Ramp::with_load_times`] does. The grasp of
-    /// that sample is [`Grasp::sample`].
+    /// that sample is [`Grasp::sample`](crate::ask::Grasp::sample).
     ///
     /// ```
     /// use grasp_lcp::sweep::Uncertainty;
@@ -139,14 +139,9 @@ fn factor(sigma: f64, draw: &mut Draw) -> f64 {
 /// are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// What the grasp may be, joint springs of a hand included: sample `number` of those with the seed, whatever else is sampled. See
-    /// [`Uncertainty`]. What the load may be is told by [`Uncertainty::load_factor`].
-    ///
-    /// # Errors
-    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
-    /// range (1e50 at most). [`Error::NotForHands`] for uncertain positions of a hand's contacts, whose joints would move them otherwise.
-    pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::sample`](crate::ask::Grasp::sample).
+    pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {
             self.refuse_hands("sample with uncertain positions")?;
         }
@@ -173,35 +168,21 @@ impl<const D: usize, const C: usize> Grasp<D, C> {
         self.with_data(contacts.collect(), |drive| drawn(self.len() + drive).0[1])
     }
 
-    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,
-    /// which are [`Self::sample`] 0, 1, …, each under its own load: the same bits for any number of
-    /// threads. An error in one does not stop the rest.
-    #[must_use]
-    pub fn onset_of_samples(
+    /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
+    pub(crate) fn onset_of_samples(
         &self,
-        ramp: &Ramp<D, C>,
-        uncertainty: &Uncertainty,
-        samples: u64,
-    ) -> Vec<Result<Onset<D, C>, Error>> {
-        self.onset_of_samples_with(ramp, uncertainty, samples, &Settings::default())
-    }
-
-    /// [`Self::onset_of_samples`] with other [`Settings`].
-    #[must_use]
-    pub fn onset_of_samples_with(
-        &self,
-        ramp: &Ramp<D, C>,
+        ramp: &Ramp<C>,
         uncertainty: &Uncertainty,
         samples: u64,
         settings: &Settings,
-    ) -> Vec<Result<Onset<D, C>, Error>> {
+    ) -> Vec<Result<Onset<C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
         map_in_order(&numbers, |number| {
             let sample = self.sample(uncertainty, *number)?;
             if uncertainty.load == 0.0 {
-                return sample.onset_with(ramp, settings);
+                return sample.onset(ramp, settings);
             }
-            sample.onset_with(&ramp.clone().with_load_times(uncertainty.load_factor(*number)), settings)
+            sample.onset(&ramp.clone().with_load_times(uncertainty.load_factor(*number)), settings)
         })
     }
 }

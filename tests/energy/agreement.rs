@@ -9,8 +9,9 @@
 use std::cell::Cell;
 
 use grasp_lcp::Settings;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::{MinimumOutcome, QpOutcome, Unknowns, Verdict};
-use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::grasp::Contact;
 use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
 
@@ -38,7 +39,7 @@ fn grasps<const D: usize, const C: usize>(
 }
 
 /// With both springs of each contact: the series stiffness in a random share.
-fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<D, C> {
+fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<C> {
     Grasp::new(scene.contacts.iter().enumerate().map(|(i, datum)| {
         let share = 0.2 + 0.15 * (i % 5) as f64;
         let contact: Contact<C> = datum.contact();
@@ -77,7 +78,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
     for_all(file!(), CASES, &grasps::<D, C>(counts, decades), |scene| {
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
-        let comparison = grasp.compare_with_minimum_energy(&load).unwrap();
+        let comparison = grasp.energy().compare(&load).unwrap();
         let MinimumOutcome::Minimum(minimum) = &comparison.minimum else { return Ok(()) };
         if !minimum.binding.is_empty() {
             return Ok(());
@@ -91,7 +92,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         let size = largest(&truth);
         raise(&worst.decomposition, apart(&forces, &truth) / size);
 
-        let printed = grasp.printed_qp(&load, &settings.cone).unwrap();
+        let printed = grasp.energy().printed_qp(&load, &settings.cone).unwrap();
         let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
             return Err(TestCaseError::fail("the printed program has a minimum"));
         };
@@ -103,7 +104,10 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
             let u = printed.displacements(&qp.x, i).body_core;
             let frame = datum.frame();
             motion = motion.max((frame * u - minimum.contacts[i].body_core).norm());
-            let twisted = displacement(&datum.point, printed.twist(&qp.x).as_vector());
+            let twisted = displacement(
+                &datum.point,
+                &SVector::<f64, D>::from_column_slice(printed.twist(&qp.x).components()),
+            );
             motion = motion.max((frame.tr_mul(&twisted) - u).norm());
         }
         raise(&worst.printed_motion, motion / difference.displacement_size);
@@ -149,10 +153,10 @@ fn same_minimum<const D: usize, const C: usize>(counts: std::ops::Range<usize>, 
     for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.1), |scene| {
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
-        let outcome = grasp.minimum_energy_with(&load, &settings).unwrap();
-        let printed = grasp.printed_qp(&load, &settings.cone).unwrap();
-        let reduced = grasp.reduced_qp(&load, &settings.cone, Unknowns::TwistAndGaps).unwrap();
-        let twist_only = grasp.reduced_qp(&load, &settings.cone, Unknowns::Twist).unwrap();
+        let outcome = grasp.with(&settings).energy().minimum(&load).unwrap();
+        let printed = grasp.energy().printed_qp(&load, &settings.cone).unwrap();
+        let reduced = grasp.energy().reduced_qp(&load, &settings.cone, Unknowns::TwistAndGaps).unwrap();
+        let twist_only = grasp.energy().reduced_qp(&load, &settings.cone, Unknowns::Twist).unwrap();
         let oracle = interior_point(&printed.program);
         let MinimumOutcome::Minimum(minimum) = &outcome else {
             prop_assert!(!matches!(oracle, Oracle::Minimum(..)), "{outcome:?}");

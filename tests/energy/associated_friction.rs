@@ -54,7 +54,7 @@ fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::
             scene.load = -scene.load;
         }
         let grasp = scene.grasp();
-        let outcome = grasp.associated_friction(&scene.wrench()).unwrap();
+        let outcome = grasp.energy().associated_friction(&scene.wrench()).unwrap();
         let qp = complementary_energy(&scene);
         let oracle = interior_point(&qp);
         let state = match (&outcome, &oracle) {
@@ -82,7 +82,10 @@ fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::
         }
         // The law itself, contact by contact: springs, and a jump that is normal to the cone.
         for (i, (c, datum)) in state.contacts.iter().zip(&scene.contacts).enumerate() {
-            let u = support::scene::displacement(&datum.point, state.twist.as_vector());
+            let u = support::scene::displacement(
+                &datum.point,
+                &SVector::<f64, D>::from_column_slice(state.twist.components()),
+            );
             let stretch = datum.drive() - datum.frame().tr_mul(&u);
             let mut jump = -c.slip;
             jump[0] = c.gap;
@@ -126,7 +129,7 @@ fn spatial() {
 fn it_holds_what_coulomb_friction_does_not() {
     let grasp = support::paper::two_fingers().unwrap();
     for w in [0.13, 0.14, 1.0, 10.0] {
-        let laws = grasp.three_laws(&(support::paper::down() * w)).unwrap();
+        let laws = grasp.energy().three_laws(&(support::paper::down() * w)).unwrap();
         assert!(matches!(laws.comparison.equilibrium, Outcome::NoEquilibrium(ref n)
             if matches!(n.proof, Proof::EveryStateTried { .. })));
         let rest = laws.associated.rest().expect("at rest");
@@ -148,7 +151,7 @@ fn it_holds_what_coulomb_friction_does_not() {
 #[test]
 fn one_answer_while_everything_rolls() {
     let grasp = support::paper::two_fingers().unwrap();
-    let laws = grasp.three_laws(&(support::paper::down() * 0.1)).unwrap();
+    let laws = grasp.energy().three_laws(&(support::paper::down() * 0.1)).unwrap();
     let state = laws.comparison.equilibrium.equilibrium().unwrap();
     let minimum = laws.comparison.minimum.minimum().unwrap();
     let rest = laws.associated.rest().unwrap();

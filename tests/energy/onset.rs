@@ -49,7 +49,7 @@ fn same_onset<const D: usize, const C: usize>(
         let ramp = change.ramp(&scene);
         // Where a contact carries nothing the object may stand in many places, and a contact with friction that hangs open is
         // held by the program's rolling row: the question is about ramps that start from rolling.
-        let base = grasp.solve_with(&scene.wrench(), &settings).unwrap();
+        let base = grasp.with(&settings).solve(&scene.wrench()).unwrap();
         let rolls = base.equilibrium().is_some_and(|e| {
             let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
             e.contacts.iter().all(|c| c.state == ContactState::Rolling && c.force[0] > 1e-9 * most)
@@ -58,9 +58,9 @@ fn same_onset<const D: usize, const C: usize>(
             add(&tally.not_rolling);
             return Ok(());
         }
-        let onset = grasp.onset_with(&ramp, &settings.on_the_polygon()).unwrap();
-        let agreement = grasp.agreement_with_minimum_energy_with(&ramp, &settings).unwrap();
-        let slides = |event: &OnsetEvent<D, C>| {
+        let onset = grasp.with(&settings.on_the_polygon()).onset(&ramp).unwrap();
+        let agreement = grasp.with(&settings).energy().agreement(&ramp).unwrap();
+        let slides = |event: &OnsetEvent<C>| {
             event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))
         };
         match (&onset, &agreement) {
@@ -82,7 +82,7 @@ fn same_onset<const D: usize, const C: usize>(
                 // Just before they agree, just beyond they do not.
                 let at = |tau: f64| {
                     let there = change.at(&scene, tau);
-                    there.grasp().compare_with_minimum_energy(&there.wrench()).unwrap().verdict
+                    there.grasp().energy().compare(&there.wrench()).unwrap().verdict
                 };
                 prop_assert_eq!(at(0.999 * factor), Verdict::Agree);
                 let beyond = at(1.001 * factor + 1e-9);

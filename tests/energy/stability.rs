@@ -5,7 +5,7 @@ use grasp_lcp::energy::{SecondOrderOutcome, StabilityVerdict};
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use grasp_lcp::{Error, spatial};
-use nalgebra::{DMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 use proptest::prelude::*;
 
 use support::random::{Spread, for_all, scene};
@@ -74,7 +74,7 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
         if state.contacts.iter().any(|c| c.state != ContactState::Rolling) {
             return Ok(());
         }
-        let stability = grasp.stability(state);
+        let stability = grasp.energy().stability(state);
         let hessian = stability.hessian();
         let forces: Vec<_> = state.contacts.iter().map(|c| c.force).collect();
         let size = hessian.amax();
@@ -95,8 +95,8 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
         }
         prop_assert!((stability.elastic - elastic).amax() <= 1e-13 * size);
         // The softest motion is an eigenvector in the metric of the motions of the contacts' centroid and their spread.
-        let q = stability.softest.as_vector();
-        let curvature = q.dot(&(hessian * q));
+        let q = DVector::from_column_slice(stability.softest.object.components());
+        let curvature = q.dot(&(hessian * &q));
         prop_assert!((curvature - stability.least_curvature).abs() <= 1e-10 * size);
         Ok(())
     });
@@ -132,7 +132,7 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
     ] {
         let grasp = squeezed(command).unwrap();
         let state = grasp.solve(&Wrench::ZERO).unwrap();
-        let stability = grasp.stability(state.equilibrium().expect("holds"));
+        let stability = grasp.energy().stability(state.equilibrium().expect("holds"));
         assert_eq!(stability.verdict, verdict, "{command}: {stability:?}");
         // 2 k_t r² - 2 N r about the centre; r is the unit in which rotations are counted.
         let curvature = 2.0 * 10.0 - 2.0 * (1000.0 * command) / 0.5;
@@ -142,8 +142,8 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
         if verdict == StabilityVerdict::Unstable {
             assert!((stability.least_curvature - curvature).abs() < 1e-10);
             let motion = stability.softest;
-            assert!(motion.translation().iter().all(|x| x.abs() < 1e-12));
-            assert!((motion.rotation().abs() - 2.0).abs() < 1e-12, "1 / r");
+            assert!(motion.object.translation().iter().all(|x| x.abs() < 1e-12));
+            assert!((motion.object.rotation().abs() - 2.0).abs() < 1e-12, "1 / r");
         }
     }
 }
@@ -163,12 +163,12 @@ fn the_same_grasp_in_space() {
     let look = |command: f64| {
         let grasp = grasp(command);
         let state = grasp.solve(&spatial::Wrench::ZERO).unwrap();
-        grasp.stability(state.equilibrium().expect("holds"))
+        grasp.energy().stability(state.equilibrium().expect("holds"))
     };
     assert_eq!(look(0.001).verdict, StabilityVerdict::Neutral, "turns about x");
     let stability = look(0.02);
     assert_eq!(stability.verdict, StabilityVerdict::Unstable);
-    assert!(stability.softest.rotation()[0].abs() < 1e-9);
+    assert!(stability.softest.object.rotation()[0].abs() < 1e-9);
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn where_something_slides_energy_does_not_decide() {
     let stop = Contact::new([-2.0, 0.0], [1.0, 0.0]).series_stiffness(10.0, 10.0);
     let grasp = Grasp::new([foot(-1.0), foot(1.0), stop]).unwrap();
     let state = grasp.solve(&Wrench::force([-1.0, -1.0])).unwrap();
-    let stability = grasp.stability(state.equilibrium().expect("slides and holds"));
+    let stability = grasp.energy().stability(state.equilibrium().expect("slides and holds"));
     assert_eq!(stability.verdict, StabilityVerdict::Sliding);
 }
 
@@ -206,12 +206,12 @@ fn second_order_equilibrium<const D: usize, const C: usize>(counts: std::ops::Ra
             datum.command *= 0.2;
         }
         let grasp = scene.grasp();
-        let outcome = grasp.second_order_equilibrium(&scene.wrench()).unwrap();
+        let outcome = grasp.energy().second_order(&scene.wrench()).unwrap();
         let SecondOrderOutcome::Equilibrium(state) = outcome else { return Ok(()) };
         if state.states.iter().any(|s| *s != ContactState::Rolling) {
             return Ok(());
         }
-        let q = state.twist.as_vector();
+        let q = SVector::<f64, D>::from_column_slice(state.twist.components());
         let size = state.forces.iter().map(SVector::norm).fold(scene.load.norm(), f64::max);
         for k in 0..D {
             let slope = |h: f64| {
@@ -251,7 +251,7 @@ fn squeezing_softens_the_grasp() {
     let grasp = squeezed(0.002).unwrap();
     let m = 1e-4;
     let load = Wrench::new([0.0, 0.0], m);
-    let outcome = grasp.second_order_equilibrium(&load).unwrap();
+    let outcome = grasp.energy().second_order(&load).unwrap();
     let state = outcome.equilibrium().expect("stable");
     let (first, second) = (m / (2.0 * 10.0 * 0.25), m / (2.0 * (10.0 * 0.25 - 2.0 * 0.5)));
     assert!((state.first_order.twist.rotation() - first).abs() < 1e-15);
@@ -261,11 +261,11 @@ fn squeezing_softens_the_grasp() {
     // Squeezed too hard it comes to rest turned: k_n (a - ½ θ² r) = k_t r.
     let tipped = squeezed(0.02).unwrap();
     let first = tipped.solve(&load).unwrap();
-    assert_eq!(tipped.stability(first.equilibrium().unwrap()).verdict, StabilityVerdict::Unstable);
-    let outcome = tipped.second_order_equilibrium(&load).unwrap();
+    assert_eq!(tipped.energy().stability(first.equilibrium().unwrap()).verdict, StabilityVerdict::Unstable);
+    let outcome = tipped.energy().second_order(&load).unwrap();
     let state = outcome.equilibrium().expect("turned");
     assert!((state.twist.rotation() - 0.06_f64.sqrt()).abs() < 1e-4, "{}", state.twist.rotation());
     assert_eq!(state.stability.verdict, StabilityVerdict::Stable);
     assert!(state.displacement_left_out > 0.1);
-    assert!(grasp.second_order_equilibrium(&Wrench::new([f64::NAN, 0.0], 0.0)).is_err());
+    assert!(grasp.energy().second_order(&Wrench::new([f64::NAN, 0.0], 0.0)).is_err());
 }

@@ -6,7 +6,8 @@
 use std::cell::Cell;
 
 use grasp_lcp::Settings;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -73,16 +74,16 @@ fn ask<const D: usize, const C: usize>(
     loads: [SVector<f64, D>; 2],
     change: Vec<SVector<f64, C>>,
 ) -> Result<usize, TestCaseError> {
-    let Ok(grasp) = Grasp::<D, C>::new(contacts) else { return Ok(0) };
-    let [load, direction] = loads.map(Wrench::from_vector);
+    let Ok(grasp) = Grasp::<C>::new(contacts) else { return Ok(0) };
+    let [load, direction] = loads.map(|w| Wrench::from_components(w.as_slice()));
     let settings = Settings::default().with_most_states(2000);
     let mut answers = Vec::new();
-    if let Ok(outcome) = grasp.solve_with(&load, &settings) {
+    if let Ok(outcome) = grasp.with(&settings).solve(&load) {
         answers.extend(outcome.equilibrium().cloned());
     }
-    answers.extend(grasp.equilibria_with(&load, &settings).unwrap_or_default());
+    answers.extend(grasp.with(&settings).equilibria(&load).unwrap_or_default());
     let ramp = Ramp::load(load, direction).with_commands(change);
-    for onset in [grasp.onset_with(&ramp, &settings), grasp.onset_with(&ramp, &settings.on_the_polygon())] {
+    for onset in [grasp.with(&settings).onset(&ramp), grasp.with(&settings.on_the_polygon()).onset(&ramp)] {
         match onset {
             Ok(Onset::At(event)) => {
                 prop_assert!(event.factor.is_finite() && event.factor >= 0.0, "onset at {}", event.factor);
@@ -94,7 +95,7 @@ fn ask<const D: usize, const C: usize>(
     }
     for e in &answers {
         let parts = grasp.decompose(e);
-        let numbers = e.twist.as_vector().iter().chain([&e.stored_energy]);
+        let numbers = e.twist.components().iter().chain([&e.stored_energy]);
         let per_contact = e
             .contacts
             .iter()

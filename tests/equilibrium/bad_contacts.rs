@@ -6,7 +6,8 @@
 use crate::valid::{
     MODERATE, NOT_FINITE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts,
 };
-use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Contact;
 use grasp_lcp::{ContactLabel, Error, Field, planar, spatial};
 
 const USABLE: &str = "from 1e-50 to 1e50 (give a stiffness, and leave at most one side rigid)";
@@ -18,16 +19,16 @@ fn with<const N: usize>(mut array: [f64; N], at: usize, value: f64) -> [f64; N] 
 }
 
 /// The valid grasp with its second contact broken must be refused for this reason, and its message must say so.
-fn refused<const D: usize, const C: usize>(
+fn refused<const C: usize>(
     mut contacts: Vec<Contact<C>>,
     broken: impl FnOnce(Contact<C>) -> Contact<C>,
     field: Field,
     value: f64,
     allowed: &str,
 ) {
-    assert!(Grasp::<D, C>::new(contacts.clone()).is_ok(), "the unbroken grasp is valid");
+    assert!(Grasp::<C>::new(contacts.clone()).is_ok(), "the unbroken grasp is valid");
     contacts[1] = broken(contacts[1].clone());
-    let error = Grasp::<D, C>::new(contacts).expect_err("the broken grasp is refused");
+    let error = Grasp::<C>::new(contacts).expect_err("the broken grasp is refused");
     match &error {
         Error::Contact { contact, field: named, value: shown, allowed: said } => {
             assert_eq!(*contact, ContactLabel { index: 1, name: Some("thumb".into()) });
@@ -46,7 +47,7 @@ fn refused_in_plane(
     value: f64,
     allowed: &str,
 ) {
-    refused::<3, 2>(planar_contacts(), broken, field, value, allowed);
+    refused::<2>(planar_contacts(), broken, field, value, allowed);
 }
 
 fn refused_in_space(
@@ -55,7 +56,7 @@ fn refused_in_space(
     value: f64,
     allowed: &str,
 ) {
-    refused::<6, 3>(spatial_contacts(), broken, field, value, allowed);
+    refused::<3>(spatial_contacts(), broken, field, value, allowed);
 }
 
 /// The second planar contact at another point and with another normal, everything else as it was.

@@ -87,7 +87,7 @@ fn newton(fingers: &[Finger], load: &SVector<f64, 6>, mut twist: SVector<f64, 6>
 
 /// Whether Newton's method balances the load from any of twenty places.
 fn attack(fingers: &[Finger], load: &Wrench, numbers: &mut Numbers) -> bool {
-    let load = SVector::from(*load.as_vector());
+    let load = SVector::from(load.to_vector());
     (0..20).any(|_| newton(fingers, &load, SVector::from_fn(|_, _| 0.05 * numbers.signed())))
 }
 

@@ -16,10 +16,10 @@ macro_rules! assert_close {
     };
 }
 
-fn hold<const D: usize, const C: usize>(
-    grasp: &grasp::Grasp<D, C>,
-    load: grasp::Wrench<D, C>,
-) -> grasp_lcp::equilibrium::Equilibrium<D, C> {
+fn hold<const C: usize>(
+    grasp: &grasp_lcp::ask::Grasp<C>,
+    load: grasp::Wrench<C>,
+) -> grasp_lcp::equilibrium::Equilibrium<C> {
     let outcome = grasp.solve(&load).expect("valid load");
     outcome.equilibrium().unwrap_or_else(|| panic!("no equilibrium: {outcome:?}")).clone()
 }
@@ -131,7 +131,8 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
             let cone = grasp_lcp::PolygonCone::new(usize::try_from(facets).unwrap(), fit).unwrap();
             let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, direction);
             let factor = grasp
-                .onset_with(&ramp, &Settings::default().with_cone(cone).on_the_polygon())
+                .with(&Settings::default().with_cone(cone).on_the_polygon())
+                .onset(&ramp)
                 .unwrap()
                 .factor()
                 .expect("a rolling base");
@@ -174,7 +175,7 @@ fn spatial_pinch_turns_freely_about_its_line() {
     // A force through the line is carried, half by each, and the answer names the free turn.
     let state = hold(&grasp, spatial::Wrench::force([0.0, 1.0, -2.0]));
     assert_eq!(state.free_motions.len(), 1);
-    let turn = state.free_motions[0].rotation();
+    let turn = state.free_motions[0].object.rotation();
     assert!(turn[0].abs() > 0.5 && turn[1].abs() < TIGHT && turn[2].abs() < TIGHT);
     assert!(state.twist.rotation().iter().all(|r| r.abs() < TIGHT), "least norm: no turn");
     assert_close!(state.contacts[0].force_world[1], -0.5);
@@ -183,7 +184,7 @@ fn spatial_pinch_turns_freely_about_its_line() {
     let outcome = grasp.solve(&spatial::Wrench::new([0.0; 3], [1e-6, 0.0, 0.0])).unwrap();
     let spatial::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
     let spatial::Proof::FreeMotion { motion, work } = none.proof else { panic!("{:?}", none.proof) };
-    assert!(work > 0.0 && motion.rotation()[0] > 0.5);
+    assert!(work > 0.0 && motion.object.rotation()[0] > 0.5);
     // Nor a force that passes beside the line.
     let beside = spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0, 1e-3, 0.0]);
     assert!(matches!(grasp.solve(&beside).unwrap(), spatial::Outcome::NoEquilibrium(_)));
@@ -243,7 +244,7 @@ fn moved_locators_without_a_load_carry_nothing() {
         let bar = planar::Grasp::new(locators).unwrap();
         let state = hold(&bar, planar::Wrench::ZERO);
         let [x, y] = turned([a[2], 0.5 * (a[0] + a[1])]);
-        let twist = state.twist.as_vector();
+        let twist = state.twist.to_vector();
         assert!((twist[0] - x).abs() < 1e-15 && (twist[1] - y).abs() < 1e-15);
         assert!((twist[2] - 0.5 * (a[1] - a[0])).abs() < 1e-15);
         assert!(state.contacts.iter().all(|c| c.force.norm() < 1e-30));

@@ -29,7 +29,7 @@ fn varied<const D: usize, const C: usize>(scene: &Scene<D, C>, noise: &mut Numbe
     Scene { contacts: contacts.collect(), load: vary(&scene.load, noise) }
 }
 
-fn largest_change<const D: usize, const C: usize>(a: &Equilibrium<D, C>, b: &Equilibrium<D, C>) -> f64 {
+fn largest_change<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> f64 {
     a.contacts.iter().zip(&b.contacts).map(|(a, b)| (a.force - b.force).norm()).fold(0.0, f64::max)
 }
 
@@ -53,7 +53,7 @@ fn in_proportion<const D: usize, const C: usize>(count: std::ops::Range<usize>, 
             let outcome = solve(&varied(&scene, &mut noise));
             let Some(other) = outcome.equilibrium() else { return Ok(()) };
             let same = |(a, b): (&_, &_)| std::mem::discriminant(a) == std::mem::discriminant(b);
-            let states = |e: &Equilibrium<D, C>| e.contacts.iter().map(|c| c.state).collect::<Vec<_>>();
+            let states = |e: &Equilibrium<C>| e.contacts.iter().map(|c| c.state).collect::<Vec<_>>();
             if !states(answer).iter().zip(&states(other)).all(same) {
                 return Ok(());
             }

@@ -38,7 +38,7 @@ impl Tally {
     fn check<const D: usize, const C: usize>(&mut self, scene: &Scene<D, C>) -> Result<(), String> {
         let grasp = scene.grasp();
         let settings = Settings::default().with_most_states(2000);
-        let outcome = grasp.solve_with(&scene.wrench(), &settings).map_err(|e| e.to_string())?;
+        let outcome = grasp.with(&settings).solve(&scene.wrench()).map_err(|e| e.to_string())?;
         let Some(answer) = outcome.equilibrium() else {
             self.none += 1;
             return Ok(());
@@ -68,8 +68,8 @@ impl Tally {
     }
 
     /// A state is the true one wherever the answer says that it is told apart.
-    fn states<const D: usize, const C: usize>(
-        answer: &Equilibrium<D, C>,
+    fn states<const C: usize>(
+        answer: &Equilibrium<C>,
         told: &[bool],
         truth: &Truth<C>,
     ) -> Result<(), String> {

@@ -25,7 +25,7 @@ fn stability_counts_the_contacts_that_there_are() -> Result<(), Box<dyn Error>> 
     let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 1.0, 2.0])?);
     let outcome = two.solve(&Wrench::force([0.0, -6.0]))?;
     let stands = outcome.equilibrium().ok_or("the feet stand")?;
-    assert_eq!(three.stability(stands).elastic, two.stability(stands).elastic);
+    assert_eq!(three.energy().stability(stands).elastic, two.energy().stability(stands).elastic);
     Ok(())
 }
 
@@ -35,7 +35,7 @@ fn an_onset_has_no_gradients_in_another_grasp() -> Result<(), Box<dyn Error>> {
     let ramp = Ramp::load(Wrench::force([0.0, -6.0]), Wrench::force([1.0, 0.0]));
     let onset = grasp.onset(&ramp)?;
     let event = onset.event().ok_or("it slides at 3 N")?;
-    assert_eq!(grasp.onset_gradients(event).len(), 2);
-    assert!(on_feet(&[-1.0, 1.0, 2.0])?.onset_gradients(event).is_empty());
+    assert_eq!(grasp.sensitivity().onset_gradients(event).len(), 2);
+    assert!(on_feet(&[-1.0, 1.0, 2.0])?.sensitivity().onset_gradients(event).is_empty());
     Ok(())
 }

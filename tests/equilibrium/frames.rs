@@ -53,7 +53,7 @@ proptest! {
     fn wrenches_and_twists_are_carried(pose in pose(), f in numbers::<3>(5.0), r in numbers::<3>(1.0), q in numbers::<6>(1.0)) {
         let place = pose * Point3::from(r);
         let wrench = Wrench::force_at(f, r).transformed(&pose);
-        prop_assert!(size(wrench.as_vector() - Wrench::force_at(pose.rotation * f, place).as_vector()) < 1e-14 * 30.0);
+        prop_assert!(size(wrench.to_vector() - Wrench::force_at(pose.rotation * f, place).to_vector()) < 1e-14 * 30.0);
 
         let twist = Twist::from_vector(q);
         let moved = Vector3::from(twist.transformed(&pose).displacement_at(place));
@@ -65,9 +65,9 @@ proptest! {
     fn work_is_invariant(pose in pose(), w in numbers::<6>(5.0), q in numbers::<6>(1.0), at in numbers::<3>(1.0)) {
         let (wrench, twist) = (Wrench::from_vector(w), Twist::from_vector(q));
         let work = w.dot(&q);
-        let seen = wrench.transformed(&pose).as_vector().dot(twist.transformed(&pose).as_vector());
+        let seen = wrench.transformed(&pose).to_vector().dot(&twist.transformed(&pose).to_vector());
         prop_assert!((seen - work).abs() < 1e-13);
-        prop_assert!((wrench.about(at).as_vector().dot(twist.about(at).as_vector()) - work).abs() < 1e-13);
+        prop_assert!((wrench.about(at).to_vector().dot(&twist.about(at).to_vector()) - work).abs() < 1e-13);
         // About a point on its line of action a force has no moment.
         let force = [w[0], w[1], w[2]];
         prop_assert!(Vector3::from(Wrench::force_at(force, at).about(at).moment()).amax() < 1e-14);
@@ -85,7 +85,7 @@ proptest! {
             prop_assert!(size(a.force - b.force) < 1e-12);
             prop_assert!(size(pose.rotation * a.force_world - b.force_world) < 1e-12);
         }
-        prop_assert!(size(a.twist.transformed(&pose).as_vector() - b.twist.as_vector()) < 1e-13);
+        prop_assert!(size(a.twist.transformed(&pose).to_vector() - b.twist.to_vector()) < 1e-13);
         let onset = |grasp: &Grasp, load: Wrench| grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("a load").factor();
         let (a, b) = (onset(&here, load).expect("slides"), onset(&there, load.transformed(&pose)).expect("slides"));
         prop_assert!((a - b).abs() < 1e-11 * a, "{a} {b}");
@@ -110,23 +110,23 @@ proptest! {
     #[test]
     fn log_undoes_exp(u in numbers::<3>(1.0), r in numbers::<3>(1.8), small in 0_i32..12) {
         let twist = Twist::new(u, r * 0.1_f64.powi(small));
-        prop_assert!(size(Twist::log(&twist.exp()).as_vector() - twist.as_vector()) < 1e-13);
+        prop_assert!(size(Twist::log(&twist.exp()).to_vector() - twist.to_vector()) < 1e-13);
         let flat = planar::Twist::new([u[0], u[1]], r[2] * 0.1_f64.powi(small));
-        prop_assert!(size(planar::Twist::log(&flat.exp()).as_vector() - flat.as_vector()) < 1e-14);
+        prop_assert!(size(planar::Twist::log(&flat.exp()).to_vector() - flat.to_vector()) < 1e-14);
     }
 
     /// The plane is a slice of space.
     #[test]
     fn the_plane_moves_like_space(p in numbers::<2>(1.0), angle in -PI..PI, a in numbers::<3>(1.0), at in numbers::<2>(1.0)) {
         let (pose, same) = (Isometry2::new(p, angle), Isometry3::new(p.push(0.0), Vector3::z() * angle));
-        let flat = |v: &SVector<f64, 6>| Vector3::new(v[0], v[1], v[5]);
+        let flat = |v: SVector<f64, 6>| Vector3::new(v[0], v[1], v[5]);
         let wrench = planar::Wrench::from_vector(a);
         let in_space = Wrench::new([a[0], a[1], 0.0], [0.0, 0.0, a[2]]);
-        prop_assert!(size(wrench.transformed(&pose).as_vector() - flat(in_space.transformed(&same).as_vector())) < 1e-15);
-        prop_assert!(size(wrench.about(at).as_vector() - flat(in_space.about(at.push(0.0)).as_vector())) < 1e-15);
+        prop_assert!(size(wrench.transformed(&pose).to_vector() - flat(in_space.transformed(&same).to_vector())) < 1e-15);
+        prop_assert!(size(wrench.about(at).to_vector() - flat(in_space.about(at.push(0.0)).to_vector())) < 1e-15);
         let twist = planar::Twist::from_vector(a);
         let in_space = Twist::new([a[0], a[1], 0.0], [0.0, 0.0, a[2]]);
-        prop_assert!(size(twist.transformed(&pose).as_vector() - flat(in_space.transformed(&same).as_vector())) < 1e-15);
+        prop_assert!(size(twist.transformed(&pose).to_vector() - flat(in_space.transformed(&same).to_vector())) < 1e-15);
         let moved = twist.exp() * Point2::from(at) - (in_space.exp() * Point3::from(at.push(0.0))).xy();
         prop_assert!(size(moved) < 1e-14);
     }
@@ -143,7 +143,7 @@ proptest! {
         let load = Wrench::force([0.1, 0.0, -0.2]);
         let (a, b) = (grasp.solve(&load).expect("a load"), moved.solve(&load).expect("a load"));
         let (a, b) = (a.equilibrium().expect("holds"), b.equilibrium().expect("holds"));
-        prop_assert!(size((b.twist - a.twist).as_vector() - q) < 1e-13);
+        prop_assert!(size((b.twist - a.twist).to_vector() - q) < 1e-13);
         for (a, b) in a.contacts.iter().zip(&b.contacts) {
             prop_assert!(size(a.force - b.force) < 1e-11);
         }

@@ -31,7 +31,7 @@ fn settings() -> Settings {
 /// What is compared: forces and displacements of the body at the contacts, coordinate axes.
 type Picture<const C: usize> = Vec<(SVector<f64, C>, SVector<f64, C>)>;
 
-fn picture<const D: usize, const C: usize>(e: &Equilibrium<D, C>) -> Picture<C> {
+fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {
     e.contacts.iter().map(|c| (c.force_world, c.body_core)).collect()
 }
 
@@ -39,7 +39,7 @@ fn picture<const D: usize, const C: usize>(e: &Equilibrium<D, C>) -> Picture<C> 
 /// count only where no free motion leaves them open.
 fn distance<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    e: &Equilibrium<D, C>,
+    e: &Equilibrium<C>,
     other: &Picture<C>,
 ) -> f64 {
     let sizes = scene.sizes(e);
@@ -54,12 +54,12 @@ fn distance<const D: usize, const C: usize>(
 }
 
 /// The equilibrium of a scene if nothing but that one can be the answer, and if it is well-conditioned.
-fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibrium<D, C>> {
+fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibrium<C>> {
     let grasp = scene.grasp();
-    let outcome = grasp.solve_with(&scene.wrench(), &settings()).expect("a finite load");
+    let outcome = grasp.with(&settings()).solve(&scene.wrench()).expect("a finite load");
     let e = outcome.equilibrium()?;
     if e.rule != Rung::EverythingRolls {
-        let all = grasp.equilibria_with(&scene.wrench(), &settings()).ok()?;
+        let all = grasp.with(&settings()).equilibria(&scene.wrench()).ok()?;
         if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
             return None;
         }
@@ -100,8 +100,8 @@ fn jittered<const D: usize, const C: usize>(scene: &Scene<D, C>, phase: f64) -> 
     near
 }
 
-fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibrium<D, C>, TestCaseError> {
-    match scene.grasp().solve_with(&scene.wrench(), &settings()).expect("a finite load") {
+fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibrium<C>, TestCaseError> {
+    match scene.grasp().with(&settings()).solve(&scene.wrench()).expect("a finite load") {
         Outcome::Equilibrium(e) => Ok(*e),
         other => Err(TestCaseError::fail(format!("no equilibrium any more: {other:?}"))),
     }
@@ -116,7 +116,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn count<const D: usize, const C: usize>(&self, e: &Equilibrium<D, C>) {
+    fn count<const C: usize>(&self, e: &Equilibrium<C>) {
         let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
         add(&self.compared, true);
         add(&self.sliding, e.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. })));
@@ -192,13 +192,13 @@ fn check_split<const D: usize, const C: usize>(
 /// must still be one of all, and must be returned where it is the only one or where everything that can touch rolls.
 fn not_felt<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    e: &Equilibrium<D, C>,
+    e: &Equilibrium<C>,
     changed: &Scene<D, C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    let off = |other: &Equilibrium<D, C>| distance(scene, e, &picture(other));
+    let off = |other: &Equilibrium<C>| distance(scene, e, &picture(other));
     let mut alone = false;
-    if let Ok(all) = changed.grasp().equilibria_with(&changed.wrench(), &settings()) {
+    if let Ok(all) = changed.grasp().with(&settings()).equilibria(&changed.wrench()) {
         prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
         alone = all.len() == 1;
     }

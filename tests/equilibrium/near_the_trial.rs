@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 
-fn at_rest(contacts: [Contact; 3]) -> Equilibrium<6, 3> {
+fn at_rest(contacts: [Contact; 3]) -> Equilibrium<3> {
     let grasp = Grasp::new(contacts).unwrap();
     let outcome = grasp.solve(&Wrench::ZERO).unwrap();
     let answer = outcome.equilibrium().unwrap_or_else(|| panic!("{outcome:?}")).clone();

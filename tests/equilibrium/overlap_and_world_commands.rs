@@ -1,7 +1,8 @@
 //! Contacts as collision libraries and motion planners report them: with a depth instead of a command, and with
 //! displacements along the coordinate axes.
 
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Leg, Ramp};
 use grasp_lcp::nalgebra::{Isometry3, SVector, Vector3};
 use grasp_lcp::{Settings, planar, screening, spatial};
@@ -47,7 +48,7 @@ fn an_overlap_presses_in_space() {
 }
 
 /// All engines see command less clearance: an overlap is a command of that size, to the bit.
-fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>; 3], down: Wrench<D, C>) {
+fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>; 3], down: Wrench<C>) {
     let depth = 0.004;
     let mut command = [0.0; C];
     command[0] = depth;
@@ -63,7 +64,7 @@ fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>;
         let outcome = grasp.solve(&down).unwrap();
         let state = outcome.equilibrium().expect("holds");
         let ramp = Ramp::load(Wrench::ZERO, down);
-        let factor = grasp.onset_with(&ramp, &settings).unwrap().factor();
+        let factor = grasp.with(&settings).onset(&ramp).unwrap().factor();
         let events = grasp.follow(&Wrench::ZERO, &[Leg::load_by(down * 50.0)]).unwrap().run();
         let forces: Vec<_> = state.contacts.iter().map(|contact| contact.force).collect();
         let fractions: Vec<_> = events.iter().map(|event| event.fraction).collect();
@@ -84,7 +85,7 @@ fn an_overlap_is_a_command_in_the_plane() {
         let [x, y] = around(degrees);
         planar::Contact::new([x, y], [-x, -y]).series_stiffness(1e3, 7e2).friction(0.5)
     };
-    an_overlap_is_a_command([0.0, 100.0, 230.0].map(finger), planar::Wrench::force([0.1, -1.0]));
+    an_overlap_is_a_command::<3, 2>([0.0, 100.0, 230.0].map(finger), planar::Wrench::force([0.1, -1.0]));
 }
 
 fn spatial_fingers() -> [spatial::Contact; 3] {
@@ -96,7 +97,7 @@ fn spatial_fingers() -> [spatial::Contact; 3] {
 
 #[test]
 fn an_overlap_is_a_command_in_space() {
-    an_overlap_is_a_command(spatial_fingers(), spatial::Wrench::force([0.1, 0.0, -1.0]));
+    an_overlap_is_a_command::<6, 3>(spatial_fingers(), spatial::Wrench::force([0.1, 0.0, -1.0]));
 }
 
 /// Given along the coordinate axes, before or after the tangent, a command is the same displacement; frames and patches

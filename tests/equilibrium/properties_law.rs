@@ -39,7 +39,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn count<const D: usize, const C: usize>(&mut self, e: &Equilibrium<D, C>) {
+    fn count<const C: usize>(&mut self, e: &Equilibrium<C>) {
         let size = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
         let any = |what: &dyn Fn(usize) -> bool| u32::from((0..e.contacts.len()).any(what));
         self.equilibria += 1;
@@ -124,7 +124,7 @@ fn check_minimum<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     // Only the first rung of the ladder is looked at here. Long searches on the last rung would say nothing about it.
     let settings = Settings::default().with_most_states(0);
-    let outcome = scene.grasp().solve_with(&scene.wrench(), &settings).expect("a finite load");
+    let outcome = scene.grasp().with(&settings).solve(&scene.wrench()).expect("a finite load");
     let expected = rolling::forces(scene);
     if let (Outcome::NoEquilibrium(NoEquilibrium { proof: Proof::FreeMotion { .. }, .. }), None) =
         (&outcome, &expected)

@@ -147,7 +147,7 @@ fn the_choice_of_tangents_changes_nothing() {
             let outcome = grasp.solve(&load).unwrap();
             let state = outcome.equilibrium().expect("within friction").clone();
             assert!(state.contacts.iter().all(|c| c.state == ContactState::Rolling));
-            *state.twist.as_vector()
+            state.twist.to_vector()
         };
         let grasp = with_tangent(0.0);
         let first = twist(&grasp);

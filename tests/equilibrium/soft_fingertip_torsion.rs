@@ -34,7 +34,7 @@ fn a_pinch_no_longer_turns_freely() {
         let pushed = grasp.solve(&push).unwrap();
         let pushed = pushed.equilibrium().expect("within friction");
         assert!(pushed.free_motions.is_empty());
-        let (a, b) = (pushed.twist.as_vector(), by_points.twist.as_vector());
+        let (a, b) = (pushed.twist.to_vector(), by_points.twist.to_vector());
         assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "as stiff as one contact: {a} {b}");
         let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
@@ -160,7 +160,7 @@ fn limit_between_polygons() {
     let inside = (PI / 8.0).cos();
     let holds = |moment: f64, fit: Fit| {
         let settings = Settings::default().on_the_polygon().with_cone(PolygonCone::new(8, fit).unwrap());
-        grasp.solve_with(&spin(moment), &settings).unwrap().equilibrium().is_some()
+        grasp.with(&settings).solve(&spin(moment)).unwrap().equilibrium().is_some()
     };
     assert!(holds(limit * inside * (1.0 - 1e-9), Fit::Inscribed));
     assert!(!holds(limit * (1.0 + 1e-9), Fit::Inscribed));

@@ -2,7 +2,8 @@
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon, Wrench};
+use grasp_lcp::planar::Wrench;
+use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::spatial::hand as spatial;
 use grasp_lcp::{Error, Limit};
 
@@ -15,7 +16,7 @@ fn jaw() -> Joint {
 }
 
 fn refused(hand: Hand) -> String {
-    hand.grasp::<8>().expect_err("malformed").to_string()
+    hand.grasp().expect_err("malformed").to_string()
 }
 
 fn of_joint(joint: Joint) -> String {
@@ -58,7 +59,7 @@ fn numbers_of_joints_are_named() {
     let axis = spatial::Joint::revolute([0.0; 3], [0.0, f64::NAN, 0.0]).stiffness(1.0);
     let contact =
         grasp_lcp::spatial::Contact::new([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).series_stiffness(1.0, 1.0);
-    let error = spatial::Hand::new([spatial::Finger::new([axis]).contact(contact)]).grasp::<8>().unwrap_err();
+    let error = spatial::Hand::new([spatial::Finger::new([axis]).contact(contact)]).grasp().unwrap_err();
     assert_eq!(error.to_string(), "joint 0: axis is NaN, must be of positive, finite length");
 }
 
@@ -67,7 +68,7 @@ fn matrices_say_their_eigenvalue() {
     let coupled = |entries: [f64; 4]| {
         let finger =
             Finger::new([jaw(), jaw()]).coupled(DMatrix::from_row_slice(2, 2, &entries)).contact(pad());
-        Hand::new([finger]).grasp::<8>().expect_err("malformed")
+        Hand::new([finger]).grasp().expect_err("malformed")
     };
     let Error::Matrix { value, .. } = coupled([1.0, 2.0, 2.0, 1.0]) else { panic!() };
     assert!((value + 1.0).abs() < 1e-14);
@@ -77,7 +78,7 @@ fn matrices_say_their_eigenvalue() {
     );
     let compliant = |entries: [f64; 4]| Finger::compliant([pad()], DMatrix::from_row_slice(2, 2, &entries));
     let Err(Error::Matrix { field: "compliance", value, .. }) =
-        Hand::new([compliant([1.0, 1.0, 1.0, 1.0])]).grasp::<8>()
+        Hand::new([compliant([1.0, 1.0, 1.0, 1.0])]).grasp()
     else {
         panic!()
     };
@@ -101,11 +102,7 @@ fn tendons_commands_and_coordinates_are_named() {
     );
     let slips = Tendon::new([1.0]).name("flexor").stiffness(1.0).limit(Limit::Slips(1.0));
     assert!(refused(hand().tendon(slips)).starts_with("tendon 0 (flexor): limit is"));
-    assert_eq!(
-        hand().grasp::<3>().unwrap_err().to_string(),
-        "a grasp in 3 coordinates, must be at least 4: the object's, and those of the hand"
-    );
-    let grasp = hand().grasp::<4>().unwrap();
+    let grasp = hand().grasp().unwrap();
     assert_eq!(
         grasp.clone().with_joint_commands(&[0.0, 1.0]).unwrap_err().to_string(),
         "joint commands: 2 given, must be 1, one a joint and one a tendon"
@@ -115,10 +112,7 @@ fn tendons_commands_and_coordinates_are_named() {
         grasp.follow_patch(&Wrench::ZERO, &[]),
         Err(Error::NotForHands { question: "follow_patch" })
     ));
-    assert!(matches!(
-        Hand::new([]).grasp::<8>() as Result<grasp_lcp::planar::hand::Grasp<8>, _>,
-        Err(Error::EmptyGrasp)
-    ));
+    assert!(matches!(Hand::new([]).grasp() as Result<grasp_lcp::planar::Grasp, _>, Err(Error::EmptyGrasp)));
     let link = Finger::new([jaw()]).contact_on(2, pad());
     assert_eq!(
         refused(Hand::new([link])),

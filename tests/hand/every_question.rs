@@ -1,15 +1,16 @@
 //! Every question is answered for a hand, or refused by name; none panics.
 
+use grasp_lcp::ask::Workspace;
 use grasp_lcp::energy::{MinimumOutcome, StabilityVerdict, Unknowns};
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Leg, Ramp, Tendon, Turn, Wrench};
+use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
+use grasp_lcp::planar::{Grasp, Leg, Ramp, Turn, Wrench};
 use grasp_lcp::squeeze::{Bounds, Loads};
-use grasp_lcp::structured::Workspace;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, Limit, PolygonCone};
 
-fn hand(limit: Option<Limit>) -> Grasp<11> {
+fn hand(limit: Option<Limit>) -> Grasp {
     let finger = |x: f64| {
         let joint = |p: [f64; 2]| {
             let joint = Joint::revolute(p).stiffness(30.0);
@@ -35,7 +36,9 @@ fn nothing_panics_and_what_agrees_agrees() {
         let ramp = Ramp::load(Wrench::ZERO, load);
 
         // Where everything rolls the paper's minimum of energy is the equilibrium, joints included.
-        let MinimumOutcome::Minimum(minimum) = grasp.minimum_energy(&load).expect("a load") else { panic!() };
+        let MinimumOutcome::Minimum(minimum) = grasp.energy().minimum(&load).expect("a load") else {
+            panic!()
+        };
         for (a, b) in minimum.contacts.iter().zip(&held.contacts) {
             assert!((a.force - b.force).norm() < 1e-12);
         }
@@ -45,17 +48,17 @@ fn nothing_panics_and_what_agrees_agrees() {
             minimum.stored_energy,
             held.stored_energy
         );
-        grasp.compare_with_minimum_energy(&load).expect("a load");
-        grasp.agreement_with_minimum_energy(&ramp).expect("a ramp");
+        grasp.energy().compare(&load).expect("a load");
+        grasp.energy().agreement(&ramp).expect("a ramp");
         let refused = |error: Option<Error>| {
             assert!(matches!(error, None | Some(Error::NotForHands { .. })), "{error:?}");
         };
-        refused(grasp.associated_friction(&load).err());
-        refused(grasp.second_order_equilibrium(&load).err());
-        refused(grasp.three_laws(&load).err());
-        refused(grasp.printed_qp(&load, &PolygonCone::default()).err());
-        refused(grasp.reduced_qp(&load, &PolygonCone::default(), Unknowns::Twist).err());
-        let stability = grasp.stability(held);
+        refused(grasp.energy().associated_friction(&load).err());
+        refused(grasp.energy().second_order(&load).err());
+        refused(grasp.energy().three_laws(&load).err());
+        refused(grasp.energy().printed_qp(&load, &PolygonCone::default()).err());
+        refused(grasp.energy().reduced_qp(&load, &PolygonCone::default(), Unknowns::Twist).err());
+        let stability = grasp.energy().stability(held);
         assert_eq!(stability.verdict, StabilityVerdict::Stable);
 
         let split = grasp.decompose(held);
@@ -76,7 +79,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         let event = onset.event().expect("slides");
         assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
         grasp.beyond(event).expect("its own");
-        assert!(!grasp.onset_gradients(event).is_empty());
+        assert!(!grasp.sensitivity().onset_gradients(event).is_empty());
         // A load that turns along a line goes as far as the ramp.
         let straight = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads").factor().expect("rolls");
         let most = 1.5 * straight;
@@ -84,7 +87,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
         refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
-        refused(grasp.onset_gradients_by_geometry(event).err());
+        refused(grasp.sensitivity().onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         grasp.reserve(&ramp, 50.0).expect("a ramp");
         grasp.rolling_range(&ramp).expect("a ramp");
@@ -94,8 +97,8 @@ fn nothing_panics_and_what_agrees_agrees() {
         path.run();
         let _ = path.beyond();
         refused(grasp.follow_patch(&Wrench::ZERO, &[]).err());
-        assert_eq!(grasp.response(held).expect("regular").forces.shape(), (4, 4));
-        assert_eq!(grasp.joint_response(held).expect("regular").forces.nrows(), 4);
+        assert_eq!(grasp.sensitivity().response(held).expect("regular").forces.shape(), (4, 4));
+        assert_eq!(grasp.sensitivity().joint_response(held).expect("regular").forces.nrows(), 4);
         for outcome in grasp.solve_each(&[load, load * 2.0]) {
             outcome.expect("a load");
         }

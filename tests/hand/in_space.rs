@@ -3,7 +3,8 @@
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::nalgebra::{DMatrix, Vector3};
 use grasp_lcp::spatial::Contact;
-use grasp_lcp::spatial::hand::{Finger, Grasp, Hand, Joint, Wrench};
+use grasp_lcp::spatial::hand::{Finger, Hand, Joint};
+use grasp_lcp::spatial::{Grasp, Wrench};
 use support::dyadic::{Dyadic, solve};
 use support::numbers::Numbers;
 
@@ -51,7 +52,7 @@ fn tips(count: usize, ratio: f64, numbers: &mut Numbers) -> Vec<Tip> {
     (0..count).map(|k| tip(k, numbers)).collect()
 }
 
-fn grasp(tips: &[Tip]) -> Grasp<26> {
+fn grasp(tips: &[Tip]) -> Grasp {
     let finger = |tip: &Tip| {
         let joints =
             tip.stiffness.iter().zip(tip.commands).map(|(k, c)| Joint::given().stiffness(*k).command(c));
@@ -77,7 +78,7 @@ struct Rolling {
 }
 
 impl Rolling {
-    fn new(tips: &[Tip], grasp: &Grasp<26>) -> Self {
+    fn new(tips: &[Tip], grasp: &Grasp) -> Self {
         let n = 6 + JOINTS * tips.len();
         let mut matrix = vec![vec![Dyadic::zero(); n]; n];
         let (mut rows, mut stiffnesses) = (Vec::new(), Vec::new());
@@ -118,9 +119,10 @@ impl Rolling {
     }
 
     /// Forces under a load, with commands if they count.
-    fn forces(&self, tips: &[Tip], load: &Wrench<26>, commanded: bool) -> Vec<[Dyadic; 3]> {
+    fn forces(&self, tips: &[Tip], load: &Wrench, commanded: bool) -> Vec<[Dyadic; 3]> {
         let n = self.matrix.len();
-        let mut side: Vec<Dyadic> = (0..n).map(|k| d(load.as_vector()[k])).collect();
+        let mut side: Vec<Dyadic> =
+            (0..n).map(|k| d(load.components().get(k).copied().unwrap_or(0.0))).collect();
         if commanded {
             for (i, tip) in tips.iter().enumerate() {
                 let push = &d(self.k[i][0]) * &d(tip.command);

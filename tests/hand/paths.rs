@@ -1,28 +1,27 @@
 //! Load paths of hands: their events against small steps at rest from state to state, in the plane and in space.
 
 use grasp_lcp::Limit;
-use grasp_lcp::planar::hand as planar;
-use grasp_lcp::spatial::hand as spatial;
+use grasp_lcp::{planar, spatial};
 use support::numbers::Numbers;
 
 /// A planar hand of two fingers of two joints.
-fn plane(numbers: &mut Numbers, limit: fn(f64) -> Limit) -> planar::Grasp<11> {
+fn plane(numbers: &mut Numbers, limit: fn(f64) -> Limit) -> planar::Grasp {
     let mut finger = |x: f64| {
         let mut joint = |px: f64, py: f64, bound: f64| {
             let point = [x * (px + 0.2 * numbers.part()), py + 0.2 * numbers.signed()];
-            planar::Joint::revolute(point)
+            planar::hand::Joint::revolute(point)
                 .stiffness(40.0 + 30.0 * numbers.part())
                 .limit(limit(bound * (1.0 + 0.4 * numbers.part())))
         };
         let joints = [joint(1.3, -1.0, 3.3), joint(1.2, 0.4, 1.5)];
         let normal = [-x, 0.2 * numbers.signed()];
-        let pad = grasp_lcp::planar::Contact::new([x, 0.2 * numbers.signed()], normal)
+        let pad = planar::Contact::new([x, 0.2 * numbers.signed()], normal)
             .series_stiffness(2e3, 1.5e3)
             .friction(0.9 + 0.4 * numbers.part())
             .pressed_with(3.0);
-        planar::Finger::new(joints).contact(pad)
+        planar::hand::Finger::new(joints).contact(pad)
     };
-    planar::Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed")
+    planar::hand::Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed")
 }
 
 /// Saturating drives remember nothing, so where no contact has slid a path passes through equilibria at rest: after every event the state on the path is the one
@@ -111,19 +110,19 @@ fn in_space_every_state_on_the_way_is_an_equilibrium() {
             let mut joint = |height: f64, bound: f64| {
                 let point = [1.3 * cos, 1.3 * sin, height + 0.1 * numbers.signed()];
                 let axis = [sin + 0.1 * numbers.signed(), -cos, 0.1 * numbers.signed()];
-                spatial::Joint::revolute(point, axis)
+                spatial::hand::Joint::revolute(point, axis)
                     .stiffness(60.0)
                     .limit(limit(bound * (1.0 + numbers.part())))
             };
             let joints = [joint(-1.0, 3.6), joint(-0.4, 1.8)];
-            let pad = grasp_lcp::spatial::Contact::new([cos, sin, 0.1 * numbers.signed()], [-cos, -sin, 0.1])
+            let pad = spatial::Contact::new([cos, sin, 0.1 * numbers.signed()], [-cos, -sin, 0.1])
                 .series_stiffness(2e3, 1.5e3)
                 .friction(0.5)
                 .pressed_with(3.0);
-            spatial::Finger::new(joints).contact(pad)
+            spatial::hand::Finger::new(joints).contact(pad)
         };
-        let grasp: spatial::Grasp<18> =
-            spatial::Hand::new((0..3).map(&mut finger)).grasp().expect("well posed");
+        let grasp: spatial::Grasp =
+            spatial::hand::Hand::new((0..3).map(&mut finger)).grasp().expect("well posed");
         let load = spatial::Wrench::force(numbers.three().map(|f| 12.0 * f));
         let mut path = grasp.follow(&spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).expect("a load");
         let events = path.run();

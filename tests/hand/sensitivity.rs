@@ -3,14 +3,15 @@
 use grasp_lcp::Limit;
 use grasp_lcp::load_path::{Leaver, Parameter};
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{DriveState, Finger, Grasp, Hand, HandPart, Joint, Ramp, Tendon, Wrench};
+use grasp_lcp::planar::hand::{DriveState, Finger, Hand, HandPart, Joint, Tendon};
+use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 
 /// Data of the joints, one list: commands, stiffnesses and limits of two joints and a tendon.
 type Data = [[f64; 3]; 3];
 
 const DATA: Data = [[0.10, 0.16, 0.09], [90.0, 70.0, 9e2], [3.0, 40.0, 80.0]];
 
-fn grasp(data: &Data, limit: fn(f64) -> Limit) -> Grasp<9> {
+fn grasp(data: &Data, limit: fn(f64) -> Limit) -> Grasp {
     let [commands, stiffness, limits] = data;
     let joint = |k: usize, point: [f64; 2]| {
         Joint::revolute(point).stiffness(stiffness[k]).command(commands[k]).limit(limit(limits[k]))
@@ -25,7 +26,7 @@ fn grasp(data: &Data, limit: fn(f64) -> Limit) -> Grasp<9> {
 }
 
 /// Forces and joint displacements.
-fn answer(grasp: &Grasp<9>, load: &Wrench<9>) -> Vec<f64> {
+fn answer(grasp: &Grasp, load: &Wrench) -> Vec<f64> {
     let outcome = grasp.solve(load).expect("a load");
     let held = outcome.equilibrium().expect("holds");
     let forces = held.contacts.iter().flat_map(|c| [c.force[0], c.force[1]]);
@@ -57,9 +58,9 @@ fn derivatives_are_those_of_small_changes() {
                     1 => Parameter::JointStiffness { joint },
                     _ => Parameter::JointLimit { joint },
                 };
-                let derivative = base.sensitivity(held, by).expect("regular");
+                let derivative = base.sensitivity().of(held, by).expect("regular");
                 let forces = derivative.forces.iter().flat_map(|f| [f[0], f[1]]);
-                let told: Vec<f64> = forces.chain(derivative.twist.joints()[..2].iter().copied()).collect();
+                let told: Vec<f64> = forces.chain(derivative.joints[..2].iter().copied()).collect();
                 for (k, told) in told.iter().enumerate() {
                     let measured = (there[k] - back[k]) / (2.0 * step);
                     let size = (there[k].abs() + back[k].abs()) / value;
@@ -79,7 +80,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
     let onset = |data: &Data| grasp(data, Limit::Slips).onset(&ramp).expect("a ramp");
     let event = onset(&data);
     let event = event.event().expect("leaves");
-    let gradient = &grasp(&data, Limit::Slips).onset_gradients(event)[0];
+    let gradient = &grasp(&data, Limit::Slips).sensitivity().onset_gradients(event)[0];
     assert_eq!(gradient.leaving, Leaver::Drive(HandPart::Joint(0)));
     for kind in 0..3 {
         for joint in 0..3 {
@@ -99,7 +100,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
 }
 
 /// Fingers of this hand with the frame of one contact turned: its joints move the contact point as before.
-fn tilted(phi: f64) -> Grasp<5> {
+fn tilted(phi: f64) -> Grasp {
     let (sin, cos) = phi.sin_cos();
     let jaw = |x: f64, normal: [f64; 2]| {
         let pad = Contact::new([x, 0.1 * x], normal).series_stiffness(4e3, 3e3).friction(0.6);
@@ -123,15 +124,15 @@ fn normals_of_a_hand_tilt_with_their_frames() {
     let outcome = base.solve(&load).expect("a load");
     let held = outcome.equilibrium().expect("holds");
     let derivative =
-        base.sensitivity(held, Parameter::Normal { contact: 0, axis: 1 }).expect("a regular piece");
+        base.sensitivity().of(held, Parameter::Normal { contact: 0, axis: 1 }).expect("a regular piece");
     let forces = derivative.forces.iter().flat_map(|f| [f[0], f[1]]);
-    let told: Vec<f64> = forces.chain(derivative.twist.joints()[..2].iter().copied()).collect();
+    let told: Vec<f64> = forces.chain(derivative.joints[..2].iter().copied()).collect();
     let (there, back) = (answer(1e-6), answer(-1e-6));
     for (k, told) in told.iter().enumerate() {
         let measured = (there[k] - back[k]) / 2e-6;
         assert!((told - measured).abs() < 1e-6 * (1.0 + measured.abs()), "{k}: {told} {measured}");
     }
-    assert!(base.sensitivity(held, Parameter::Point { contact: 0, axis: 0 }).is_none());
+    assert!(base.sensitivity().of(held, Parameter::Point { contact: 0, axis: 0 }).is_none());
 }
 
 /// First order and samples agree on the springs of joints, and positions are refused by name.

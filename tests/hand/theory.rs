@@ -4,7 +4,8 @@ use grasp_lcp::PolygonCone;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::nalgebra::{DMatrix, DVector};
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Wrench};
+use grasp_lcp::planar::hand::{Finger, Hand};
+use grasp_lcp::planar::{Grasp, Wrench};
 use support::numbers::Numbers;
 
 /// A compliance matrix, positive definite.
@@ -14,7 +15,7 @@ fn compliance(size: usize, numbers: &mut Numbers) -> DMatrix<f64> {
 }
 
 /// One contact on a body that stands still.
-fn one(c: [f64; 3], mu: f64, command: [f64; 2]) -> Grasp<5> {
+fn one(c: [f64; 3], mu: f64, command: [f64; 2]) -> Grasp {
     let contact = Contact::new([0.0, 0.0], [1.0, 0.0]).friction(mu).command(command);
     let finger = Finger::compliant([contact], DMatrix::from_row_slice(2, 2, &[c[0], c[1], c[1], c[2]]));
     let bond = |x: f64| Finger::fixed(Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e9, 1e9).bonded());
@@ -56,7 +57,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
                 .command([0.5 + numbers.part(), numbers.signed()]);
             Finger::compliant([contact], matrix)
         };
-        let grasp: Grasp<7> = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
+        let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
         let load = Wrench::new([0.2 * numbers.signed(), 0.2 * numbers.signed()], 0.1 * numbers.signed());
         let all = grasp.equilibria(&load).expect("few states");
         several += usize::from(all.len() > 1);
@@ -81,7 +82,7 @@ fn the_force_form_stays_copositive() {
         let contacts = [[-1.0, 0.2], [1.0, -0.1], [0.3, 1.0]].map(|[x, y]| {
             Contact::new([x, y], [-x, -y]).friction(0.2 + numbers.part()).command([1.0, numbers.signed()])
         });
-        let grasp: Grasp<9> = Hand::new([Finger::compliant(contacts, compliance(6, &mut numbers))])
+        let grasp: Grasp = Hand::new([Finger::compliant(contacts, compliance(6, &mut numbers))])
             .grasp()
             .expect("well posed");
         let Some(form) =
@@ -113,7 +114,7 @@ fn held_loads_need_not_include_zero() {
                 .command([1.0, numbers.signed()]);
             Finger::compliant([contact], compliance(2, &mut numbers))
         };
-        let grasp: Grasp<7> = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
+        let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
         let holds = |load: f64| {
             let outcome = grasp.solve(&Wrench::force([0.0, load])).expect("a load");
             outcome.equilibrium().is_some_and(|e| e.contacts.iter().any(|c| c.normal_force() > 1e-3))

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use grasp_lcp::Limit;
 use grasp_lcp::load_path::Leaver;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Wrench};
+use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::squeeze::WeakestDirection;
 
-fn hand(limit: Option<Limit>) -> Grasp<11> {
+fn hand(limit: Option<Limit>) -> Grasp {
     let finger = |x: f64| {
         let joint = |p: [f64; 2]| {
             let joint = Joint::revolute(p).stiffness(30.0);

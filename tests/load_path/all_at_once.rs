@@ -33,9 +33,9 @@ fn rows(count: u32) -> planar::Grasp {
     planar::Grasp::new((0..count).map(spring)).expect("valid rows")
 }
 
-fn ends_at_the_limit<const D: usize, const C: usize>(
-    grasp: &grasp_lcp::grasp::Grasp<D, C>,
-    limit: grasp_lcp::grasp::Wrench<D, C>,
+fn ends_at_the_limit<const C: usize>(
+    grasp: &grasp_lcp::ask::Grasp<C>,
+    limit: grasp_lcp::grasp::Wrench<C>,
     asks_beyond: bool,
 ) {
     let nothing = grasp_lcp::grasp::Wrench::ZERO;

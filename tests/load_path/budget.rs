@@ -24,7 +24,8 @@ fn a_path_stops_where_its_steps_are_used_up() {
     let (grasp, load) = (glass(), Wrench::force([4.0, 1.0, -30.0]));
     let followed = |most_steps: usize| {
         let settings = Settings::default().with_most_steps(most_steps);
-        let mut path = grasp.follow_with(&Wrench::ZERO, &[Leg::load_to(load)], &settings).unwrap();
+        let asked = grasp.with(&settings);
+        let mut path = asked.follow(&Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
         let events = path.run().len();
         (path.end().unwrap().clone(), events)
     };
@@ -49,7 +50,7 @@ fn a_path_stops_where_its_steps_are_used_up() {
 fn a_reserve_without_steps_is_a_lower_bound() {
     let (grasp, ramp) = (glass(), Ramp::load(Wrench::ZERO, Wrench::force([4.0, 1.0, -30.0])));
     let whole = grasp.reserve(&ramp, 1.0).unwrap();
-    let short = grasp.reserve_with(&ramp, 1.0, &Settings::default().with_most_steps(5)).unwrap();
+    let short = grasp.with(&Settings::default().with_most_steps(5)).reserve(&ramp, 1.0).unwrap();
     assert!(short.limit.is_none() && !short.completed);
     let (held, limit) = (short.held_to.unwrap(), whole.limit.unwrap());
     assert!(held >= short.onset.factor().unwrap() && held < limit, "{held} {limit}");

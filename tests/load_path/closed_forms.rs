@@ -69,7 +69,7 @@ fn a_wedge_locks_at_its_angle() {
             assert_eq!((loss.leg, &loss.contacts[..]), (2, &[0, 1][..]));
             // A rounding of W₁ moves the small load that pulls it out by its inverse part.
             assert!((loss.fraction - 0.5).abs() < 1e-14 * w1 / pulls_out.abs(), "{mu}: {}", loss.fraction);
-            let [x, y] = loss.motion.expect("a motion").translation();
+            let [x, y] = loss.motion.as_ref().expect("a motion").object.translation();
             assert!(y > 0.99 && x.abs() < 1e-9, "it comes out: {x} {y}");
         }
         if mu >= tan {
@@ -142,7 +142,7 @@ fn a_continuation_lost_by_snapping() {
     assert_close!(last.contacts[0].normal_force(), 952.0 / 109.0);
     assert_close!(last.contacts[0].force_world[0], 1428.0 / 109.0);
     // It goes the way the friction gives way: u' reversed, (-30, 12).
-    let [x, y] = loss.motion.expect("a motion").translation();
+    let [x, y] = loss.motion.as_ref().expect("a motion").object.translation();
     assert_close!(y / x, -0.4);
     assert!(x < 0.0);
     assert!(path.energies()[0].residual().abs() < 1e-13);

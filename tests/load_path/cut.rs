@@ -35,22 +35,24 @@ fn cut<const D: usize, const C: usize>(
 /// The same path in pieces, followed in one go or continued leg by leg: the same events at the same loads, the same end.
 fn same_in_pieces<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    path: &LoadPath<'_, D, C>,
-    events: &[Event<D, C>],
+    path: &LoadPath<'_, C>,
+    events: &[Event<C>],
     places: &[(usize, f64)],
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let (more, legs) = cut(scene, places);
     let program = more.legs();
-    let mut pieces = grasp.follow_with(&more.start(), &program, &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut pieces = asked.follow(&more.start(), &program).unwrap();
     let again = pieces.run();
-    let mut continued = grasp.follow_with(&more.start(), &[], &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut continued = asked.follow(&more.start(), &[]).unwrap();
     let mut later = continued.run();
     for leg in &program {
         continued.continue_with(std::slice::from_ref(leg)).unwrap();
         later.extend(continued.run());
     }
-    let story = |events: &[Event<D, C>]| {
+    let story = |events: &[Event<C>]| {
         format!("{:?}", events.iter().map(|e| (e.leg, e.fraction, &e.changes)).collect::<Vec<_>>())
     };
     prop_assert_eq!(story(&again), story(&later));
@@ -62,9 +64,8 @@ fn same_in_pieces<const D: usize, const C: usize>(
     for (a, b) in events.iter().zip(&again) {
         let apart = a.leg as f64 + a.fraction - place(b.leg, b.fraction);
         prop_assert!(apart.abs() <= 1e-9, "{} against {}", story(events), story(&again));
-        let what = |e: &Event<D, C>| {
-            e.changes.iter().map(|(i, c)| (*i, std::mem::discriminant(c))).collect::<Vec<_>>()
-        };
+        let what =
+            |e: &Event<C>| e.changes.iter().map(|(i, c)| (*i, std::mem::discriminant(c))).collect::<Vec<_>>();
         prop_assert_eq!(what(a), what(b));
         same_state(scene, &a.state, &b.state, 1e-9)?;
     }
@@ -87,7 +88,8 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
@@ -102,7 +104,8 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));

@@ -13,7 +13,8 @@ fn energy_balances<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let (last_leg, last) = path.place();
@@ -25,8 +26,9 @@ fn energy_balances<const D: usize, const C: usize>(
         let (mut load_work, mut finger_work, mut heat, mut turnover) = (0.0, 0.0, 0.0, 0.0);
         for pair in states.windows(2) {
             let ((f, a), (g, b)) = (&pair[0], &pair[1]);
-            let mean = (a.load.as_vector() + b.load.as_vector()) * 0.5;
-            let work = mean.dot(&(b.twist.as_vector() - a.twist.as_vector()));
+            let vector = nalgebra::DVector::from_column_slice;
+            let mean = (vector(a.load.components()) + vector(b.load.components())) * 0.5;
+            let work = mean.dot(&(vector(b.twist.components()) - vector(a.twist.components())));
             let (from, to) = (scene.at(leg, *f).1, scene.at(leg, *g).1);
             load_work += work;
             turnover += work.abs();
@@ -66,7 +68,8 @@ fn closes<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for energy in path.energies() {

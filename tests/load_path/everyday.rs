@@ -119,7 +119,7 @@ impl Everyday {
 /// The largest force of an equilibrium, and how far it is from another one.
 fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     let largest = state.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
-    [largest, (state.twist.as_vector() - from.twist.as_vector()).norm()]
+    [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
 /// Of a path that ends before it begins, and what is said to lie beyond: at a limit nothing holds just beyond. At a snap what holds there does not come back to the

@@ -14,8 +14,8 @@ fn pulled(
     pull: f64,
     settings: &Settings,
 ) -> Result<(Equilibrium, PathEnd, Option<Beyond>), Box<dyn Error>> {
-    let mut path =
-        grasp.follow_with(&Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))], settings)?;
+    let asked = grasp.with(settings);
+    let mut path = asked.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))])?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("run to its end")?.clone();
     let state = path.state().ok_or("it starts")?;

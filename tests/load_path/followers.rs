@@ -38,7 +38,7 @@ fn apart(a: &Equilibrium, b: &Equilibrium) -> f64 {
     let largest = a.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
     let pairs = a.contacts.iter().zip(&b.contacts);
     let forces = pairs.map(|(a, b)| (a.force - b.force).norm()).fold(0.0, f64::max) / largest;
-    let [a, b] = [a, b].map(|state| state.twist.as_vector());
+    let [a, b] = [a, b].map(|state| state.twist.to_vector());
     forces.max((a - b).norm() / a.norm().max(b.norm()))
 }
 

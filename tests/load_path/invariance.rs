@@ -16,7 +16,7 @@ use support::programs::{Scene, direction};
 /// Fractions agree to this.
 const FRACTION: f64 = 1e-12;
 
-fn told<const D: usize, const C: usize>(events: &[Event<D, C>], path: &LoadPath<'_, D, C>) -> String {
+fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
     let all: Vec<_> = events.iter().map(|e| (e.leg, e.fraction, &e.changes)).collect();
     format!("{all:?} {:?}", path.end())
 }
@@ -31,11 +31,12 @@ fn tells_the_same<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let (grasp, there) = (scene.grasp(), other.grasp());
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
-    let mut path_there =
-        there.follow_with(&other.start(), &other.legs(), &support::programs::polygon()).unwrap();
+    let asked = there.with(&support::programs::polygon());
+    let mut path_there = asked.follow(&other.start(), &other.legs()).unwrap();
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
     // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.
@@ -52,7 +53,7 @@ fn tells_the_same<const D: usize, const C: usize>(
         }
     }
     // Nor is it said how an equilibrium in space is found, if it is: where rays prove nothing another order may help.
-    let undecided = |end: Option<&PathEnd<D, C>>| matches!(end, Some(PathEnd::NoStart(why)) if matches!(**why, Outcome::Undecided(_)));
+    let undecided = |end: Option<&PathEnd<C>>| matches!(end, Some(PathEnd::NoStart(why)) if matches!(**why, Outcome::Undecided(_)));
     if C == 3 && (undecided(path.end()) || undecided(path_there.end())) {
         return Ok(());
     }

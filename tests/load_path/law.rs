@@ -10,10 +10,10 @@ use support::programs::tally::Tally;
 use support::programs::{Scene, brief, corners, sizes, tangential};
 
 /// States along a path: the ends of its straight pieces (first and last, continuous from one piece to the next) and inside.
-fn samples<const D: usize, const C: usize>(
-    path: &LoadPath<'_, D, C>,
-    events: &[Event<D, C>],
-) -> Vec<Vec<(usize, f64, Equilibrium<D, C>)>> {
+fn samples<const C: usize>(
+    path: &LoadPath<'_, C>,
+    events: &[Event<C>],
+) -> Vec<Vec<(usize, f64, Equilibrium<C>)>> {
     let (last_leg, last) = path.place();
     let mut pieces = Vec::new();
     for leg in 0..=last_leg {
@@ -40,7 +40,8 @@ fn law_holds<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for event in &events {

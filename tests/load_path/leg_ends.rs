@@ -186,7 +186,7 @@ fn a_limit_load_at_the_end_of_a_leg() {
         let loss = limit_load(&path);
         assert_eq!((loss.leg, &loss.contacts[..]), (4, &[0, 1][..]));
         assert!(loss.fraction < 1e-12, "{}", loss.fraction);
-        assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
+        assert!(loss.motion.as_ref().expect("a motion").object.translation()[1] < -0.99);
         // Lost is lost: a further leg does not bring it back.
         path.continue_with(&[leg(0.0)]).unwrap();
         assert!(path.run().is_empty() && path.end().and_then(PathEnd::loss).is_some());

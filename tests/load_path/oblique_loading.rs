@@ -13,7 +13,8 @@
 //! principle in contact mechanics, J. Tribology 120 (1998) 677) and M. Ciavarella (Tangential loading of general three-dimensional contacts,
 //! J. Appl. Mech. 65 (1998) 998).
 
-use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::{Leg, PathEnd};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{Matrix, SVector};
@@ -146,9 +147,6 @@ fn on_the_round_cone_events_and_steps_are_exact() {
 }
 
 /// Forces along the coordinate axes.
-fn world<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    forces: &[SVector<f64, C>],
-) -> Vec<SVector<f64, C>> {
+fn world<const C: usize>(grasp: &Grasp<C>, forces: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
     grasp.frames().zip(forces).map(|(frame, force)| frame * force).collect()
 }

@@ -36,7 +36,8 @@ fn block() -> Grasp {
     let spring = |[x, y]: [f64; 2]| {
         Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(KB / 4.0, KB / 4.0).bonded()
     };
-    Grasp::new(corners.map(foot).into_iter().chain(corners.map(spring))).unwrap()
+    let block = Grasp::new(corners.map(foot).into_iter().chain(corners.map(spring))).unwrap();
+    block.with(&Settings::default().on_the_polygon())
 }
 
 /// The block is pulled by -Q, so that friction points along +Q.
@@ -44,10 +45,10 @@ fn pulled(q: Vector2<f64>) -> Wrench {
     Wrench::force([-q[0], -q[1], -4.0 * N])
 }
 
+/// On the polygon.
 fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Event>) {
     let legs: Vec<_> = loads.iter().map(|q| Leg::load_to(pulled(*q))).collect();
-    let mut path =
-        grasp.follow_with(&pulled(Vector2::zeros()), &legs, &Settings::default().on_the_polygon()).unwrap();
+    let mut path = grasp.follow(&pulled(Vector2::zeros()), &legs).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13 && e.dissipated >= 0.0));
@@ -198,13 +199,8 @@ fn a_ring_turned_about_its_axis_has_one_event() {
         let lets_go = f64::from(n) * radius * MU * N + 2.0 * kg * theta;
         let torque = |m: f64| Leg::load_to(Wrench::new([0.0; 3], [0.0, 0.0, m]));
         let most = 1.25 * lets_go;
-        let mut path = ring
-            .follow_with(
-                &Wrench::ZERO,
-                &[torque(most), torque(-most), torque(most)],
-                &Settings::default().on_the_polygon(),
-            )
-            .unwrap();
+        let asked = ring.with(&Settings::default().on_the_polygon());
+        let mut path = asked.follow(&Wrench::ZERO, &[torque(most), torque(-most), torque(most)]).unwrap();
         let events = path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let got: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();

@@ -119,7 +119,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             let x = pad.limits[i] / pad.c;
             assert_eq!(who(event, slides_back), [i, n - 1 - i]);
             assert_close!(x_of(event), x);
-            assert_close!(event.load.as_vector()[0], pad.virgin(x));
+            assert_close!(event.load.to_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
             // One, as far as it is asked: among more than 64 contacts on an edge it is not.
             assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
@@ -137,7 +137,7 @@ fn the_pad_slips_from_the_rim_inwards() {
         for step in 1..40 {
             let fraction = 0.8 * f64::from(step) / 40.0;
             let state = path.state_at(0, fraction).unwrap();
-            let (x, q) = (state.twist.translation()[0], state.load.as_vector()[0]);
+            let (x, q) = (state.twist.translation()[0], state.load.to_vector()[0]);
             assert_close!(pad.virgin(x), q);
             let mindlin = full * (1.0 - (1.0 - (x / X_STAR).min(1.0)).powf(1.5));
             assert!((q - mindlin).abs() <= within, "N = {n}, x = {x}: {q} against {mindlin} ± {within}");
@@ -176,12 +176,12 @@ fn reversed_loading_follows_masing_and_the_loop_closes() {
             let way = if leg % 2 == 1 { slides_on } else { slides_back };
             assert_eq!(who(event, way), [i, n - 1 - i]);
             assert_close!(x_of(event), sign * (x1 - 2.0 * pad.limits[i] / pad.c));
-            assert_close!(event.load.as_vector()[0], sign * (q1 - 2.0 * pad.virgin(pad.limits[i] / pad.c)));
+            assert_close!(event.load.to_vector()[0], sign * (q1 - 2.0 * pad.virgin(pad.limits[i] / pad.c)));
         }
         for step in 1..=20 {
             let state = path.state_at(leg, f64::from(step) / 20.0).unwrap();
             let x = sign * state.twist.translation()[0];
-            assert_close!(sign * state.load.as_vector()[0], q1 - 2.0 * pad.virgin((x1 - x) / 2.0));
+            assert_close!(sign * state.load.to_vector()[0], q1 - 2.0 * pad.virgin((x1 - x) / 2.0));
         }
         let end = path.state_at(leg, 1.0).unwrap();
         assert_close!(end.twist.translation()[0], -sign * x1);
@@ -224,16 +224,16 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
     for i in 0..inner {
         assert_eq!(who(back[1 + i], slides_back), [i, n - 1 - i]);
         assert_close!(x_of(back[1 + i]), x2 + 2.0 * pad.limits[i] / pad.c);
-        assert_close!(back[1 + i].load.as_vector()[0], q2 + 2.0 * pad.virgin(pad.limits[i] / pad.c));
+        assert_close!(back[1 + i].load.to_vector()[0], q2 + 2.0 * pad.virgin(pad.limits[i] / pad.c));
     }
     let again = back[1 + inner];
     assert_eq!(who(again, slides_back), both(inner, outer));
     assert_close!(x_of(again), x1);
-    assert_close!(again.load.as_vector()[0], q1);
+    assert_close!(again.load.to_vector()[0], q1);
     for (i, event) in (outer..last).zip(&back[2 + inner..]) {
         assert_eq!(who(event, slides_back), [i, n - 1 - i]);
         assert_close!(x_of(event), pad.limits[i] / pad.c);
-        assert_close!(event.load.as_vector()[0], pad.virgin(pad.limits[i] / pad.c));
+        assert_close!(event.load.to_vector()[0], pad.virgin(pad.limits[i] / pad.c));
     }
     // Where the path ends only the way there tells it from a single leg: nothing does.
     let (straight, _) = pad.follow(&[q3]);

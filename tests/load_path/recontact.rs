@@ -139,7 +139,7 @@ fn letting_go_drops_the_body() {
     let loss = limit_load(&path);
     assert_eq!((loss.leg, &loss.contacts[..]), (1, &[0, 1][..]));
     assert_close!(loss.fraction, 1.0 - w / (2.0 * mu * k * a));
-    assert!(loss.motion.expect("a motion").translation()[1] < -0.99);
+    assert!(loss.motion.as_ref().expect("a motion").object.translation()[1] < -0.99);
     assert_close!(path.state().unwrap().twist.translation()[1], -w / (2.0 * kt));
 }
 

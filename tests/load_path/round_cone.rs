@@ -22,7 +22,8 @@ fn to_all_digits() -> Settings {
 /// From what follows events and samples the law; slips go along the friction force, over ever shorter ways.
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+    let asked = grasp.with(&to_all_digits());
+    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let completed = matches!(path.end(), Some(PathEnd::Completed));
@@ -63,7 +64,7 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
 
 /// Where a contact slides at both of two near states it has slipped along the friction force between them, but for what that
 /// turns; where it rolls at both, not at all.
-fn slips_along_friction(a: &Equilibrium<6, 3>, b: &Equilibrium<6, 3>) -> Result<usize, TestCaseError> {
+fn slips_along_friction(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Result<usize, TestCaseError> {
     let (_, motion) = sizes(a);
     let mut sliding = 0;
     for (x, y) in a.contacts.iter().zip(&b.contacts) {
@@ -108,12 +109,8 @@ fn word(change: &Change<3>) -> &'static str {
 }
 
 /// What happened, without directions; what happens last where a path is lost belongs to the loss.
-fn story(
-    events: &[Event<6, 3>],
-    path: &LoadPath<'_, 6, 3>,
-    contacts: &[usize],
-) -> Vec<(usize, f64, Vec<String>)> {
-    let what = |event: &Event<6, 3>| {
+fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
+    let what = |event: &Event<3>| {
         let mut list: Vec<_> =
             event.changes.iter().map(|(i, change)| format!("{} {}", contacts[*i], word(change))).collect();
         list.sort();
@@ -121,7 +118,7 @@ fn story(
         list
     };
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));
-    let before = |e: &&Event<6, 3>| lost.is_none_or(|(leg, f)| e.leg < leg || f - e.fraction > APART);
+    let before = |e: &&Event<3>| lost.is_none_or(|(leg, f)| e.leg < leg || f - e.fraction > APART);
     events.iter().filter(before).map(|e| (e.leg, e.fraction, what(e))).collect()
 }
 
@@ -130,7 +127,7 @@ fn story(
 const APART: f64 = 1e-6;
 
 /// Whether no two events come so close that rounding may tell their story in another way.
-fn clear(events: &[Event<6, 3>]) -> bool {
+fn clear(events: &[Event<3>]) -> bool {
     events.windows(2).all(|w| w[0].leg != w[1].leg || w[1].fraction - w[0].fraction > APART)
 }
 
@@ -157,7 +154,7 @@ fn same_story(
 }
 
 /// Whether another view of a scene starts from the same equilibrium: of several it may be another.
-fn same_start(start: &Equilibrium<6, 3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
+fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
     let outcome = other.grasp().solve(&other.start()).unwrap();
     let Some(there) = outcome.equilibrium() else { return false };
     start.contacts.iter().enumerate().all(|(i, c)| {
@@ -174,7 +171,8 @@ fn same_start(start: &Equilibrium<6, 3>, other: &Spatial, contacts: &[usize], pr
 fn frames_and_order_do_not_matter() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+        let asked = grasp.with(&to_all_digits());
+        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !clear(&events) || matches!(path.end(), Some(PathEnd::NoStart(_))) {
@@ -198,7 +196,8 @@ fn frames_and_order_do_not_matter() {
                 continue;
             }
             let there = other.grasp();
-            let mut path_there = there.follow_with(&other.start(), &other.legs(), &to_all_digits()).unwrap();
+            let asked = there.with(&to_all_digits());
+            let mut path_there = asked.follow(&other.start(), &other.legs()).unwrap();
             let events_there = path_there.run();
             if !clear(&events_there) {
                 continue;
@@ -241,7 +240,8 @@ fn turned(scene: &Spatial, angle: f64) -> Spatial {
 fn cutting_legs_changes_nothing() {
     let t = over(80, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+        let asked = grasp.with(&to_all_digits());
+        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let mut halves = scene.clone();
@@ -255,7 +255,8 @@ fn cutting_legs_changes_nothing() {
             }
             halves.goals.extend([middle, pair[1].clone()]);
         }
-        let mut pieces = grasp.follow_with(&halves.start(), &halves.legs(), &to_all_digits()).unwrap();
+        let asked = grasp.with(&to_all_digits());
+        let mut pieces = asked.follow(&halves.start(), &halves.legs()).unwrap();
         let again = pieces.run();
         if !clear(&events) || !clear(&again) {
             return Ok(());
@@ -294,7 +295,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
             drives[i][0] += spot.clearance;
         }
         let grasp = scene.grasp().with_commands(drives).unwrap();
-        let outcome = grasp.solve(&Wrench::from_vector(load)).unwrap();
+        let outcome = grasp.solve(&Wrench::from_components(load.as_slice())).unwrap();
         let state = outcome.equilibrium()?;
         if !forces.is_empty() {
             let jump = state.contacts.iter().zip(&forces).map(|(c, f)| (c.force - f).norm());
@@ -318,8 +319,8 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
 fn small_steps_lead_to_the_same_end() {
     let t = over(40, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
-        let mut path: LoadPath<'_, 6, 3> =
-            grasp.follow_with(&scene.start(), &scene.legs(), &to_all_digits()).unwrap();
+        let asked = grasp.with(&to_all_digits());
+        let mut path: LoadPath<'_, 3> = asked.follow(&scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !matches!(path.end(), Some(PathEnd::Completed)) || path.step_error() == 0.0 {
@@ -350,7 +351,8 @@ fn coarse_steps_end_nearby() {
         let grasp = scene.grasp();
         let ends = [1e-13, 1e-6].map(|tolerance| {
             let settings = Settings::default().with_step_error(tolerance);
-            let mut path = grasp.follow_with(&scene.start(), &scene.legs(), &settings).unwrap();
+            let asked = grasp.with(&settings);
+            let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
             let events = path.run();
             tally.count(&events, &path);
             (matches!(path.end(), Some(PathEnd::Completed)), path.step_error(), path.state())

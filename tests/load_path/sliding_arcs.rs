@@ -73,7 +73,8 @@ fn what_is_dragged_follows_a_tractrix() {
     for way in [0.3, 10.0, 100.0, 1e6] {
         for ahead in [1.0, 1.3] {
             let legs = [drag(0.0, ahead * l), drag(way * l, 0.0)];
-            let mut path = grasp.follow_with(&Wrench::ZERO, &legs, &to_all_digits()).unwrap();
+            let asked = grasp.with(&to_all_digits());
+            let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
             let events = path.run();
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
             // One event, at the end of the leash; where that is the end of the leg it is the beginning of the next.
@@ -110,8 +111,8 @@ fn the_heat_of_a_tractrix() {
     let grasp = dragged();
     let l = leash();
     for way in [0.5, 4.0, 40.0_f64] {
-        let mut path =
-            grasp.follow_with(&Wrench::ZERO, &[drag(0.0, l), drag(way * l, 0.0)], &to_all_digits()).unwrap();
+        let asked = grasp.with(&to_all_digits());
+        let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, l), drag(way * l, 0.0)]).unwrap();
         path.run();
         // ln cosh without overflow.
         let heat = MU * normal_force() * l * (way + (0.5 * (1.0 + (-2.0 * way).exp())).ln());
@@ -134,7 +135,8 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let chord = |i: u32| drag(at(i + 1).0 - at(i).0, at(i + 1).1 - at(i).1);
     let legs: Vec<_> = (0..4 * sides).map(chord).collect();
     let settings = Settings::default().with_step_error(1e-9);
-    let mut path = grasp.follow_with(&Wrench::ZERO, &legs, &settings).unwrap();
+    let asked = grasp.with(&settings);
+    let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
     path.run();
     let ((last, _), end) = (path.place(), path.state().unwrap());
     assert_eq!(last + 1, legs.len());
@@ -156,7 +158,8 @@ fn the_error_of_the_steps_is_what_was_asked_for() {
     let legs = [drag(0.0, l), drag(6.0 * l, 0.0)];
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let settings = Settings::default().with_step_error(tolerance);
-        let mut path = grasp.follow_with(&Wrench::ZERO, &legs, &settings).unwrap();
+        let asked = grasp.with(&settings);
+        let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
         path.run();
         let mut worst = 0.0_f64;
         for part in 1..=20 {
@@ -190,7 +193,8 @@ fn springs_that_differ_along_the_tangents() {
         Grasp::new([finger, held(1.0, 0.0), held(-1.0, 0.0), held(0.0, 1.0), held(0.0, -1.0)]).unwrap();
     let r = MU * K * A;
     let (x, y) = (0.4, 1.1 * r / k2);
-    let mut path = grasp.follow_with(&Wrench::ZERO, &[drag(0.0, y), drag(x, 0.0)], &to_all_digits()).unwrap();
+    let asked = grasp.with(&to_all_digits());
+    let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, y), drag(x, 0.0)]).unwrap();
     path.run();
     let end = path.state().unwrap();
     let reference = extrapolated(|n| returned(k1, k2, r, [0.0, y], [x, 0.0], n));
@@ -247,8 +251,8 @@ fn extrapolated(of: impl Fn(u32) -> [f64; 2]) -> [f64; 2] {
 fn a_leash_at_right_angles_gives_way_at_once() {
     let grasp = dragged();
     let l = leash();
-    let mut path =
-        grasp.follow_with(&Wrench::ZERO, &[drag(0.0, l), drag(1e-3 * l, 0.0)], &to_all_digits()).unwrap();
+    let asked = grasp.with(&to_all_digits());
+    let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, l), drag(1e-3 * l, 0.0)]).unwrap();
     let events = path.run();
     assert_eq!((events[0].leg, events[0].fraction), (1, 0.0));
     let turned = FRAC_PI_2 - 2.0 * (-1e-3_f64).exp().atan();

@@ -122,7 +122,8 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
         let patch = Grasp::new((0..60).map(spring).collect::<Vec<_>>())?;
         let start = pulled([0.0; 2], 0.0);
         let tiny = Settings::default().with_step_error(1e-12);
-        let mut exact = patch.follow_with(&start, &[], &tiny)?;
+        let asked = patch.with(&tiny);
+        let mut exact = asked.follow(&start, &[])?;
         let mut forces = Vec::new();
         for leg in &legs {
             exact.continue_with(std::slice::from_ref(leg))?;
@@ -206,7 +207,7 @@ fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
         println!("{count} springs: {steps} steps, held to {held}");
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
         assert!(loss.kind == LossKind::Corner && loss.contacts.len() == count);
-        let motion = loss.motion.expect("it leaves").translation();
+        let motion = loss.motion.as_ref().expect("it leaves").object.translation();
         assert!(motion[2] < 0.0, "{motion:?}");
         assert!((held - 0.8).abs() < 2e-12);
         assert!((path.state().expect("there").load.resultant()[2] + limit).abs() < 1e-11 * limit);
@@ -268,8 +269,8 @@ fn a_patch_slides_on_without_bound_at_its_limit() -> Result<(), Error> {
         println!("{steps} steps, {}", path.end().expect("lost"));
         assert!(loss.kind == LossKind::Asymptote && loss.contacts.len() == grasp.len());
         // The object leaves the way it is pulled, and every force is at its limit.
-        let motion = loss.motion.expect("it leaves");
-        let [v, w] = [motion.translation(), motion.rotation()];
+        let motion = loss.motion.as_ref().expect("it leaves");
+        let [v, w] = [motion.object.translation(), motion.object.rotation()];
         assert!(v[0] * shear[0] + v[1] * shear[1] + w[2] * torsion > 0.0);
         let friction = |f: &SVector<f64, 3>| f[1].hypot(f[2]) / (0.5 * f[0]);
         assert!(path.forces().iter().all(|f| (friction(f) - 1.0).abs() < 1e-9));
@@ -283,7 +284,8 @@ fn steps_are_bounded_and_can_be_looked_at_one_by_one() -> Result<(), Error> {
     let legs = [Leg::load_to(pulled([2.0, 0.0], 1.0))];
     let start = pulled([0.0; 2], 0.0);
     let few = Settings::default().with_most_steps(5);
-    let mut path = grasp.follow_in_steps_with(&start, &legs, 1e-8, &few)?;
+    let asked = grasp.with(&few);
+    let mut path = asked.follow_in_steps(&start, &legs, 1e-8)?;
     let steps: Vec<_> = path.by_ref().collect();
     assert!(
         steps.len() <= 5

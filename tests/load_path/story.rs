@@ -5,7 +5,7 @@ use grasp_lcp::load_path::{Change, Event, PathEnd};
 
 pub(crate) use support::assert_close;
 
-pub(crate) fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> bool {
+pub(crate) fn completed<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))
 }
 
@@ -13,7 +13,7 @@ pub(crate) fn completed<const D: usize, const C: usize>(end: Option<&PathEnd<D, 
 pub(crate) type Line = (usize, f64, Vec<(usize, &'static str)>);
 
 /// Leg, fraction and what changes, without directions.
-pub(crate) fn story<const D: usize, const C: usize>(events: &[Event<D, C>]) -> Vec<Line> {
+pub(crate) fn story<const C: usize>(events: &[Event<C>]) -> Vec<Line> {
     let word = |change: &Change<C>| match change {
         Change::Slides { .. } => "slides",
         Change::Sticks => "sticks",
@@ -23,11 +23,11 @@ pub(crate) fn story<const D: usize, const C: usize>(events: &[Event<D, C>]) -> V
         Change::Closes => "closes",
         Change::ClosesSliding { .. } => "closes sliding",
     };
-    let all = |e: &Event<D, C>| e.changes.iter().map(|(i, change)| (*i, word(change))).collect();
+    let all = |e: &Event<C>| e.changes.iter().map(|(i, change)| (*i, word(change))).collect();
     events.iter().map(|e| (e.leg, e.fraction, all(e))).collect()
 }
 
-pub(crate) fn assert_story<const D: usize, const C: usize>(events: &[Event<D, C>], expected: &[Line]) {
+pub(crate) fn assert_story<const C: usize>(events: &[Event<C>], expected: &[Line]) {
     let got = story(events);
     assert_eq!(got.len(), expected.len(), "{got:#?}");
     for (got, want) in got.iter().zip(expected) {

@@ -141,8 +141,8 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
         spatial::Turn::force_at([1.4, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.0, 1.0])?.beside(weight).up_to(5.0);
     let start = [spatial::Leg::load_to(turn.load_at(0.0))];
     let settings = Settings::default().with_step_error(1e-13);
-    let mut path =
-        grasp.follow_with(&weight, &[&start[..], &[spatial::Leg::turn(&turn)]].concat(), &settings)?;
+    let asked = grasp.with(&settings);
+    let mut path = asked.follow(&weight, &[&start[..], &[spatial::Leg::turn(&turn)]].concat())?;
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(events.len() > 2, "{events:?}");
@@ -153,7 +153,8 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
         let angle = |k: i32| 5.0 * f64::from(k) / f64::from(chords);
         let chord = |k: i32| spatial::Leg::load_to(turn.load_at(angle(k)));
         let legs: Vec<_> = start.iter().cloned().chain((1..=chords).map(chord)).collect();
-        let mut path = grasp.follow_with(&weight, &legs, &settings)?;
+        let asked = grasp.with(&settings);
+        let mut path = asked.follow(&weight, &legs)?;
         path.run();
         let end = path.state().expect("has passed");
         let apart = |(a, b): (&spatial::ContactAnswer, &spatial::ContactAnswer)| (a.force - b.force).norm();

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::sweep::{OnsetSpread, Uncertainty};
 use grasp_lcp::{Error, Field, planar, spatial};
@@ -42,21 +43,13 @@ fn moments(factors: &[f64]) -> [f64; 2] {
     [mean, variance.sqrt()]
 }
 
-fn sampled<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    ramp: &Ramp<D, C>,
-    off: &Uncertainty,
-) -> [f64; 2] {
+fn sampled<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>, off: &Uncertainty) -> [f64; 2] {
     let onsets = grasp.onset_of_samples(ramp, off, SAMPLES);
     let factors: Vec<f64> = onsets.into_iter().map(|onset| onset.unwrap().factor().unwrap()).collect();
     moments(&factors)
 }
 
-fn spread<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    ramp: &Ramp<D, C>,
-    off: &Uncertainty,
-) -> OnsetSpread {
+fn spread<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>, off: &Uncertainty) -> OnsetSpread {
     grasp.robust_onset(ramp, off).unwrap().spread.unwrap()
 }
 
@@ -80,7 +73,7 @@ fn uncertainties() -> [Uncertainty; 7] {
     ]
 }
 
-fn compare<const D: usize, const C: usize>(grasp: &Grasp<D, C>, ramp: &Ramp<D, C>) {
+fn compare<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) {
     for off in uncertainties() {
         let spread = spread(grasp, ramp, &off);
         let [mean, deviation] = sampled(grasp, ramp, &off);
@@ -135,7 +128,8 @@ fn onsets_of_turns_spread_alike() {
     let turn = spatial::Turn::tilting([0.5, 0.0, -10.0], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2]).unwrap();
     let off = Uncertainty::seeded(6).with_position(0.002).with_normal(0.002).with_squeeze(0.003);
     let onset = grasp.onset_of_turn(&turn).unwrap().onset;
-    let known = grasp.onset_spread(onset.event().unwrap(), &off).unwrap().unwrap().deviation.unwrap();
+    let known =
+        grasp.sensitivity().onset_spread(onset.event().unwrap(), &off).unwrap().unwrap().deviation.unwrap();
     let angle = |number| {
         let sample = grasp.sample(&off, number).unwrap();
         sample.onset_of_turn(&turn).unwrap().onset.factor().unwrap()

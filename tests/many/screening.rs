@@ -4,8 +4,9 @@
 //! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;
 //! every lane of a batch, full or not, answers as the grasp on its own, to the last bit.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
 use grasp_lcp::sweep::onsets_of_batch;
@@ -19,7 +20,7 @@ use crate::screened_scenes::{Tally, contacts, count};
 /// What screening says, checked against the onset; factors to this part.
 fn check<const D: usize, const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
-    [base, direction]: [Wrench<D, C>; 2],
+    [base, direction]: [Wrench<C>; 2],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
@@ -69,7 +70,12 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
     );
     let close = if spread == Spread::Narrow { 1e-10 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, base, direction)| {
-        check::<D, C, N>(&contacts(&data, &holds), [base, direction].map(Wrench::from_vector), close, tally)
+        check::<D, C, N>(
+            &contacts(&data, &holds),
+            [base, direction].map(|w| Wrench::from_components(w.as_slice())),
+            close,
+            tally,
+        )
     });
 }
 
@@ -227,8 +233,12 @@ fn a_batch_gives_the_same_bits() {
     }
     fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
         let pull = {
-            let direction = SVector::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][k]);
-            Pull::new(&Wrench::from_vector(direction * 0.01), &Wrench::from_vector(direction)).unwrap()
+            let direction = SVector::<f64, D>::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][k]);
+            Pull::new(
+                &Wrench::from_components((direction * 0.01).as_slice()),
+                &Wrench::from_components(direction.as_slice()),
+            )
+            .unwrap()
         };
         let alone = std::cell::RefCell::new(Vec::new());
         let batch = std::cell::RefCell::new(Batch::<D, C, N>::default());
@@ -241,7 +251,7 @@ fn a_batch_gives_the_same_bits() {
         let (alone, batch) = (alone.into_inner(), batch.into_inner());
         let mut together = vec![];
         batch.onsets_into(&[pull], &mut together);
-        let other = Pull::new(&Wrench::ZERO, &Wrench::from_vector(SVector::from_element(-1.0))).unwrap();
+        let other = Pull::new(&Wrench::ZERO, &Wrench::from_components(&[-1.0; D])).unwrap();
         let mut of_both = vec![];
         batch.onsets_into(&[other, pull], &mut of_both);
         let mut in_parallel = vec![];
@@ -284,8 +294,10 @@ fn nothing_is_allocated() {
     let jaw = |side: f64| {
         spatial::Contact::new([side, 0.3, 0.0], [-side, 0.1, 0.2]).series_stiffness(1e3, 8e2).friction(0.3)
     };
-    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector([0.0, 0.0, -1.0, 0.0, 0.0, 0.0])).unwrap();
-    let fingers = Fingers::new(&[jaw(-1.0), jaw(1.0), jaw(0.5)]).unwrap();
+    let pull =
+        Pull::new(&Wrench::ZERO, &Wrench::from_components(([0.0, 0.0, -1.0, 0.0, 0.0, 0.0]).as_slice()))
+            .unwrap();
+    let fingers = spatial::Fingers::new(&[jaw(-1.0), jaw(1.0), jaw(0.5)]).unwrap();
     let mut batch = Batch::with_capacity(100);
     let mut answers = Vec::with_capacity(100);
     let counted = allocation_counter::measure(|| {
@@ -302,7 +314,7 @@ fn nothing_is_allocated() {
 /// A tangent that the user turned round, with the command turned round, is the same contact.
 #[test]
 fn tangents_turned_round() {
-    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector([0.3, -1.0, 0.1])).unwrap();
+    let pull = Pull::new(&Wrench::ZERO, &Wrench::from_components(([0.3, -1.0, 0.1]).as_slice())).unwrap();
     let jaw = |side: f64, slant: f64| {
         planar::Contact::new([side, 0.1], [-side, slant]).series_stiffness(1e3, 8e2).friction(0.7)
     };
@@ -314,7 +326,7 @@ fn tangents_turned_round() {
     };
     assert_eq!(factor(&plain), factor(&turned));
     let grasp = Grasp::new(turned.clone()).unwrap();
-    let ramp = Ramp::load(Wrench::ZERO, Wrench::from_vector([0.3, -1.0, 0.1]));
+    let ramp = Ramp::load(Wrench::ZERO, Wrench::from_components(([0.3, -1.0, 0.1]).as_slice()));
     let whole = grasp.onset(&ramp).unwrap().factor().unwrap();
     assert!((factor(&plain) / whole - 1.0).abs() < 1e-13);
 }

@@ -6,7 +6,8 @@
 
 use std::cell::RefCell;
 
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::screening::{Batch, Fingers, LoadCases, ScreenedSqueeze, SqueezeVerdict};
 use grasp_lcp::squeeze::{LeastSqueeze, Loads};
 use grasp_lcp::sweep::least_squeezes_of_batch;
@@ -20,16 +21,16 @@ use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken}
 /// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
 fn check<const D: usize, const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
-    loads: &[Wrench<D, C>],
+    loads: &[Wrench<C>],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
     let cases = LoadCases::new(loads).unwrap();
     let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().least_squeeze(&cases);
-    let needed = |part: f64, loads: &[Wrench<D, C>]| {
+    let needed = |part: f64, loads: &[Wrench<C>]| {
         Grasp::new(contacts(part)).unwrap().least_squeeze(&Loads::Each(loads.to_vec())).unwrap()
     };
-    let factor_of = |answer: LeastSqueeze<D, C>| match answer {
+    let factor_of = |answer: LeastSqueeze<C>| match answer {
         LeastSqueeze::Factor { factor, .. } => factor,
         _ => f64::INFINITY,
     };
@@ -87,7 +88,8 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
     );
     let close = if spread == Spread::Narrow { 1e-12 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, loads, size)| {
-        let loads: Vec<_> = loads.iter().map(|load| Wrench::from_vector(load * size)).collect();
+        let loads: Vec<_> =
+            loads.iter().map(|load| Wrench::from_components((load * size).as_slice())).collect();
         let data = firmer(data);
         check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &loads, close, tally)
     });
@@ -235,7 +237,7 @@ fn a_batch_gives_the_same_bits() {
     fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
         let load = |times: f64, shift: usize| {
             let of = SVector::<f64, D>::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][(k + shift) % 6]);
-            Wrench::from_vector(of * times)
+            Wrench::from_components((of * times).as_slice())
         };
         let cases = LoadCases::new(&[load(0.1, 0), load(0.05, 1), load(-0.1, 2)]).unwrap();
         let other = LoadCases::new(&[load(0.3, 3)]).unwrap();

@@ -7,8 +7,9 @@
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Turn};
 use grasp_lcp::screening::{Batch, Fingers, ScreenedTurn, TurningPull, Verdict};
 use grasp_lcp::sweep::turn_onsets_of_batch;
@@ -22,7 +23,7 @@ use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken}
 /// What screening says, checked against the onset. Contacts are those of a scene that is shaken by a part.
 fn check<const D: usize, const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
-    turn: &Turn<D, C>,
+    turn: &Turn<C>,
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
@@ -77,8 +78,8 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
     );
     let close = if spread == Spread::Narrow { 1e-12 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, [constant, cosine, sine], (part, most))| {
-        let [constant, cosine, sine] =
-            [constant * part, cosine * (part * part), sine * part].map(Wrench::from_vector);
+        let [constant, cosine, sine] = [constant * part, cosine * (part * part), sine * part]
+            .map(|w| Wrench::from_components(w.as_slice()));
         let turn = Turn::new(constant, cosine, sine).up_to(most);
         let data = firmer(data);
         check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &turn, close, tally)
@@ -229,7 +230,7 @@ fn a_batch_gives_the_same_bits() {
     fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
         let load = |times: f64, shift: usize| {
             let of = SVector::<f64, D>::from_fn(|k, _| [0.3, -1.0, 0.2, 0.1, 0.05, -0.2][(k + shift) % 6]);
-            Wrench::from_vector(of * times)
+            Wrench::from_components((of * times).as_slice())
         };
         let turn = Turn::new(load(0.003, 0), load(0.003, 1), load(1.5, 2));
         let [turn, other] = [turn, turn.reversed().up_to(1.0)].map(|turn| TurningPull::new(&turn).unwrap());

@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use grasp_lcp::ask::onset_of_each;
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
-use grasp_lcp::sweep::{Uncertainty, map_watched, onset_of_each};
+use grasp_lcp::sweep::{Uncertainty, map_watched};
 use grasp_lcp::{Error, Field, Settings};
 
 const MU: f64 = 0.4;
@@ -84,7 +85,7 @@ fn one_bad_question_does_not_stop_the_rest() {
 fn samples_are_distributed_as_they_should_be() {
     let (grasp, settings, count) = (pinch(K), Settings::default(), 4000_u64);
     let off = Uncertainty::seeded(42).with_friction(0.2);
-    let onsets = grasp.onset_of_samples_with(&weight(), &off, count, &settings);
+    let onsets = grasp.with(&settings).onset_of_samples(&weight(), &off, count);
     let nominal = 2.0 * MU * K * A;
     // c and Φ(-ln c / 0.2).
     for (c, phi) in
@@ -102,7 +103,7 @@ fn samples_are_distributed_as_they_should_be() {
         let k: Vec<f64> = sample.contacts().iter().map(|c| c.series_stiffness_of_axes()[0]).collect();
         let press = k[0] * k[1] / (k[0] + k[1]) * 2.0 * A;
         let expected = 2.0 * MU * press;
-        let found = factor(&sample.onset_with(&weight(), &settings));
+        let found = factor(&sample.with(&settings).onset(&weight()));
         assert!((found / expected - 1.0).abs() < 1e-13, "{found} {expected}");
     }
 }
@@ -113,11 +114,11 @@ fn samples_depend_on_seed_and_number_alone() {
     let seeded = |seed| Uncertainty::seeded(seed).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.05);
     let off = seeded(9);
     let sweep = || -> Vec<u64> {
-        let onsets = grasp.onset_of_samples_with(&weight(), &off, 300, &settings);
+        let onsets = grasp.with(&settings).onset_of_samples(&weight(), &off, 300);
         onsets.iter().map(|o| factor(o).to_bits()).collect()
     };
     let one_by_one: Vec<u64> = (0..300)
-        .map(|i| factor(&grasp.sample(&off, i).unwrap().onset_with(&weight(), &settings)).to_bits())
+        .map(|i| factor(&grasp.sample(&off, i).unwrap().with(&settings).onset(&weight())).to_bits())
         .collect();
     assert_eq!(sweep(), one_by_one);
     #[cfg(feature = "parallel")]
@@ -126,7 +127,7 @@ fn samples_depend_on_seed_and_number_alone() {
         assert_eq!(pool.install(sweep), one_by_one);
     }
     let other = seeded(10);
-    let others = grasp.onset_of_samples_with(&weight(), &other, 300, &settings);
+    let others = grasp.with(&settings).onset_of_samples(&weight(), &other, 300);
     assert!(others.iter().zip(&one_by_one).all(|(o, bits)| factor(o).to_bits() != *bits));
     let mut distinct = one_by_one.clone();
     distinct.sort_unstable();

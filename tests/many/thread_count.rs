@@ -31,8 +31,8 @@ fn ramps() -> Vec<Ramp> {
 fn onsets_do_not_depend_on_who_computes_them() {
     let (grasp, ramps, settings) = (grasp(), ramps(), Settings::default());
     let one_by_one: Vec<String> =
-        ramps.iter().map(|ramp| format!("{:?}", grasp.onset_with(ramp, &settings).unwrap())).collect();
-    let swept = || grasp.onset_each_with(&ramps, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
+        ramps.iter().map(|ramp| format!("{:?}", grasp.with(&settings).onset(ramp).unwrap())).collect();
+    let swept = || grasp.with(&settings).onset_each(&ramps).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
     // Debug prints floats so that they read back to the same bits.
     assert!(swept().eq(one_by_one.iter().cloned()));
@@ -56,11 +56,11 @@ fn onsets_of_turns_do_not_depend_on_who_computes_them() {
     let turns: Vec<_> = (0..200).map(turn).collect();
     let one_by_one: Vec<String> = turns
         .iter()
-        .map(|turn| format!("{:?}", grasp.onset_of_turn_with(turn, &settings).unwrap()))
+        .map(|turn| format!("{:?}", grasp.with(&settings).onset_of_turn(turn).unwrap()))
         .collect();
     assert!(one_by_one.iter().any(|o| o.contains("onset: At")), "the turns must reach an onset");
     let swept =
-        || grasp.onset_of_turn_each_with(&turns, &settings).into_iter().map(|o| format!("{:?}", o.unwrap()));
+        || grasp.with(&settings).onset_of_turn_each(&turns).into_iter().map(|o| format!("{:?}", o.unwrap()));
     assert!(swept().eq(one_by_one.iter().cloned()));
     #[cfg(feature = "parallel")]
     for threads in [1, 2, 3, 7] {

@@ -34,14 +34,14 @@ fn check_order(
 ) -> Result<(), TestCaseError> {
     let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
     let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
-    if !rolls(&grasp.solve_with(&scene.wrench(), &on_circumscribed).unwrap()) {
+    if !rolls(&grasp.with(&on_circumscribed).solve(&scene.wrench()).unwrap()) {
         return Ok(());
     }
     let round = grasp.onset(&ramp).unwrap();
     for facets in [3, 8] {
-        let on = |fit| grasp.onset_with(&ramp, &polygon(facets, fit).on_the_polygon()).unwrap();
+        let on = |fit| grasp.with(&polygon(facets, fit).on_the_polygon()).onset(&ramp).unwrap();
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
-        let base = grasp.bracket_with(&scene.wrench(), &polygon(facets, Fit::Inscribed)).unwrap();
+        let base = grasp.with(&polygon(facets, Fit::Inscribed)).bracket(&scene.wrench()).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
             if !rolls(base) {
                 continue;
@@ -71,7 +71,7 @@ fn polygons_bracket_the_onset() {
 /// If everything rolls on the inscribed polygon the three answers are one, and the inscribed polygon rolls only where the
 /// others do.
 fn check_rolling(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
-    let bracket = scene.grasp().bracket_with(&scene.wrench(), &polygon(5, Fit::Balanced)).unwrap();
+    let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(&scene.wrench()).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(rolls);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
@@ -122,7 +122,7 @@ fn the_spread_of_a_sliding_foot() {
             };
             let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
             let settings = polygon(m as usize, Fit::Inscribed);
-            let spread = grasp.bracket_with(&load, &settings).unwrap().spread.expect("three equilibria");
+            let spread = grasp.with(&settings).bracket(&load).unwrap().spread.expect("three equilibria");
             assert_close!(spread.force / w, force / w);
             assert_close!(spread.displacement * c / w, force / w);
             let most = mu * normal * step;

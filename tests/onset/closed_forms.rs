@@ -148,9 +148,9 @@ fn along_commands_and_both_at_once() {
     let load = Wrench::force([0.0, -w]);
     let release = [[-1.0, 0.0]; 2];
     let settings = Settings::default();
-    let alone = grasp.onset_with(&Ramp::commands(load, release), &settings).unwrap();
+    let alone = grasp.with(&settings).onset(&Ramp::commands(load, release)).unwrap();
     assert!((alone.factor().unwrap() - (a - w / (2.0 * mu * k))).abs() < 1e-15);
-    let both = grasp.onset_with(&Ramp::load(load, load).with_commands(release), &settings).unwrap();
+    let both = grasp.with(&settings).onset(&Ramp::load(load, load).with_commands(release)).unwrap();
     assert!((both.factor().unwrap() - (mu * k * a - w / 2.0) / (w / 2.0 + mu * k)).abs() < 1e-15);
     // At the onset the state is the equilibrium of the commands there.
     let event = both.event().unwrap();

@@ -1,8 +1,9 @@
 //! Derivatives by positions and normals of contacts against central differences of grasps that are built again elsewhere. The solver that
 //! is asked twice knows nothing of derivatives.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Parameter, Ramp, Turn};
 use nalgebra::{SMatrix, SVector};
 
@@ -65,13 +66,13 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         }
         for p in &around {
             let contact = Contact::new(*p, -p + dice.vector::<C>() * 0.3).tangent(dice.vector::<C>());
-            let alone = Grasp::<D, C>::new([contact.series_stiffness(1.0, 1.0)]).unwrap();
+            let alone = Grasp::<C>::new([contact.series_stiffness(1.0, 1.0)]).unwrap();
             scene.frame.push(*alone.frames().next().unwrap());
         }
         scene
     }
 
-    fn grasp(&self) -> Grasp<D, C> {
+    fn grasp(&self) -> Grasp<C> {
         Grasp::new((0..self.point.len()).map(|i| {
             Contact::new(self.point[i], self.frame[i].column(0).into_owned())
                 .tangent(self.frame[i].column(1).into_owned())
@@ -82,21 +83,21 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         .unwrap()
     }
 
-    fn wrenches(&self) -> [Wrench<D, C>; 3] {
-        self.load.map(Wrench::from_vector)
+    fn wrenches(&self) -> [Wrench<C>; 3] {
+        self.load.map(|w| Wrench::from_components(w.as_slice()))
     }
 
-    fn ramp(&self) -> Ramp<D, C> {
+    fn ramp(&self) -> Ramp<C> {
         let [base, direction, _] = self.wrenches();
         Ramp::load(base, direction).with_commands(self.change.clone())
     }
 
-    fn turn(&self) -> Turn<D, C> {
+    fn turn(&self) -> Turn<C> {
         let [constant, cosine, sine] = self.wrenches();
         Turn::new(constant - cosine, cosine, sine)
     }
 
-    fn onset(&self, turns: bool) -> Onset<D, C> {
+    fn onset(&self, turns: bool) -> Onset<C> {
         let grasp = self.grasp();
         if turns {
             grasp.onset_of_turn(&self.turn()).unwrap().onset
@@ -156,21 +157,23 @@ fn compare_equilibria<const D: usize, const C: usize>(
             else {
                 continue;
             };
-            let kind = |e: &grasp_lcp::equilibrium::Equilibrium<D, C>| -> Vec<_> {
+            let kind = |e: &grasp_lcp::equilibrium::Equilibrium<C>| -> Vec<_> {
                 e.contacts.iter().map(|c| std::mem::discriminant(&c.state)).collect()
             };
             let jumps = (up.contacts[0].force - here.contacts[0].force).norm() > 1e-3;
             if kind(&up) != kind(&here) || kind(&down) != kind(&here) || jumps {
                 continue;
             }
-            let exact = scene.grasp().sensitivity(&here, by).expect("a regular piece");
+            let exact = scene.grasp().sensitivity().of(&here, by).expect("a regular piece");
             for (i, force) in exact.forces.iter().enumerate() {
                 let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * STEP);
                 let error = (difference - force).norm();
                 assert!(error < TOLERANCE * (1.0 + force.norm()), "{by:?} contact {i}: {difference} {force}");
             }
-            let difference = (up.twist.as_vector() - down.twist.as_vector()) / (2.0 * STEP);
-            let error = (difference - exact.twist.as_vector()).norm();
+            let difference = (SVector::<f64, D>::from_column_slice(up.twist.components())
+                - SVector::<f64, D>::from_column_slice(down.twist.components()))
+                / (2.0 * STEP);
+            let error = (difference - SVector::<f64, D>::from_column_slice(exact.twist.components())).norm();
             assert!(error < TOLERANCE * (1.0 + difference.norm()), "{by:?}: {difference} {exact:?}");
             let slides = here.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. }));
             sliding += usize::from(slides);
@@ -191,13 +194,13 @@ fn compare_onsets<const D: usize, const C: usize>(
         let scene = Scene::<D, C>::random(&mut dice, contacts, 0.0);
         let onset = scene.onset(turns);
         let Some(event) = onset.event().filter(|event| event.factor > 0.0) else { continue };
-        let gradients = scene.grasp().onset_gradients_by_geometry(event).unwrap();
+        let gradients = scene.grasp().sensitivity().onset_gradients_by_geometry(event).unwrap();
         let [gradient] = &gradients[..] else { continue };
         for by in scene.parameters() {
             let step = 0.1 * STEP;
             let (up, down) = (scene.moved(by, step).onset(turns), scene.moved(by, -step).onset(turns));
             let (Some(up), Some(down)) = (up.event(), down.event()) else { continue };
-            let same = |e: &grasp_lcp::load_path::OnsetEvent<D, C>| {
+            let same = |e: &grasp_lcp::load_path::OnsetEvent<C>| {
                 e.leaving.len() == 1 && e.leaving[0].contact == event.leaving[0].contact
             };
             // Far from the edge a small change of the data may move the onset by far.

@@ -30,7 +30,7 @@ fn a_palm_that_tilts() {
         let onset = grasp.onset(&weight()).unwrap();
         let event = onset.event().unwrap();
         assert!((event.factor - closed(phi)).abs() < 1e-13, "{phi}: {}", event.factor);
-        let gradient = &grasp.onset_gradients_by_geometry(event).unwrap()[0];
+        let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
         let (sin, slope) = (phi.sin(), 1.0 / (MU.atan() - phi).cos().powi(2));
         let known = -PRESS * (sin * (MU.atan() - phi).tan() + (1.0 + phi.cos()) * slope);
         assert!((gradient.normal[0][1] - known).abs() < 1e-11, "{phi}: {} {known}", gradient.normal[0][1]);
@@ -46,7 +46,7 @@ fn a_palm_that_is_elsewhere() {
         let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
         let grasp = planar::Grasp::new([left, palm(1.0)]).unwrap();
         let onset = grasp.onset(&weight()).unwrap();
-        for gradient in grasp.onset_gradients_by_geometry(onset.event().unwrap()).unwrap() {
+        for gradient in grasp.sensitivity().onset_gradients_by_geometry(onset.event().unwrap()).unwrap() {
             let left_slides = gradient.leaving == grasp_lcp::load_path::Leaver::Contact(0);
             let by_l = if left_slides { MU * PRESS } else { -MU * PRESS / (l * l) };
             assert!((gradient.point[0][0] + by_l).abs() < 1e-11, "{l}: {gradient:?}");
@@ -66,7 +66,7 @@ fn a_grasp_that_turns_as_a_whole() {
     let grasp = planar::Grasp::new([at(0.2, 0.5), at(2.2, 0.7), at(4.4, 0.6)]).unwrap();
     let onset = grasp.onset(&weight()).unwrap();
     let event = onset.event().unwrap();
-    let gradient = &grasp.onset_gradients_by_geometry(event).unwrap()[0];
+    let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
     // From x to y: a point p moves by (-y, x), and the normal tilts away from t.
     let turned: f64 = grasp
         .contacts()
@@ -75,7 +75,7 @@ fn a_grasp_that_turns_as_a_whole() {
         .map(|(c, (point, normal))| point[1] * c.point()[0] - point[0] * c.point()[1] - normal[1])
         .sum();
     // The weight (0, -1) turned back by the same angle changes by (-1, 0) for each rad.
-    let by_load = -grasp.onset_gradients(event)[0].base_load[0] * event.factor;
+    let by_load = -grasp.sensitivity().onset_gradients(event)[0].base_load[0] * event.factor;
     assert!(by_load.abs() > 0.1 && (turned - by_load).abs() < 1e-11, "{turned} {by_load}");
 }
 
@@ -89,8 +89,8 @@ fn commands_along_the_coordinate_axes() {
     let factor = |phi: f64| grasp(phi).onset(&weight()).unwrap().factor().unwrap();
     let onset = grasp(0.0).onset(&weight()).unwrap();
     let event = onset.event().unwrap();
-    let by_command = grasp(0.0).onset_gradients(event)[0].command[0];
-    let in_the_frame = grasp(0.0).onset_gradients_by_geometry(event).unwrap()[0].normal[0][1];
+    let by_command = grasp(0.0).sensitivity().onset_gradients(event)[0].command[0];
+    let in_the_frame = grasp(0.0).sensitivity().onset_gradients_by_geometry(event).unwrap()[0].normal[0][1];
     let a = grasp(0.0).contacts()[0].commanded();
     let known = in_the_frame + by_command[0] * a[1] - by_command[1] * a[0];
     let difference = (factor(1e-6) - factor(-1e-6)) / 2e-6;
@@ -113,7 +113,8 @@ fn a_pinch_whose_line_leaves_the_load() {
     let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force([0.0, 0.0, -1.0]));
     let factor = |z: f64| pinch(0.0, z).onset(&ramp).unwrap().factor().unwrap();
     let onset = pinch(0.0, 0.0).onset(&ramp).unwrap();
-    let gradients = pinch(0.0, 0.0).onset_gradients_by_geometry(onset.event().unwrap()).unwrap();
+    let gradients =
+        pinch(0.0, 0.0).sensitivity().onset_gradients_by_geometry(onset.event().unwrap()).unwrap();
     let up = (factor(1e-7) - factor(0.0)) / 1e-7;
     let least = gradients.iter().map(|gradient| gradient.point[0][2]).fold(f64::INFINITY, f64::min);
     assert!((up - least).abs() < 1e-5, "{up} {least}");
@@ -133,8 +134,8 @@ fn a_motion_that_another_geometry_holds() {
     let outcome = grasp.solve(&spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
     let held = outcome.equilibrium().expect("holds");
     assert!(!held.free_motions.is_empty());
-    assert!(grasp.sensitivity(held, Parameter::Point { contact: 2, axis: 2 }).is_none());
-    assert!(grasp.sensitivity(held, Parameter::Point { contact: 2, axis: 0 }).is_some());
+    assert!(grasp.sensitivity().of(held, Parameter::Point { contact: 2, axis: 2 }).is_none());
+    assert!(grasp.sensitivity().of(held, Parameter::Point { contact: 2, axis: 0 }).is_some());
 }
 
 #[test]
@@ -149,7 +150,7 @@ fn what_there_is_not_has_no_derivative() {
         Parameter::Normal { contact: 0, axis: 2 },
         Parameter::Normal { contact: 2, axis: 1 },
     ] {
-        assert!(grasp.sensitivity(held, by).is_none(), "{by:?}");
+        assert!(grasp.sensitivity().of(held, by).is_none(), "{by:?}");
     }
 }
 
@@ -159,7 +160,7 @@ fn the_whole_load_times_a_number() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
     let onset = grasp.onset(&weight()).unwrap();
     let event = onset.event().unwrap();
-    assert!((grasp.onset_gradients(event)[0].load_scale + event.factor).abs() < 1e-12);
+    assert!((grasp.sensitivity().onset_gradients(event)[0].load_scale + event.factor).abs() < 1e-12);
     let load = planar::Wrench::new([0.3, -1.0], 0.2);
     let ramp = |times: f64| {
         planar::Ramp::load(load * times, planar::Wrench::force([0.2, -1.0]) * times)
@@ -167,18 +168,20 @@ fn the_whole_load_times_a_number() {
     };
     let factor = |times: f64| grasp.onset(&ramp(times)).unwrap().factor().unwrap();
     let onset = grasp.onset(&ramp(1.0)).unwrap();
-    let known = grasp.onset_gradients(onset.event().unwrap())[0].load_scale;
+    let known = grasp.sensitivity().onset_gradients(onset.event().unwrap())[0].load_scale;
     let difference = (factor(1.0 + 1e-6) - factor(1.0 - 1e-6)) / 2e-6;
     assert!((difference - known).abs() < 1e-7, "{difference} {known}");
 }
 
 #[test]
 fn a_hand_is_refused_by_name() -> Result<(), Error> {
-    use grasp_lcp::planar::hand::{Finger, Hand, Joint, Ramp, Wrench};
+    use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    use grasp_lcp::planar::{Ramp, Wrench};
     let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)]).contact(palm(x));
-    let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?;
-    let onset = grasp.onset(&Ramp::<5>::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
-    let refused = grasp.onset_gradients_by_geometry(onset.event().expect("slides")).unwrap_err();
+    let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
+    let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    let refused =
+        grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides")).unwrap_err();
     assert_eq!(refused, Error::NotForHands { question: "onset_gradients_by_geometry" });
     Ok(())
 }
@@ -195,5 +198,5 @@ fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let onset = grasp.onset(&ramp).unwrap();
     let event = onset.event().unwrap();
     assert!(event.leaving[0].contact == 2 && (event.factor - 3.2).abs() < 1e-12, "{event:?}");
-    assert!(grasp.onset_gradients(event).is_empty());
+    assert!(grasp.sensitivity().onset_gradients(event).is_empty());
 }

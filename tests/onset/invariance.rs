@@ -17,9 +17,9 @@ use support::transform::Transform;
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     image: &Scene<D, C>,
-    [event, seen]: [&OnsetEvent<D, C>; 2],
+    [event, seen]: [&OnsetEvent<C>; 2],
 ) -> Result<(), TestCaseError> {
-    let leaves = |event: &OnsetEvent<D, C>, i: usize| event.leaving.iter().any(|l| l.contact == i);
+    let leaves = |event: &OnsetEvent<C>, i: usize| event.leaving.iter().any(|l| l.contact == i);
     for (i, datum) in scene.contacts.iter().enumerate() {
         if leaves(event, i) == leaves(seen, i) {
             continue;
@@ -50,8 +50,8 @@ fn check_image<const D: usize, const C: usize>(
     let image = transform.scene(scene);
     let image_change = Change { load, commands };
     let settings = Settings::default();
-    let onset = scene.grasp().onset_with(&change.ramp(scene), &settings).expect("a finite ramp");
-    let seen = image.grasp().onset_with(&image_change.ramp(&image), &settings).expect("a finite ramp");
+    let onset = scene.grasp().with(&settings).onset(&change.ramp(scene)).expect("a finite ramp");
+    let seen = image.grasp().with(&settings).onset(&image_change.ramp(&image)).expect("a finite ramp");
     let (a, b) = (onset.factor(), seen.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{seen:?}");
     if let (Some(event), Some(seen)) = (onset.event(), seen.event()) {
@@ -75,8 +75,8 @@ fn check_split<const D: usize, const C: usize>(
     split.contacts.push(split.contacts[0]);
     split_change.commands.push(change.commands[0]);
     let settings = Settings::default();
-    let onset = scene.grasp().onset_with(&change.ramp(scene), &settings).expect("a finite ramp");
-    let halves = split.grasp().onset_with(&split_change.ramp(&split), &settings).expect("a finite ramp");
+    let onset = scene.grasp().with(&settings).onset(&change.ramp(scene)).expect("a finite ramp");
+    let halves = split.grasp().with(&settings).onset(&split_change.ramp(&split)).expect("a finite ramp");
     let (a, b) = (onset.factor(), halves.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{halves:?}");
     tally.count(&onset);

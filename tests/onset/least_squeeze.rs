@@ -63,7 +63,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         let event = there.event().expect("slides");
         assert!((event.factor - size).abs() < 1e-13 * size, "{number}: {} {size}", event.factor);
         assert!(event.leaving.iter().any(|leaving| Leaver::Contact(leaving.contact) == leaver));
-        assert!((load.as_vector() - event.load.as_vector()).norm() < 1e-12 * size);
+        assert!((load.to_vector() - event.load.to_vector()).norm() < 1e-12 * size);
         let mut least = f64::INFINITY;
         for _ in 0..2000 {
             let v = numbers.three();
@@ -167,7 +167,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     Ok(())
 }
 
-fn factor_of_none() -> LeastSqueeze<3, 2> {
+fn factor_of_none() -> LeastSqueeze<2> {
     let free = planar::Grasp::new([planar::Contact::new([0.0, 0.0], [0.0, 1.0])
         .series_stiffness(1.0, 1.0)
         .kept_closed()]);
@@ -183,7 +183,7 @@ fn what_is_no_set_of_loads_is_refused() {
             .pressed_with(1.0)
     };
     let palms = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
-    let told = |loads: Loads<3, 2>| palms.least_squeeze(&loads).unwrap_err().to_string();
+    let told = |loads: Loads<2>| palms.least_squeeze(&loads).unwrap_err().to_string();
     assert_eq!(told(Loads::Each(Vec::new())), "number of loads is 0, must be at least 1");
     let any = |size: f64, point: [f64; 2]| Loads::AnyForce { base: planar::Wrench::ZERO, size, point };
     assert_eq!(told(any(-1.0, [0.0; 2])), "size of the force is -1, must be zero, or more and at most 1e50");

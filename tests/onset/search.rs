@@ -47,8 +47,8 @@ fn check_bisection<const D: usize, const C: usize>(
     for friction in [Friction::Round, Friction::Polygon] {
         let Some(expected) = bisected(scene, change, friction) else { continue };
         let onset = match friction {
-            Friction::Round => grasp.onset_with(&ramp, &settings),
-            Friction::Polygon => grasp.onset_with(&ramp, &settings.on_the_polygon()),
+            Friction::Round => grasp.with(&settings).onset(&ramp),
+            Friction::Polygon => grasp.with(&settings.on_the_polygon()).onset(&ramp),
         };
         let onset = onset.expect("a finite ramp");
         if change.works_on_free_motion(scene) {
@@ -88,8 +88,8 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     }
     let (grasp, ramp, round) = (scene.grasp(), change.ramp(scene), Settings::default());
     let (onset, settings) = match friction {
-        Friction::Round => (grasp.onset_with(&ramp, &round), round),
-        Friction::Polygon => (grasp.onset_with(&ramp, &round.on_the_polygon()), round.on_the_polygon()),
+        Friction::Round => (grasp.with(&round).onset(&ramp), round),
+        Friction::Polygon => (grasp.with(&round.on_the_polygon()).onset(&ramp), round.on_the_polygon()),
     };
     let onset = onset.expect("a finite ramp");
     let Some(event) = onset.event() else { return Ok(()) };
@@ -98,7 +98,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     let Some(beyond) = beyond.filter(|slack| *slack < -2e-12) else { return Ok(()) };
     let solve = |part: f64| {
         let there = change.at(scene, event.factor * part);
-        there.grasp().solve_with(&there.wrench(), &settings).expect("a finite load")
+        there.grasp().with(&settings).solve(&there.wrench()).expect("a finite load")
     };
     let below = solve(1.0 - 1e-9);
     let rolls = below.equilibrium().is_some_and(|e| e.rule == Rung::EverythingRolls);
@@ -123,7 +123,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
 /// The state at the onset: everything that leaves is at the edge of its cone, everything else inside.
 fn is_at_the_edge<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    event: &OnsetEvent<D, C>,
+    event: &OnsetEvent<C>,
 ) -> Result<(), TestCaseError> {
     prop_assert!(!event.leaving.is_empty());
     let state = scene.grasp().state_at_onset(event).expect("its own event");

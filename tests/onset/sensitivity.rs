@@ -1,8 +1,9 @@
 //! Exact derivatives of equilibria and onsets against central differences of the solver itself, whose steps of 1e-5 leave an
 //! error of about 1e-10: an independent answer, since the derivatives come from one linear solve on the final piece.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Parameter, Ramp};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
@@ -50,7 +51,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         Self { point: directions, normal, stiffness, friction, command, load, direction }
     }
 
-    fn grasp(&self) -> Grasp<D, C> {
+    fn grasp(&self) -> Grasp<C> {
         Grasp::new((0..self.point.len()).map(|i| {
             Contact::new(self.point[i], self.normal[i])
                 .series_stiffness_axes(self.stiffness[i])
@@ -60,13 +61,16 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         .unwrap()
     }
 
-    fn solve(&self) -> Option<Equilibrium<D, C>> {
-        let outcome = self.grasp().solve(&Wrench::from_vector(self.load)).unwrap();
+    fn solve(&self) -> Option<Equilibrium<C>> {
+        let outcome = self.grasp().solve(&Wrench::from_components(self.load.as_slice())).unwrap();
         outcome.equilibrium().cloned()
     }
 
     fn onset(&self) -> Option<(f64, Vec<usize>)> {
-        let ramp = Ramp::load(Wrench::from_vector(self.load), Wrench::from_vector(self.direction));
+        let ramp = Ramp::load(
+            Wrench::from_components(self.load.as_slice()),
+            Wrench::from_components(self.direction.as_slice()),
+        );
         let Onset::At(event) = self.grasp().onset(&ramp).unwrap() else { return None };
         Some((event.factor, event.leaving.iter().map(|l| l.contact).collect()))
     }
@@ -99,7 +103,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-fn states<const D: usize, const C: usize>(e: &Equilibrium<D, C>) -> Vec<u8> {
+fn states<const C: usize>(e: &Equilibrium<C>) -> Vec<u8> {
     let word = |c: &grasp_lcp::equilibrium::ContactAnswer<C>| {
         use grasp_lcp::equilibrium::ContactState::{Frictionless, Rolling, Separated, Sliding};
         match c.state {
@@ -131,7 +135,7 @@ fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, 
             if states(&up) != states(&here) || states(&down) != states(&here) {
                 continue;
             }
-            let exact = grasp.sensitivity(&here, by).expect("a regular piece");
+            let exact = grasp.sensitivity().of(&here, by).expect("a regular piece");
             let scale = |x: f64| TOLERANCE * (1.0 + x.abs());
             for (i, force) in exact.forces.iter().enumerate() {
                 let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * step);
@@ -170,9 +174,12 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
             continue;
         }
         let grasp = scene.grasp();
-        let ramp = Ramp::load(Wrench::from_vector(scene.load), Wrench::from_vector(scene.direction));
+        let ramp = Ramp::load(
+            Wrench::from_components(scene.load.as_slice()),
+            Wrench::from_components(scene.direction.as_slice()),
+        );
         let onset = grasp.onset(&ramp).unwrap();
-        let gradients = grasp.onset_gradients(onset.event().unwrap());
+        let gradients = grasp.sensitivity().onset_gradients(onset.event().unwrap());
         let [gradient] = &gradients[..] else { continue };
         for by in scene.parameters() {
             let step = 0.1 * Scene::<D, C>::step(by);
@@ -221,7 +228,7 @@ fn position_control_of_a_pinch() {
     }))
     .unwrap();
     let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
-    let response = grasp.response(outcome.equilibrium().unwrap()).unwrap();
+    let response = grasp.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15, "finger 1 pushes the object along x");
     assert!((response.twist[(0, 2)] + 0.5).abs() < 1e-15);
     assert!((response.forces[(0, 0)] - k / 2.0).abs() < 1e-13);
@@ -240,7 +247,7 @@ fn position_control_of_a_pinch() {
     }))
     .unwrap();
     let outcome = pinch.solve(&spatial::Wrench::ZERO).unwrap();
-    let response = pinch.response(outcome.equilibrium().unwrap()).unwrap();
+    let response = pinch.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     let turn = |axis: usize| {
         let mut q = SVector::<f64, 6>::zeros();
         q[axis] = 0.01;

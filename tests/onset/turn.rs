@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use grasp_lcp::load_path::PathEnd;
+use grasp_lcp::load_path::{Leaver, PathEnd};
 use grasp_lcp::planar::{self, Turn, Wrench};
 use grasp_lcp::{Error, PolygonCone, Settings, spatial};
 
@@ -33,7 +33,7 @@ fn an_edge_that_is_touched_is_told() {
         assert_eq!(answer.onset.event().is_some(), slides, "{part}: {answer:?}");
         assert_eq!(!answer.touches.is_empty(), touches, "{part}: {answer:?}");
         if let Some(touch) = answer.touches.first() {
-            assert!(touch.contact == 0 && (touch.angle - angle).abs() < 1e-6, "{answer:?}");
+            assert!(touch.of == Leaver::Contact(0) && (touch.angle - angle).abs() < 1e-6, "{answer:?}");
         }
         if let Some(event) = answer.onset.event() {
             // Before the place of the double root, by √(2 · part of it).
@@ -124,7 +124,7 @@ fn polygons_close_in_on_the_round_cone() {
     let facets = |count: usize| {
         let cone = PolygonCone::new(count, grasp_lcp::Fit::Inscribed).unwrap();
         let settings = Settings::default().on_the_polygon().with_cone(cone);
-        grasp.onset_of_turn_with(&turn, &settings).unwrap().onset.factor().unwrap()
+        grasp.with(&settings).onset_of_turn(&turn).unwrap().onset.factor().unwrap()
     };
     let [coarse, fine] = [16, 128].map(facets);
     assert!(round.is_finite() && coarse < round && fine < round, "{coarse} {fine} {round}");
@@ -170,7 +170,7 @@ fn gradients_are_those_of_small_changes() {
     let angle =
         |data: [f64; 3], aside: f64| grasp(data).onset_of_turn(&turn(aside)).unwrap().onset.factor().unwrap();
     let onset = grasp(data).onset_of_turn(&turn(0.0)).unwrap().onset;
-    let gradient = &grasp(data).onset_gradients(onset.event().expect("slides"))[0];
+    let gradient = &grasp(data).sensitivity().onset_gradients(onset.event().expect("slides"))[0];
     let by_axis = gradient.stiffness[0];
     let stiffness = by_axis[0] + 0.7 * (by_axis[1] + by_axis[2]);
     let known = [gradient.friction[0], stiffness, gradient.command[0][0]];

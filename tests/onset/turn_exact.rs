@@ -1,9 +1,9 @@
 //! The onset of sliding while a load turns against roots counted and isolated in exact arithmetic.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Rung;
-use grasp_lcp::grasp::Grasp;
 use grasp_lcp::load_path::{Onset, Turn};
-use grasp_lcp::nalgebra::{SMatrix, SVector};
+use grasp_lcp::nalgebra::SMatrix;
 use grasp_lcp::{Error, planar, spatial};
 use support::dyadic::{Dyadic, solve};
 use support::numbers::Numbers;
@@ -209,11 +209,11 @@ type Datum<const C: usize> = ([f64; C], [f64; 4]);
 
 impl Tally {
     /// Compares the onset of a turn from where everything touches and rolls.
-    fn compare<const D: usize, const C: usize>(
+    fn compare<const C: usize>(
         &mut self,
-        grasp: &Grasp<D, C>,
+        grasp: &Grasp<C>,
         data: &[Datum<C>],
-        turn: &Turn<D, C>,
+        turn: &Turn<C>,
     ) -> Result<(), Error> {
         let rest = grasp.solve(&turn.load_at(0.0))?;
         if rest.equilibrium().is_none_or(|rest| rest.rule != Rung::EverythingRolls) {
@@ -222,9 +222,11 @@ impl Tally {
         let spring =
             |((point, data), frame): (&Datum<C>, &SMatrix<f64, C, C>)| Spring::new(*point, frame, *data);
         let springs: Vec<_> = data.iter().zip(grasp.frames()).map(spring).collect();
-        let parts = turn.parts().map(|part| *part.as_vector());
-        match (grasp.onset_of_turn(turn)?.onset, reference(&springs, parts.each_ref().map(SVector::as_slice)))
-        {
+        let parts = turn.parts();
+        match (
+            grasp.onset_of_turn(turn)?.onset,
+            reference(&springs, parts.each_ref().map(grasp_lcp::grasp::Wrench::components)),
+        ) {
             (_, Some((_, true))) => self.near += 1,
             (Onset::Never, None) => self.never += 1,
             (Onset::At(event), Some((angle, _))) => {

@@ -2,8 +2,9 @@
 //! where one contact leaves before all others.
 
 use allocation_counter::measure;
-use grasp_lcp::grasp::Grasp;
-use grasp_lcp::load_path::{OnsetWorkspace, Ramp};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::ask::OnsetWorkspace;
+use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::{Settings, planar};
 use std::cell::RefCell;
@@ -11,7 +12,7 @@ use support::ramps::ramps;
 use support::random::{Spread, for_all};
 
 /// Grasps and ramps of any kind: with free motions, closing contacts, without a base.
-fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<D, C>, Ramp<D, C>)> {
+fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<C>, Ramp<C>)> {
     let list = RefCell::new(Vec::new());
     for spread in [Spread::Narrow, Spread::Wide] {
         for_all(file!(), cases, &ramps::<D, C>(1..6, spread), |(scene, change)| {
@@ -23,12 +24,12 @@ fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<D, C>, Ra
 }
 
 fn tells_the_same<const D: usize, const C: usize>(settings: Settings) {
-    let mut workspace = OnsetWorkspace::<D, C>::new(settings);
+    let mut workspace = OnsetWorkspace::<C>::new(settings);
     let mut events = 0;
-    for (grasp, ramp) in questions(400) {
+    for (grasp, ramp) in questions::<D, C>(400) {
         let told = workspace.onset(&grasp, &ramp).expect("valid");
         // Numbers are written so that they come back as they were.
-        let expected = grasp.onset_with(&ramp, &settings).expect("valid");
+        let expected = grasp.with(&settings).onset(&ramp).expect("valid");
         assert_eq!(format!("{told:?}"), format!("{expected:?}"));
         events += usize::from(told.event().is_some());
     }
@@ -49,9 +50,9 @@ fn in_space() {
 
 /// How many of the questions allocate nothing when they are asked again. What they tell is the event of one contact.
 fn without_allocation<const D: usize, const C: usize>() -> usize {
-    let mut workspace = OnsetWorkspace::<D, C>::default();
+    let mut workspace = OnsetWorkspace::<C>::default();
     let mut count = 0;
-    for (grasp, ramp) in &questions(300) {
+    for (grasp, ramp) in &questions::<D, C>(300) {
         // The factors of the grasp, and the lists if it is larger than all before.
         assert!(workspace.onset(grasp, ramp).is_ok());
         let counted = measure(|| assert!(workspace.onset(grasp, ramp).is_ok()));
@@ -80,8 +81,8 @@ fn nor_for_a_hand() {
             .pressed_with(3.0);
         Finger::new([Joint::revolute([1.3 * x, -1.0]).stiffness(30.0)]).contact(pad)
     };
-    let grasp = Hand::new([finger(-1.0, 0.6), finger(1.0, 0.5)]).grasp::<5>().expect("well posed");
-    let ramp = Ramp::load(planar::hand::Wrench::ZERO, planar::hand::Wrench::force([0.0, -1.0]));
+    let grasp = Hand::new([finger(-1.0, 0.6), finger(1.0, 0.5)]).grasp().expect("well posed");
+    let ramp = Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
     let mut workspace = OnsetWorkspace::default();
     let event = workspace.onset(&grasp, &ramp).expect("valid").event().cloned().expect("slides");
     assert!(event.leaving.len() == 1 && event.leaving[0].contact == 1);

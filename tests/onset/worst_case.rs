@@ -1,6 +1,7 @@
 //! The least onset within bounds: against every corner of small boxes, each asked by itself, and in closed form.
 
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::squeeze::{Bounds, LeastOnset};
 use grasp_lcp::{Error, Field, PolygonCone, Settings, planar, spatial};
@@ -40,7 +41,7 @@ fn two_palms_in_closed_form() {
 
 /// The least onset of all corners of the box.
 fn least_of_corners<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
+    grasp: &Grasp<C>,
     ramp: [SVector<f64, D>; 2],
     commands: &[[f64; C]],
     loads: [SVector<f64, D>; 2],
@@ -65,29 +66,32 @@ fn least_of_corners<const D: usize, const C: usize>(
                 Some(k) => loads[k / D][k % D] += off,
             }
         }
-        let [base, direction] = loads.map(Wrench::from_vector);
+        let [base, direction] = loads.map(|w| Wrench::from_components(w.as_slice()));
         let held = grasp.clone().with_commands(held).unwrap();
-        let onset = held.onset_with(&Ramp::load(base, direction), settings).unwrap();
+        let onset = held.with(settings).onset(&Ramp::load(base, direction)).unwrap();
         least = least.min(onset.factor().unwrap());
     }
     least
 }
 
 fn compare<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
+    grasp: &Grasp<C>,
     ramp: [SVector<f64, D>; 2],
     commands: &[[f64; C]],
     loads: [SVector<f64, D>; 2],
     settings: &Settings,
 ) {
-    let [base, direction] = loads.map(Wrench::from_vector);
+    let [base, direction] = loads.map(|w| Wrench::from_components(w.as_slice()));
     let bounds = Bounds::none().with_commands(commands.to_vec()).with_base(base).with_direction(direction);
-    let along = Ramp::load(Wrench::from_vector(ramp[0]), Wrench::from_vector(ramp[1]));
-    let answer = grasp.least_onset_within_with(&along, &bounds, settings).unwrap();
+    let along = Ramp::load(
+        Wrench::from_components((ramp[0]).as_slice()),
+        Wrench::from_components((ramp[1]).as_slice()),
+    );
+    let answer = grasp.with(settings).least_onset_within(&along, &bounds).unwrap();
     let LeastOnset::At { factor, commands: held, ramp: worst, .. } = answer else { panic!("{answer:?}") };
     let known = least_of_corners(grasp, ramp, commands, loads, settings);
     assert!((factor - known).abs() < 1e-12 * known, "{factor} {known}");
-    let alone = grasp.clone().with_commands(held).unwrap().onset_with(&worst, settings).unwrap();
+    let alone = grasp.clone().with_commands(held).unwrap().with(settings).onset(&worst).unwrap();
     assert!((alone.factor().unwrap() - factor).abs() < 1e-12 * factor, "{alone:?} {factor}");
 }
 
@@ -166,7 +170,7 @@ fn what_does_not_roll_in_some_case_is_told() {
     let twisted = spatial::Bounds::none().with_base(spatial::Wrench::new([0.0; 3], [1e-3, 0.0, 0.0]));
     let answer = pinch.least_onset_within(&down, &twisted).unwrap();
     let LeastOnset::GivesWay { motion } = answer else { panic!("{answer:?}") };
-    assert!(motion.rotation()[0].abs() > 0.5, "{motion:?}");
+    assert!(motion.object.rotation()[0].abs() > 0.5, "{motion:?}");
 }
 
 #[test]

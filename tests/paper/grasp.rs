@@ -77,7 +77,7 @@ fn four_equilibria_below_w_star() {
     let grasp = two_fingers().unwrap();
     let settings = Settings::default();
     for w in [0.05, 0.1, 0.12, 0.122] {
-        let list = grasp.equilibria_with(&(down() * w), &settings).unwrap();
+        let list = grasp.with(&settings).equilibria(&(down() * w)).unwrap();
         assert_eq!(list.len(), 4, "W = {w}");
         let slide = |c: &grasp_lcp::planar::ContactAnswer| matches!(c.state, ContactState::Sliding { .. });
         let mut kinds: Vec<_> = list.iter().map(|e| (slide(&e.contacts[0]), slide(&e.contacts[1]))).collect();
@@ -87,7 +87,7 @@ fn four_equilibria_below_w_star() {
             assert!(state.residuals.worst() < 1e-14, "{:?}", state.residuals);
         }
     }
-    assert!(grasp.equilibria_with(&(down() * 0.1222), &settings).unwrap().is_empty());
+    assert!(grasp.with(&settings).equilibria(&(down() * 0.1222)).unwrap().is_empty());
 }
 
 /// Both fingers commanded deeper by the same amount raise the onset; the factor along a command ramp agrees with the

@@ -36,7 +36,7 @@ fn two_fingers_as_printed() {
     let [nb, tb, nf, tf] = SPRINGS;
     let (alpha, beta, gamma) = (nf / nb, tf / tb, tb / nb);
     let load = Wrench::new([0.3, -0.7], 0.2);
-    let qp = grasp(SPRINGS).printed_qp(&load, &PolygonCone::default()).unwrap();
+    let qp = grasp(SPRINGS).energy().printed_qp(&load, &PolygonCone::default()).unwrap();
     let program = &qp.program;
 
     let [[q17, q18], [q27, q28]] = COMMANDS;
@@ -116,9 +116,9 @@ fn two_fingers_as_printed() {
 fn the_cost_is_the_energy_of_the_springs() {
     let grasp = grasp(SPRINGS);
     let load = Wrench::new([0.3, -0.7], 0.2);
-    let qp = grasp.printed_qp(&load, &PolygonCone::default()).unwrap();
+    let qp = grasp.energy().printed_qp(&load, &PolygonCone::default()).unwrap();
     let x = DVector::from_fn(15, |i, _| ((i * i + 3) as f64 * 0.7).sin());
-    let mut energy = -load.as_vector().dot(qp.twist(&x).as_vector());
+    let mut energy = -load.to_vector().dot(&qp.twist(&x).to_vector());
     for (i, command) in COMMANDS.into_iter().enumerate() {
         let u = qp.displacements(&x, i);
         for a in 0..2 {
@@ -149,7 +149,7 @@ fn shapes_in_space_and_of_other_contacts() {
         contact(3.0).bonded(),
     ];
     let grasp = spatial::Grasp::new(contacts).unwrap();
-    let qp = grasp.printed_qp(&spatial::Wrench::ZERO, &PolygonCone::default()).unwrap();
+    let qp = grasp.energy().printed_qp(&spatial::Wrench::ZERO, &PolygonCone::default()).unwrap();
     let program = &qp.program;
     assert_eq!(program.g.len(), 5 * 9 + 6);
     let count = |contact: usize, of: &dyn Fn(&Equality) -> Option<usize>| {
@@ -194,8 +194,8 @@ fn the_reduced_program_has_the_twist_and_the_gaps() {
     let grasp = grasp(SPRINGS);
     let cone = PolygonCone::default();
     let load = Wrench::new([0.3, -0.7], 0.2);
-    let with_gaps = grasp.reduced_qp(&load, &cone, Unknowns::TwistAndGaps).unwrap();
-    let twist = grasp.reduced_qp(&load, &cone, Unknowns::Twist).unwrap();
+    let with_gaps = grasp.energy().reduced_qp(&load, &cone, Unknowns::TwistAndGaps).unwrap();
+    let twist = grasp.energy().reduced_qp(&load, &cone, Unknowns::Twist).unwrap();
     assert_eq!((with_gaps.program.g.len(), with_gaps.gaps.as_slice()), (5, [0, 1].as_slice()));
     assert_eq!((twist.program.g.len(), twist.gaps.len()), (3, 0));
     assert_eq!((with_gaps.program.d.len(), twist.program.d.len()), (6, 6));
@@ -210,16 +210,20 @@ fn the_reduced_program_has_the_twist_and_the_gaps() {
 fn rigid_sides_and_loads_that_are_no_numbers_are_refused() {
     let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).friction(0.5);
     let cone = PolygonCone::default();
-    let refused = |c: Contact| Grasp::new([c]).unwrap().printed_qp(&Wrench::ZERO, &cone).unwrap_err();
+    let refused =
+        |c: Contact| Grasp::new([c]).unwrap().energy().printed_qp(&Wrench::ZERO, &cone).unwrap_err();
     let field = |e: Error| if let Error::Contact { field, .. } = e { field } else { panic!("{e}") };
     assert_eq!(field(refused(contact(1.0).finger_stiffness(1.0, 1.0))), Field::BodyStiffness);
     assert_eq!(field(refused(contact(1.0).body_stiffness(1.0, 1.0))), Field::FingerStiffness);
     assert_eq!(field(refused(contact(1.0).series_stiffness(1.0, 1.0))), Field::SeriesStiffness);
     let bad = Wrench::new([f64::NAN, 0.0], 0.0);
-    assert!(matches!(grasp(SPRINGS).printed_qp(&bad, &cone), Err(Error::Wrench { component: 0, .. })));
     assert!(matches!(
-        grasp(SPRINGS).reduced_qp(&bad, &cone, Unknowns::Twist),
+        grasp(SPRINGS).energy().printed_qp(&bad, &cone),
         Err(Error::Wrench { component: 0, .. })
     ));
-    assert!(matches!(grasp(SPRINGS).compare_with_minimum_energy(&bad), Err(Error::Wrench { .. })));
+    assert!(matches!(
+        grasp(SPRINGS).energy().reduced_qp(&bad, &cone, Unknowns::Twist),
+        Err(Error::Wrench { component: 0, .. })
+    ));
+    assert!(matches!(grasp(SPRINGS).energy().compare(&bad), Err(Error::Wrench { .. })));
 }

@@ -15,12 +15,12 @@ const LAST_DIGIT: f64 = 1.0001e-4;
 /// Contact forces by all three forms of the program.
 fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let settings = Settings::default();
-    let accurate = grasp.minimum_energy_with(load, &settings).unwrap();
+    let accurate = grasp.with(&settings).energy().minimum(load).unwrap();
     let accurate = accurate.minimum().expect("a minimum").contacts.iter().map(|c| c.force).collect();
-    let printed = grasp.printed_qp(load, &settings.cone).unwrap();
+    let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
     let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
     let as_printed = (0..grasp.len()).map(|i| printed.force(&qp.x, i)).collect();
-    let reduced = grasp.reduced_qp(load, &settings.cone, Unknowns::Twist).unwrap();
+    let reduced = grasp.energy().reduced_qp(load, &settings.cone, Unknowns::Twist).unwrap();
     let QpOutcome::Minimum(qp) = reduced.program.solve().unwrap() else { panic!("a minimum") };
     let twist = SVector::<f64, 3>::from_column_slice(qp.x.as_slice());
     let from_twist = grasp.contacts().iter().zip(grasp.frames()).map(|(c, frame)| {
@@ -52,14 +52,14 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
     let grasp = two_fingers().unwrap();
     let onset = 65f64.sqrt() / 66.0;
     for w in [0.13, 0.14, 0.5, 3.0] {
-        let comparison = grasp.compare_with_minimum_energy(&(down() * w)).unwrap();
+        let comparison = grasp.energy().compare(&(down() * w)).unwrap();
         let minimum = comparison.minimum.minimum().unwrap();
         for c in &minimum.contacts {
             assert!((c.force[0] - 65.0 / 132.0).abs() < 1e-14, "{}", c.force[0]);
             assert!((c.force[1].abs() - 65.0 / 528.0).abs() < 1e-14);
             assert_eq!(c.gap, 0.0);
         }
-        let missing = minimum.imbalance.as_vector();
+        let missing = minimum.imbalance.to_vector();
         assert!(
             (missing[1] + (w - onset)).abs() < 1e-14 && missing[0].abs() < 1e-15 && missing[2].abs() < 1e-13
         );
@@ -75,7 +75,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }
-    let text = grasp.compare_with_minimum_energy(&(down() * 0.14)).unwrap().verdict.to_string();
+    let text = grasp.energy().compare(&(down() * 0.14)).unwrap().verdict.to_string();
     assert_eq!(text, "out of equilibrium by 0.017845 N, 0.000000 N m; no equilibrium exists");
 }
 
@@ -84,12 +84,12 @@ fn up_to_the_onset_both_agree() {
     let grasp = two_fingers().unwrap();
     let onset = 65f64.sqrt() / 66.0;
     for w in [0.0, 0.05, 0.12, onset * (1.0 - 1e-9), onset] {
-        let comparison = grasp.compare_with_minimum_energy(&(down() * w)).unwrap();
+        let comparison = grasp.energy().compare(&(down() * w)).unwrap();
         assert_eq!(comparison.verdict, Verdict::Agree, "W = {w}");
         assert!(comparison.difference.unwrap().relative() < 1e-14);
     }
     let ramp = Ramp::load(Wrench::ZERO, down());
-    let ends = grasp.agreement_with_minimum_energy(&ramp).unwrap();
+    let ends = grasp.energy().agreement(&ramp).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - onset).abs() <= 2e-16, "{factor} {onset}");
     assert_eq!(binding, [(0, Some(1)), (1, Some(0))]);
@@ -99,7 +99,7 @@ fn up_to_the_onset_both_agree() {
 #[test]
 fn the_first_table() {
     let grasp = disk(true).unwrap();
-    let comparison = grasp.compare_with_minimum_energy(&disk_load()).unwrap();
+    let comparison = grasp.energy().compare(&disk_load()).unwrap();
     assert_eq!(comparison.verdict, Verdict::Agree);
     let minimum = comparison.minimum.minimum().unwrap();
     let missing = 50.0 * (minimum.twist.translation()[1] - 0.0013);

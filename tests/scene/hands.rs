@@ -1,12 +1,12 @@
 //! Hands in scenes: what is written reads back, is answered as the same hand built by calls, and says what is wrong with it.
 
 use grasp_lcp::Limit;
-use grasp_lcp::grasp::Grasp;
 use grasp_lcp::load_path::Onset;
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Hand, Joint, Leg, Tendon, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Fingertip, MovedBy, Scene, Setup, Space, WithGrasp};
+use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
+use grasp_lcp::planar::{Leg, Wrench};
+use grasp_lcp::scene::{Answer, Answers, Fingertip, MovedBy, Scene, Setup, Space};
 use grasp_lcp::{planar, scene, spatial};
 use serde_json::{Value, json};
 
@@ -56,7 +56,7 @@ fn planar_scene() -> Value {
 }
 
 /// The same hand by calls.
-fn by_calls() -> Result<planar::hand::Grasp<14>, grasp_lcp::Error> {
+fn by_calls() -> Result<planar::Grasp, grasp_lcp::Error> {
     let pad = |point: [f64; 2], normal: [f64; 2]| {
         Contact::new(point, normal).series_stiffness(2000.0, 1500.0).friction(0.6)
     };
@@ -92,7 +92,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     }
     assert_eq!(serde_json::from_value::<Scene>(written)?, scene);
     let Answers::Planar(answers) = scene.answers()? else { return Err("planar".into()) };
-    let back: Vec<Answer<3, 2>> = serde_json::from_value(serde_json::to_value(&answers)?)?;
+    let back: Vec<Answer<2>> = serde_json::from_value(serde_json::to_value(&answers)?)?;
     assert_eq!(format!("{back:?}"), format!("{answers:?}"));
 
     let grasp = by_calls()?;
@@ -161,8 +161,8 @@ fn hands_of_every_size_are_answered() -> Tested {
         }))?;
         let Space::Spatial(setup) = &scene.space else { return Err("spatial".into()) };
         let coordinates = setup.hand()?.coordinates();
-        let direct = setup.hand()?.grasp::<60>()?;
-        let direct = direct.solve(&spatial::hand::Wrench::force([0.1, 0.2, -1.0]))?;
+        let direct = setup.hand()?.grasp()?;
+        let direct = direct.solve(&spatial::Wrench::force([0.1, 0.2, -1.0]))?;
         let direct = direct.equilibrium().ok_or("holds")?;
         let Answers::Spatial(answers) = scene.answers()? else { return Err("spatial".into()) };
         let [Answer::Solve(scene::SolveAnswer::Equilibrium(told))] = &answers[..] else {
@@ -183,7 +183,7 @@ fn a_finger_has_soft_tips() -> Tested {
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
         scene::Finger::new([slide]).contact(Fingertip::from(pad).soft(scene::Tip::Pair { width: 0.1 }))
     };
-    let setup = Setup::<3, 2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
+    let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "moment": 0.2 } } }))?);
     let [Answer::Solve(scene::SolveAnswer::Equilibrium(told))] = &setup.answers()?[..] else {
         return Err("holds".into());
@@ -203,7 +203,7 @@ fn free_motions_tell_what_joints_do() -> Tested {
         let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
         scene::Finger::new([Joint::prismatic([-side, 0.0])]).contact(pad)
     };
-    let setup = Setup::<3, 2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
+    let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.tendon(Tendon::new([0.5, 0.5]).tension(20.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "force": [0.1, 0.0] } } }))?);
     let answers = serde_json::to_value(setup.answers()?)?;
@@ -275,36 +275,27 @@ fn what_is_wrong_with_a_hand_is_named() {
 fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
     let soft = Fingertip::from(pad(-1.0)).soft(scene::Tip::Pair { width: 0.1 });
-    let setup = Setup::<3, 2>::new([soft]).finger(
+    let setup = Setup::<2>::new([soft]).finger(
         scene::Finger::new([Joint::prismatic([-1.0, 0.0]).stiffness(1e3)])
             .contact(pad(1.0).friction(-1.0).name("thumb")),
     );
     let told = setup.answers().expect_err("negative friction").to_string();
     assert!(told.contains("contact 1") && told.contains("thumb"), "{told}");
     // Its grasp has more coordinates than the object.
-    let told = Setup::<3, 2>::new([]).finger(scene::Finger::new([]).contact(pad(1.0)));
+    let told = Setup::<2>::new([]).finger(scene::Finger::new([]).contact(pad(1.0)));
     assert!(told.grasp().is_ok(), "no joint, no coordinate");
 }
 
 /// As many coordinates as no size has.
 #[test]
 fn a_hand_of_too_many_joints_is_refused_with_its_number() {
-    struct Counted;
-    impl WithGrasp<2> for Counted {
-        type Output = usize;
-        fn with<const W: usize>(self, _: &Grasp<W, 2>) -> usize {
-            W
-        }
-    }
     let setup = |joints: u32| {
         let joint = |k| Joint::revolute([-2.0, f64::from(k)]).stiffness(10.0);
         let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
         let last = Fingertip::from(pad(-1.0)).moved_by(MovedBy::LastLink);
-        Setup::<3, 2>::new([pad(1.0).into()]).finger(scene::Finger::new((0..joints).map(joint)).contact(last))
+        Setup::<2>::new([pad(1.0).into()]).finger(scene::Finger::new((0..joints).map(joint)).contact(last))
     };
-    assert_eq!(setup(0).with_grasp(Counted), Ok(16));
-    assert_eq!(setup(13).with_grasp(Counted), Ok(16));
-    assert_eq!(setup(14).with_grasp(Counted), Ok(56));
-    let told = setup(54).with_grasp(Counted).expect_err("too many").to_string();
+    assert!(setup(53).grasp().is_ok());
+    let told = setup(54).grasp().expect_err("too many").to_string();
     assert!(told.contains("56 coordinates, must be at least 57"), "{told}");
 }

@@ -152,11 +152,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
             "unknown variant `slove`, expected one of `solve`, `onset`, `onset_of_turn`, `follow`",
         ),
         ("\"load\"", "\"lode\"", "unknown field `lode`, expected `load`"),
-        (
-            "\"force\"",
-            "\"forse\"",
-            "unknown field `forse`, expected one of `force`, `moment`, `joints`, `at`",
-        ),
+        ("\"force\"", "\"forse\"", "unknown field `forse`, expected one of `force`, `moment`, `at`"),
         (
             "\"commands_by\"",
             "\"command_by\"",
@@ -293,7 +289,7 @@ fn setups_that_were_not_read_are_checked_as_well() {
         };
         assert_eq!(contact.index, 1);
     }
-    assert_eq!(Setup::<6, 3>::new([]).ask(ask).answers().unwrap_err(), Error::EmptyGrasp);
+    assert_eq!(Setup::<3>::new([]).ask(ask).answers().unwrap_err(), Error::EmptyGrasp);
 }
 
 fn read(path: &Path) -> Scene {

@@ -3,7 +3,7 @@
 use grasp_lcp::picture::{
     Chart, Polar, SpatialPage, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,
 };
-use grasp_lcp::{Settings, planar, spatial};
+use grasp_lcp::{planar, spatial};
 
 use crate::svg::{Failure, shapes, view_box};
 
@@ -74,7 +74,7 @@ fn pictures() -> Result<Vec<String>, Failure> {
         page.to_svg(None, View::ABOVE)?,
         polar().to_svg()?,
         map()?.to_svg()?,
-        chart_of_turn(&flat, &turn, &Settings::default(), "turned")?.to_svg()?,
+        chart_of_turn(&flat, &turn, "turned")?.to_svg()?,
         Chart::sheet(&charts(), 2)?,
     ];
     for chart in charts() {

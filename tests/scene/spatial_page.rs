@@ -69,7 +69,7 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
         value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
     };
     let frame = &data["frames"][0];
-    assert_eq!(row(&frame["twist"]), state.twist.as_vector().as_slice());
+    assert_eq!(row(&frame["twist"]), state.twist.to_vector().as_slice());
     for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
         assert_eq!(row(&data["contacts"][i]["point"]), contact.point().as_slice());
         let drawn = &frame["contacts"][i];
@@ -81,7 +81,7 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
     let [at, force, moment] = ["at", "force", "moment"].map(|key| row(&frame["load"][key]));
     let load = Wrench::force_at([force[0], force[1], force[2]], [at[0], at[1], at[2]])
         + Wrench::new([0.0; 3], [moment[0], moment[1], moment[2]]);
-    assert!((load.as_vector() - state.load.as_vector()).norm() < 1e-15, "{load:?}");
+    assert!((load.to_vector() - state.load.to_vector()).norm() < 1e-15, "{load:?}");
     // Where nothing holds nothing is drawn, and the page says why.
     assert!(data["frames"][1].is_null());
     assert!(page.contains("No equilibrium exists."));

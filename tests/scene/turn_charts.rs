@@ -1,6 +1,5 @@
 //! Charts of friction used against the angle: the curves are those of closed forms, and a line is not drawn across a gap.
 
-use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Turn};
 
@@ -35,7 +34,7 @@ fn curves(chart: &Chart) -> Result<Vec<Curve>, Box<dyn std::error::Error>> {
 fn the_friction_used_is_that_of_the_closed_form() -> Tested {
     let palms = Grasp::new([palm("left", -1.0), palm("right", 1.0)])?;
     let turn = Turn::force_at([8.0, 0.0], [0.0, 0.0]).up_to(6.0);
-    let chart = chart_of_turn(&palms, &turn, &Settings::default(), "A box")?;
+    let chart = chart_of_turn(&palms, &turn, "A box")?;
     let curves = curves(&chart)?;
     assert_eq!(curves.len(), 2);
     for (curve, side) in curves.iter().zip([-1.0, 1.0]) {
@@ -54,7 +53,7 @@ fn the_friction_used_is_that_of_the_closed_form() -> Tested {
 fn a_curve_ends_where_the_grasp_is_lost() -> Tested {
     let palms = Grasp::new([palm("left", -1.0), palm("right", 1.0)])?;
     let turn = Turn::force_at([12.0, 0.0], [0.0, 0.0]);
-    let chart = chart_of_turn(&palms, &turn, &Settings::default(), "A box")?;
+    let chart = chart_of_turn(&palms, &turn, "A box")?;
     let curves = curves(&chart)?;
     let (degrees, used) = *curves[0].last().ok_or("a point")?;
     let slides = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);

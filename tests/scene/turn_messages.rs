@@ -142,7 +142,7 @@ fn turns_that_were_not_read_are_checked_as_well() {
     let palm =
         |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(9.0);
     let asked = |question| {
-        let setup = Setup::<3, 2>::new([palm(-1.0).into(), palm(1.0).into()]).ask(question);
+        let setup = Setup::<2>::new([palm(-1.0).into(), palm(1.0).into()]).ask(question);
         setup.answers().unwrap_err()
     };
     let turn = Turn::tilting([0.0, -1.0], [0.0, 0.0]);

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use grasp_lcp::grasp::{Grasp, HandPart, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{HandPart, Wrench};
 use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{self, Hand, Joint};
@@ -62,10 +63,14 @@ fn same(a: &impl std::fmt::Debug, b: &impl std::fmt::Debug) -> Result<(), TestCa
 }
 
 /// A setup that asks for an onset while a load turns, and for a path along which it goes on.
-fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<D, C>, Turn<D, C>) {
+fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Turn<C>) {
     let load = drawn.wrench();
-    let turn =
-        Turn::new(load * 0.5, load * 0.25, Wrench::from_vector(load.as_vector().map(|x| x * x))).up_to(5.0);
+    let turn = Turn::new(
+        load * 0.5,
+        load * 0.25,
+        Wrench::from_components(&load.components().iter().map(|x| x * x).collect::<Vec<_>>()),
+    )
+    .up_to(5.0);
     let setup = Setup::new(drawn.contacts.iter().map(|datum| Fingertip::from(datum.contact())));
     let legs = vec![scene::Leg::turn(turn), scene::Leg::turn(turn.reversed())];
     let follow = Question::Follow { start: turn.load_at(0.0), legs };
@@ -75,14 +80,14 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<D, C>, 
 /// Setup and answers come back as they were, to the bit, and the answers are those of the grasp.
 fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError> {
     let (setup, turn) = turned(drawn);
-    let back: Setup<D, C> = serde_json::from_str(&serde_json::to_string(&setup).unwrap()).unwrap();
+    let back: Setup<C> = serde_json::from_str(&serde_json::to_string(&setup).unwrap()).unwrap();
     same(&setup, &back)?;
     let answers = back.answers().unwrap();
     let text = serde_json::to_string(&answers).unwrap();
-    same(&answers, &serde_json::from_str::<Vec<Answer<D, C>>>(&text).unwrap())?;
+    same(&answers, &serde_json::from_str::<Vec<Answer<C>>>(&text).unwrap())?;
     let written: Value = serde_json::from_str(&text).unwrap();
 
-    let grasp: Grasp<D, C> = setup.grasp().unwrap();
+    let grasp: Grasp<C> = setup.grasp().unwrap();
     let direct = grasp.onset_of_turn(&turn).unwrap();
     let told = &written[0]["onset_of_turn"];
     same(&told["angle"].as_f64(), &direct.onset.factor().filter(|angle| angle.is_finite()))?;
@@ -110,7 +115,7 @@ fn spatial_turns_read_back_to_the_bit_and_are_answered_as_by_calls() {
     for_all(file!(), 20, &draw, |drawn| read_back_and_answered(&drawn));
 }
 
-fn answers_of(scene: Value) -> Result<Vec<Answer<3, 2>>, Box<dyn std::error::Error>> {
+fn answers_of(scene: Value) -> Result<Vec<Answer<2>>, Box<dyn std::error::Error>> {
     match serde_json::from_value::<Scene>(scene)?.answers()? {
         Answers::Planar(answers) => Ok(answers),
         Answers::Spatial(_) => Err("planar".into()),
@@ -212,8 +217,8 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.004).limit(Limit::Saturates(6.0));
         hand::Finger::new([slide]).contact(pad)
     };
-    let grasp: hand::Grasp<9> = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
-    let turn = hand::Turn::new(Wrench::ZERO, Wrench::ZERO, hand::Wrench::force([5.0, 0.0])).up_to(4.0);
+    let grasp: planar::Grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
+    let turn = planar::Turn::new(Wrench::ZERO, Wrench::ZERO, planar::Wrench::force([5.0, 0.0])).up_to(4.0);
     let direct = grasp.onset_of_turn(&turn)?.onset;
     let [Answer::OnsetOfTurn(TurnAnswer { onset: TurnOnset::At(event), .. }), Answer::Follow(path)] =
         &answers[..]
@@ -223,7 +228,7 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
     assert!((event.angle - direct.factor().ok_or("stalls")?).abs() < 1e-14);
     assert!((event.angle - (2.0 * (6.0 - 4.0 / 1.1) / 5.0_f64).asin()).abs() < 1e-13);
     assert_eq!(event.drives[0].part.part, HandPart::Joint(1));
-    let events = grasp.follow(&Wrench::ZERO, &[hand::Leg::turn(&turn)])?.run();
+    let events = grasp.follow(&Wrench::ZERO, &[planar::Leg::turn(&turn)])?.run();
     assert!(events.len() > 1 && events.len() == path.events.len());
     for (told, direct) in path.events.iter().zip(&events) {
         assert!((told.fraction - direct.fraction).abs() < 1e-14);

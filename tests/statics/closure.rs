@@ -1,6 +1,6 @@
 //! Force closure against a theorem in the plane and a second-order cone program in space; form closure against closed forms.
 
-use grasp_lcp::grasp::Grasp;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::nalgebra::{DMatrix, SVector};
 use grasp_lcp::statics::Closure;
 use grasp_lcp::{Error, planar, spatial};
@@ -15,12 +15,8 @@ fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> 
 }
 
 /// Checks what an answer says of itself; whether it is closed, if that is told.
-fn is_closed<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    points: &[[f64; C]],
-    mu: &[f64],
-) -> Option<bool> {
-    match grasp.force_closure().expect("no hand") {
+fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) -> Option<bool> {
+    match grasp.statics().force_closure().expect("no hand") {
         Closure::Closed { internal, .. } => {
             let mut sum = [0.0; 6];
             for (((force, frame), point), mu) in internal.iter().zip(grasp.frames()).zip(points).zip(mu) {
@@ -38,7 +34,7 @@ fn is_closed<const D: usize, const C: usize>(
                 // The work of a unit force along each axis.
                 let local = SVector::<f64, C>::from_fn(|axis, _| {
                     let unit = wrench(*point, &frame.column(axis).into_owned());
-                    unit.iter().zip(motion.as_vector().iter()).map(|(w, v)| w * v).sum()
+                    unit.iter().zip(motion.components().iter()).map(|(w, v)| w * v).sum()
                 });
                 assert!(local[0] - mu * local.rows(1, C - 1).norm() > -1e-9, "works against {local:?}");
             }
@@ -137,10 +133,10 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
             side([-off, -1.0], [0.0, 1.0]),
         ])
     };
-    assert!(matches!(square(0.0)?.form_closure()?, Closure::Open { .. }));
-    assert!(matches!(square(0.0)?.force_closure()?, Closure::Closed { .. }));
+    assert!(matches!(square(0.0)?.statics().form_closure()?, Closure::Open { .. }));
+    assert!(matches!(square(0.0)?.statics().force_closure()?, Closure::Closed { .. }));
     // All moments the same way round: it turns the other way.
-    let Closure::Open { motion, .. } = square(0.3)?.form_closure()? else { panic!("it turns") };
+    let Closure::Open { motion, .. } = square(0.3)?.statics().form_closure()? else { panic!("it turns") };
     assert!(motion.rotation().abs() > 0.1);
     // Two one way, two the other.
     let side = |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0);
@@ -150,10 +146,10 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
         side([-0.3, 1.0], [0.0, -1.0]),
         side([0.3, -1.0], [0.0, 1.0]),
     ])?;
-    let Closure::Closed { internal, .. } = held.form_closure()? else { panic!("it is held") };
+    let Closure::Closed { internal, .. } = held.statics().form_closure()? else { panic!("it is held") };
     assert!(internal.iter().all(|force| force[0] > 0.1 && force[1] == 0.0), "{internal:?}");
     // Without friction they are one question.
-    assert!(matches!(held.force_closure()?, Closure::Closed { .. }));
+    assert!(matches!(held.statics().force_closure()?, Closure::Closed { .. }));
     Ok(())
 }
 
@@ -162,7 +158,8 @@ fn a_pinch_in_space_turns_about_its_line() -> Result<(), Error> {
     let finger = |x: f64| {
         spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(0.5)
     };
-    let Closure::Open { motion, .. } = spatial::Grasp::new([finger(-1.0), finger(1.0)])?.force_closure()?
+    let Closure::Open { motion, .. } =
+        spatial::Grasp::new([finger(-1.0), finger(1.0)])?.statics().force_closure()?
     else {
         panic!("it turns")
     };
@@ -178,7 +175,9 @@ fn springs_play_no_part() -> Result<(), Error> {
         spatial::Contact::new(point, point.map(|x| -x)).series_stiffness(k, k).friction(0.6)
     };
     let closure = |k: [f64; 3]| {
-        spatial::Grasp::new([finger(0.2, k[0]), finger(2.3, k[1]), finger(4.4, k[2])])?.force_closure()
+        spatial::Grasp::new([finger(0.2, k[0]), finger(2.3, k[1]), finger(4.4, k[2])])?
+            .statics()
+            .force_closure()
     };
     let Closure::Closed { internal, .. } = closure([1.0; 3])? else { panic!("it is closed") };
     let Closure::Closed { internal: other, .. } = closure([1e-30, 1.0, 1e30])? else {

@@ -1,6 +1,7 @@
 //! The measure of Ferrari and Canny against all faces of small hulls, and on the round cone against many descents on a support function of its own.
 
-use grasp_lcp::grasp::{Contact, Grasp};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Contact;
 use grasp_lcp::nalgebra::{DMatrix, SMatrix, SVector};
 use grasp_lcp::statics::{Budget, Closure, WrenchBall, WrenchScale};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings, planar, spatial};
@@ -36,7 +37,7 @@ fn drawn<const C: usize>(numbers: &mut Numbers, contacts: usize) -> Vec<Datum<C>
     (0..contacts).map(|_| datum()).collect()
 }
 
-fn grasp_of<const D: usize, const C: usize>(data: &[Datum<C>]) -> Grasp<D, C> {
+fn grasp_of<const C: usize>(data: &[Datum<C>]) -> Grasp<C> {
     let contact = |(point, normal, mu): &Datum<C>| {
         Contact::new(*point, *normal).series_stiffness_axes(SVector::<f64, C>::repeat(100.0)).friction(*mu)
     };
@@ -80,7 +81,7 @@ fn hull_radius<const D: usize>(points: &[SVector<f64, D>]) -> Option<f64> {
     radius.is_finite().then_some(radius)
 }
 
-fn compare<const D: usize, const C: usize>(ball: &WrenchBall<D, C>, points: &[SVector<f64, D>]) -> bool {
+fn compare<const D: usize, const C: usize>(ball: &WrenchBall<C>, points: &[SVector<f64, D>]) -> bool {
     let known = hull_radius(points).expect("has faces").max(0.0);
     let largest = points.iter().map(SVector::norm).fold(0.0, f64::max);
     assert!(ball.at_least <= known + 1e-9 * largest, "{ball:?} {known}");
@@ -104,7 +105,11 @@ fn in_the_plane_against_all_faces_of_the_hull() {
         let mut total: Vec<_> = edges.iter().flatten().copied().collect();
         total.push(SVector::zeros());
         let settings = Settings::default();
-        let ball = grasp.ferrari_canny_with(Budget::Total(1.0), &plain(), &settings).expect("valid");
+        let ball = grasp
+            .with(&settings)
+            .statics()
+            .ferrari_canny_scaled(Budget::Total(1.0), &plain())
+            .expect("valid");
         closed[0] += usize::from(compare(&ball, &total));
         // Sums of nothing or one edge of each contact.
         let mut each = vec![SVector::zeros()];
@@ -112,7 +117,11 @@ fn in_the_plane_against_all_faces_of_the_hull() {
             each = each.iter().flat_map(|sum| [*sum, sum + edges[0], sum + edges[1]]).collect();
         }
         if data.len() < 4 {
-            let ball = grasp.ferrari_canny_with(Budget::Each(1.0), &plain(), &settings).expect("valid");
+            let ball = grasp
+                .with(&settings)
+                .statics()
+                .ferrari_canny_scaled(Budget::Each(1.0), &plain())
+                .expect("valid");
             closed[1] += usize::from(compare(&ball, &each));
         }
     }
@@ -133,10 +142,17 @@ fn in_space_against_all_faces_of_the_hull() {
         for ((point, _, mu), frame) in data.iter().zip(grasp.frames()) {
             let frame: &SMatrix<f64, 3, 3> = frame;
             for corner in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
-                points.push(wrench(point, &(frame * SVector::from([1.0, mu * corner[0], mu * corner[1]]))));
+                points.push(wrench::<6, 3>(
+                    point,
+                    &(frame * SVector::from([1.0, mu * corner[0], mu * corner[1]])),
+                ));
             }
         }
-        let ball = grasp.ferrari_canny_with(Budget::Total(1.0), &plain(), &settings).expect("valid");
+        let ball = grasp
+            .with(&settings)
+            .statics()
+            .ferrari_canny_scaled(Budget::Total(1.0), &plain())
+            .expect("valid");
         closed += usize::from(compare(&ball, &points));
     }
     println!("{closed}");
@@ -166,7 +182,7 @@ fn no_descent_finds_less(
     numbers: &mut Numbers,
     data: &[Datum<3>],
     budget: Budget,
-    ball: &WrenchBall<6, 3>,
+    ball: &WrenchBall<3>,
     within: f64,
 ) {
     let random = |numbers: &mut Numbers| SVector::<f64, 6>::from_fn(|_, _| numbers.signed());
@@ -199,10 +215,14 @@ fn where_symmetry_ends_the_search_both_bounds_hold() {
         let data: Vec<Datum<3>> = (0..fingers).map(finger).collect();
         let grasp: spatial::Grasp = grasp_of(&data);
         for budget in [Budget::Total(1.0), Budget::Each(1.0)] {
-            let ball = grasp.ferrari_canny_with(budget, &plain(), &Settings::default()).expect("valid");
+            let ball = grasp
+                .with(&Settings::default())
+                .statics()
+                .ferrari_canny_scaled(budget, &plain())
+                .expect("valid");
             println!("{fingers} {budget:?}: {} {}", ball.at_least, ball.at_most);
             assert!(ball.at_most - ball.at_least < 0.01 * ball.at_most, "{ball:?}");
-            let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.as_vector()[k]);
+            let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.to_vector()[k]);
             assert!((reach(&data, budget, &weakest) - ball.at_most).abs() < 1e-9, "{ball:?}");
             no_descent_finds_less(&mut numbers, &data, budget, &ball, 1e-9);
         }
@@ -217,15 +237,16 @@ fn on_the_round_cone_no_descent_finds_less() {
         let data = drawn::<3>(&mut numbers, 3 + number % 3);
         let grasp: spatial::Grasp = grasp_of(&data);
         let budget = if number % 2 == 0 { Budget::Total(1.0) } else { Budget::Each(1.0) };
-        let ball = grasp.ferrari_canny_with(budget, &plain(), &Settings::default()).expect("valid");
-        let is_closed = matches!(grasp.force_closure().expect("no hand"), Closure::Closed { .. });
+        let ball =
+            grasp.with(&Settings::default()).statics().ferrari_canny_scaled(budget, &plain()).expect("valid");
+        let is_closed = matches!(grasp.statics().force_closure().expect("no hand"), Closure::Closed { .. });
         assert_eq!(ball.at_least > 0.0, is_closed, "{ball:?}");
         if !is_closed {
             continue;
         }
         closed += 1;
         assert!(ball.at_most - ball.at_least < 3e-9, "{ball:?}");
-        let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.as_vector()[k]);
+        let weakest = -SVector::<f64, 6>::from_fn(|k, _| ball.weakest.to_vector()[k]);
         assert!((weakest.norm() - 1.0).abs() < 1e-12);
         assert!((reach(&data, budget, &weakest) - ball.at_most).abs() < 1e-9, "{ball:?}");
         no_descent_finds_less(&mut numbers, &data, budget, &ball, 1e-9);
@@ -241,7 +262,7 @@ fn what_has_no_ball_has_none() -> Result<(), Error> {
         spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(0.5)
     };
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
-    let ball = pinch.ferrari_canny(Budget::Each(1.0))?;
+    let ball = pinch.statics().ferrari_canny(Budget::Each(1.0))?;
     assert!(ball.at_least == 0.0 && ball.at_most == 0.0);
     assert!(ball.weakest.moment()[0].abs() > 0.99, "{ball:?}");
     Ok(())
@@ -251,16 +272,24 @@ fn what_has_no_ball_has_none() -> Result<(), Error> {
 fn what_is_no_budget_and_no_scale_is_refused() -> Result<(), Error> {
     let finger = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
     let pinch = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
-    let refused = pinch.ferrari_canny(Budget::Each(0.0)).unwrap_err();
+    let refused = pinch.statics().ferrari_canny(Budget::Each(0.0)).unwrap_err();
     assert_eq!(refused.to_string(), "budget of normal forces is 0, must be more than 0 and at most 1e50");
     let scale = WrenchScale { about: [0.0, f64::NAN], length: 1.0 };
-    let refused = pinch.ferrari_canny_with(Budget::Each(1.0), &scale, &Settings::default()).unwrap_err();
+    let refused = pinch
+        .with(&Settings::default())
+        .statics()
+        .ferrari_canny_scaled(Budget::Each(1.0), &scale)
+        .unwrap_err();
     assert_eq!(refused.to_string(), "point of the moments is NaN, must be finite and at most 1e50 in size");
     let scale = WrenchScale { about: [0.0; 2], length: -1.0 };
-    let refused = pinch.ferrari_canny_with(Budget::Each(1.0), &scale, &Settings::default()).unwrap_err();
+    let refused = pinch
+        .with(&Settings::default())
+        .statics()
+        .ferrari_canny_scaled(Budget::Each(1.0), &scale)
+        .unwrap_err();
     assert_eq!(refused.to_string(), "length of the wrench scale is -1, must be more than 0 and at most 1e50");
     let glued = planar::Grasp::new([finger(-1.0), finger(1.0).bonded()])?;
-    let refused = glued.ferrari_canny(Budget::Each(1.0)).unwrap_err();
+    let refused = glued.statics().ferrari_canny(Budget::Each(1.0)).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "ferrari_canny bounds normal forces: contact 1 pulls, is bonded or has infinite friction"

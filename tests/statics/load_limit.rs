@@ -1,6 +1,7 @@
 //! Limit analysis against a second-order cone program, with forces and motions that prove both bounds.
 
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::nalgebra::{DMatrix, DVector, SVector};
 use grasp_lcp::statics::{Budget, LoadLimit};
 use grasp_lcp::{Error, planar, spatial};
@@ -41,7 +42,7 @@ impl Tally {
                 .series_stiffness_axes(SVector::<f64, C>::repeat(100.0))
                 .friction(*mu)
         };
-        let grasp = Grasp::<D, C>::new(data.iter().map(contact)).expect("valid");
+        let grasp = Grasp::<C>::new(data.iter().map(contact)).expect("valid");
         let mut load = |size: f64| {
             SVector::<f64, D>::from_fn(|k, _| numbers.signed() * size * if k < C { 1.0 } else { 700.0 })
         };
@@ -67,24 +68,34 @@ impl Tally {
         let times =
             load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).expect("nothing can be balanced");
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
-        let [base, rate] = [base, rate].map(Wrench::<D, C>::from_vector);
-        match (grasp.load_limit(&base, &rate, budget).expect("valid"), known) {
+        let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));
+        match (grasp.statics().load_limit(&base, &rate, budget).expect("valid"), known) {
             (LoadLimit::Factor { at_least, at_most, forces, motion, .. }, Some(known)) => {
                 self.factors += 1;
                 self.worst = self.worst.max((at_most - known).abs() / known.abs().max(1.0));
                 assert!(at_most - at_least <= 1e-9 * at_most.max(1.0), "{at_least} {at_most} {known}");
                 let balanced = base + rate * at_least;
                 proves_from_below(&data, &grasp, budget, &balanced, &forces);
-                let work = |load: &Wrench<D, C>| load.as_vector().dot(motion.as_vector());
-                let against = reach(&data, &grasp, budget, motion.as_vector());
+                let work = |load: &Wrench<C>| {
+                    SVector::<f64, D>::from_column_slice(load.components())
+                        .dot(&SVector::<f64, D>::from_column_slice(motion.components()))
+                };
+                let against =
+                    reach(&data, &grasp, budget, &SVector::<f64, D>::from_column_slice(motion.components()));
                 // Beyond `at_most` the load works more than any forces can against it.
                 let excess = work(&base) + at_most * work(&rate) - against;
                 assert!(work(&rate) > 0.0 && excess.abs() <= 1e-9 * against.max(work(&rate)), "{excess:e}");
             }
             (LoadLimit::NoBase { motion, .. }, None) => {
                 self.no_base += 1;
-                let against = reach(&data, &grasp, budget, motion.as_vector());
-                assert!(base.as_vector().dot(motion.as_vector()) > against, "the base load wins");
+                let against =
+                    reach(&data, &grasp, budget, &SVector::<f64, D>::from_column_slice(motion.components()));
+                assert!(
+                    SVector::<f64, D>::from_column_slice(base.components())
+                        .dot(&SVector::<f64, D>::from_column_slice(motion.components()))
+                        > against,
+                    "the base load wins"
+                );
             }
             (LoadLimit::Factor { at_least, .. }, None) => {
                 // Within the tolerance of the method.
@@ -97,14 +108,14 @@ impl Tally {
 }
 
 /// Forces balance a load, in their cones and within the budget.
-fn proves_from_below<const D: usize, const C: usize>(
+fn proves_from_below<const C: usize>(
     data: &[Datum<C>],
-    grasp: &Grasp<D, C>,
+    grasp: &Grasp<C>,
     budget: Budget,
-    load: &Wrench<D, C>,
+    load: &Wrench<C>,
     forces: &[SVector<f64, C>],
 ) {
-    let mut sum: Vec<f64> = load.as_vector().iter().copied().collect();
+    let mut sum: Vec<f64> = load.components().to_vec();
     let mut normal = Vec::new();
     for (((point, _, mu), frame), force) in data.iter().zip(grasp.frames()).zip(forces) {
         for (sum, x) in sum.iter_mut().zip(wrench(point, &(frame * force))) {
@@ -125,7 +136,7 @@ fn proves_from_below<const D: usize, const C: usize>(
 /// The most work that forces within the budget can do against a motion.
 fn reach<const D: usize, const C: usize>(
     data: &[Datum<C>],
-    grasp: &Grasp<D, C>,
+    grasp: &Grasp<C>,
     budget: Budget,
     motion: &SVector<f64, D>,
 ) -> f64 {
@@ -165,19 +176,23 @@ fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let weight = spatial::Wrench::force([0.0, 0.0, -1.0]);
     let LoadLimit::Factor { at_least, at_most, .. } =
-        pinch.load_limit(&spatial::Wrench::ZERO, &weight, Budget::Each(10.0))?
+        pinch.statics().load_limit(&spatial::Wrench::ZERO, &weight, Budget::Each(10.0))?
     else {
         panic!("nothing is on it yet")
     };
     assert!((at_least - 10.0).abs() < 1e-8 && (at_most - 10.0).abs() < 1e-12, "{at_least} {at_most}");
     let twist = spatial::Wrench::new([0.0; 3], [1.0, 0.0, 0.0]);
-    let LoadLimit::Factor { at_most, motion, .. } = pinch.load_limit(&weight, &twist, Budget::Each(10.0))?
+    let LoadLimit::Factor { at_most, motion, .. } =
+        pinch.statics().load_limit(&weight, &twist, Budget::Each(10.0))?
     else {
         panic!("the weight is carried")
     };
-    assert!(at_most == 0.0 && motion.as_vector()[3].abs() > 0.99, "{motion:?}");
-    assert!(matches!(pinch.load_limit(&twist, &weight, Budget::Each(10.0))?, LoadLimit::NoBase { .. }));
-    assert_eq!(pinch.budget_needed(&twist, Budget::Each(1.0))?, [f64::INFINITY; 2]);
+    assert!(at_most == 0.0 && motion.to_vector()[3].abs() > 0.99, "{motion:?}");
+    assert!(matches!(
+        pinch.statics().load_limit(&twist, &weight, Budget::Each(10.0))?,
+        LoadLimit::NoBase { .. }
+    ));
+    assert_eq!(pinch.statics().budget_needed(&twist, Budget::Each(1.0))?, [f64::INFINITY; 2]);
     Ok(())
 }
 
@@ -185,8 +200,10 @@ fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
 fn a_direction_of_nothing_is_refused() -> Result<(), Error> {
     let finger = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
     let pinch = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
-    let refused =
-        pinch.load_limit(&planar::Wrench::ZERO, &planar::Wrench::ZERO, Budget::Each(1.0)).unwrap_err();
+    let refused = pinch
+        .statics()
+        .load_limit(&planar::Wrench::ZERO, &planar::Wrench::ZERO, Budget::Each(1.0))
+        .unwrap_err();
     assert_eq!(refused.to_string(), "size of the load direction is 0, must be more than 0");
     Ok(())
 }

@@ -2,8 +2,9 @@
 //! a path of many: events or steps, legs and more legs.
 
 use allocation_counter::measure;
-use grasp_lcp::grasp::{Grasp, Wrench};
-use grasp_lcp::structured::{Search, Workspace};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::ask::{Search, Workspace};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};
 use std::cell::RefCell;
 use support::random::{Spread, for_all, scene};
@@ -12,7 +13,7 @@ use support::random::{Spread, for_all, scene};
 fn scenes<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     cases: u32,
-) -> Vec<(Grasp<D, C>, Wrench<D, C>)> {
+) -> Vec<(Grasp<C>, Wrench<C>)> {
     let list = RefCell::new(Vec::new());
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
         list.borrow_mut().push((scene.grasp(), scene.wrench()));
@@ -24,7 +25,7 @@ fn scenes<const D: usize, const C: usize>(
 }
 
 fn allocates_only_at_first<const D: usize, const C: usize>(
-    mut workspace: Workspace<D, C>,
+    mut workspace: Workspace<C>,
     count: std::ops::Range<usize>,
     cases: u32,
 ) {

@@ -30,12 +30,12 @@ struct Told<const C: usize> {
     change: Change<C>,
 }
 
-fn told<const D: usize, const C: usize>(events: &[Event<D, C>]) -> Vec<Told<C>> {
-    let one = |e: &Event<D, C>, contact, change| Told { leg: e.leg, fraction: e.fraction, contact, change };
+fn told<const C: usize>(events: &[Event<C>]) -> Vec<Told<C>> {
+    let one = |e: &Event<C>, contact, change| Told { leg: e.leg, fraction: e.fraction, contact, change };
     events.iter().flat_map(|e| e.changes.iter().map(move |(i, change)| one(e, *i, *change))).collect()
 }
 
-fn same<const D: usize, const C: usize>(a: &Told<C>, b: &PatchEvent<D, C>) -> bool {
+fn same<const C: usize>(a: &Told<C>, b: &PatchEvent<C>) -> bool {
     let alike = match (direction(&a.change), direction(&b.change)) {
         (Some(x), Some(y)) => (x - y).norm() <= STATE,
         _ => true,
@@ -67,7 +67,8 @@ fn compare<const D: usize, const C: usize>(
     count: &mut Count,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut long = grasp.follow_with(&scene.start(), &scene.legs(), &support::programs::polygon()).unwrap();
+    let asked = grasp.with(&support::programs::polygon());
+    let mut long = asked.follow(&scene.start(), &scene.legs()).unwrap();
     let events = long.run();
     let expected = told(&events);
     let mut short = grasp.follow_patch(&scene.start(), &scene.legs()).unwrap();
@@ -97,7 +98,7 @@ fn compare<const D: usize, const C: usize>(
         prop_assert!(a.leg == b.leg && (a.fraction - b.fraction).abs() <= STIFF_FRACTION, "{}", story());
         prop_assert_eq!(&a.contacts, &b.contacts);
     }
-    let mut alike = |a: &Equilibrium<D, C>, b: &Equilibrium<D, C>| {
+    let mut alike = |a: &Equilibrium<C>, b: &Equilibrium<C>| {
         prop_assert!(a.residuals.worst() <= 1e-10, "{:?}\n{}", a.residuals, story());
         let travel = sizes(b).1;
         same_state(scene, a, b, STATE)?;

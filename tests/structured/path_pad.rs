@@ -128,10 +128,10 @@ fn it_gives_way_when_every_contact_slides() {
         assert_eq!(events.len(), expected);
         assert!(matches!(path.beyond(), Some(load_path::Beyond::LimitLoad)));
         let loss = path.end().and_then(load_path::PathEnd::loss).expect("a loss");
-        close(loss.load.as_vector()[0], most, most);
+        close(loss.load.to_vector()[0], most, most);
         assert_eq!(loss.contacts, (0..n).collect::<Vec<_>>());
-        let motion = loss.motion.unwrap();
-        assert!(motion.translation()[0] > 0.9 && motion.rotation().abs() < 1e-6, "{motion:?}");
+        let motion = loss.motion.as_ref().unwrap();
+        assert!(motion.object.translation()[0] > 0.9 && motion.object.rotation().abs() < 1e-6, "{motion:?}");
         let state = path.state().unwrap();
         let carried: f64 = state.contacts.iter().map(|contact| contact.force[1].abs()).sum();
         close(carried, most, most);
@@ -225,6 +225,6 @@ fn a_pad_in_space_slides_like_one_in_the_plane() {
     assert_eq!(slides[..2], [sliding(x0), sliding(0.9 * x0)]);
     assert!(matches!(path.beyond(), Some(load_path::Beyond::LimitLoad)));
     let loss = path.end().and_then(load_path::PathEnd::loss).expect("a loss");
-    close(loss.load.as_vector()[0], limit, limit);
+    close(loss.load.to_vector()[0], limit, limit);
     assert_eq!(loss.contacts.len(), n);
 }

@@ -7,10 +7,11 @@
 //! without structure, but not by the same one, since the dense solver balances its rows first.
 
 use grasp_lcp::PolygonCone;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::forms::{Form, Row};
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::lcp::{self, Outcome, Solution};
-use grasp_lcp::structured::{Search, Workspace};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{DVector, SVector};
 use std::cell::RefCell;
@@ -68,7 +69,7 @@ struct Tallies {
 }
 
 impl Tallies {
-    fn compare<const D: usize, const C: usize>(&mut self, grasp: &Grasp<D, C>, load: &Wrench<D, C>) {
+    fn compare<const C: usize>(&mut self, grasp: &Grasp<C>, load: &Wrench<C>) {
         let cone = PolygonCone::default();
         let Ok(Some(form)) = grasp.kinematic_form(load, &cone) else { return };
         let ones = DVector::from_element(form.rows.len(), 1.0);

@@ -2,9 +2,10 @@
 //! from the data, and the same by Newton's method and by Lemke's where there is only one.
 
 use grasp_lcp::Settings;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::equilibrium::Rung;
-use grasp_lcp::grasp::{Grasp, Wrench};
-use grasp_lcp::structured::{Search, Workspace};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use std::cell::RefCell;
@@ -25,7 +26,7 @@ fn difference<const C: usize>(a: &[SVector<f64, C>], b: &[SVector<f64, C>]) -> f
 
 /// How many of the answers have the forces of `Grasp::solve` on the same cone, other ones, none there; and the same twist, too.
 fn compare<const D: usize, const C: usize>(
-    workspace: Workspace<D, C>,
+    workspace: Workspace<C>,
     count: std::ops::Range<usize>,
     cases: u32,
 ) -> [usize; 4] {
@@ -35,7 +36,7 @@ fn compare<const D: usize, const C: usize>(
     let workspace = RefCell::new(workspace);
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
         let (grasp, load) = (scene.grasp(), scene.wrench());
-        let outcome = grasp.solve_with(&load, &settings).expect("finite");
+        let outcome = grasp.with(&settings).solve(&load).expect("finite");
         let mut workspace = workspace.borrow_mut();
         let Search::Found(view) = workspace.solve(&grasp, &load).expect("finite") else { return Ok(()) };
         let [same, other, alone, moves] = &mut *tally.borrow_mut();
@@ -47,14 +48,18 @@ fn compare<const D: usize, const C: usize>(
         if difference(view.forces(), &forces) < AGREEMENT {
             *same += 1;
             let (a, b) = (view.twist(), equilibrium.twist);
-            let apart = (a.as_vector() - b.as_vector()).norm();
+            let apart = (SVector::<f64, D>::from_column_slice(a.components())
+                - SVector::<f64, D>::from_column_slice(b.components()))
+            .norm();
             // Forces that vanish leave the object room to move.
-            *moves += usize::from(apart < 1e-7 * b.as_vector().norm().max(1e-3));
+            *moves += usize::from(
+                apart < 1e-7 * SVector::<f64, D>::from_column_slice(b.components()).norm().max(1e-3),
+            );
         } else {
             *other += 1;
         }
         // Balance and cones of the workspace's own forces.
-        let mut sum = *load.as_vector();
+        let mut sum = SVector::<f64, D>::from_column_slice(load.components());
         // Where nothing carries anything, forces are the rounding of what the springs could do.
         let mut size =
             sum.norm() + 1e-4 * scene.contacts.iter().map(|d| d.softest() * d.command.norm()).sum::<f64>();
@@ -121,7 +126,7 @@ fn sliding_on_the_round_cone() {
 }
 
 /// All normals alike: the pressure is known, hence the equilibrium is the only one.
-fn newton_and_lemke<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D, C>) {
+fn newton_and_lemke<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) {
     let mut workspace = Workspace::default();
     let Ok(Search::Found(view)) = workspace.solve(grasp, load) else { panic!("holds") };
     assert!(view.newton_steps().is_some() && view.residual() < 1e-12);
@@ -130,7 +135,7 @@ fn newton_and_lemke<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &
     assert!(view.newton_steps().is_none() && view.residual() < 1e-10);
     assert!(view.pivots() > grasp.len() / 4);
     assert!(difference(view.forces(), &newton) < AGREEMENT);
-    let outcome = grasp.solve_with(load, &Settings::default().on_the_polygon()).expect("finite");
+    let outcome = grasp.with(&Settings::default().on_the_polygon()).solve(load).expect("finite");
     let equilibrium = outcome.equilibrium().expect("holds");
     assert_eq!(equilibrium.rule, Rung::Newton);
     assert!(equilibrium.residuals.worst() < 1e-10);

@@ -14,13 +14,12 @@ use description::{Chain, fingers};
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
-use grasp_lcp::spatial::hand::{DriveChange, Finger, Grasp, Hand, HandPart, Joint, Leg, Ramp, Wrench};
+use grasp_lcp::spatial::hand::{DriveChange, Finger, Hand, HandPart, Joint};
 use grasp_lcp::spatial::{self, Contact, PathEnd};
+use grasp_lcp::spatial::{Grasp, Leg, Ramp, Wrench};
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Coordinates: 6 of the object, 12 joints, and one more for each motor that may stall.
-const COORDINATES: usize = 30;
 /// Stiffness of the position controllers, from the palm outwards, N m/rad.
 const STIFFNESS: [f64; 4] = [3.0, 3.0, 2.0, 1.2];
 /// Pads: normal and tangential, N/m.
@@ -101,7 +100,7 @@ fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
 }
 
 /// The grasp with its joints.
-fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp<COORDINATES>, Failure> {
+fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp, Failure> {
     let mut hand = Hand::new(palm.cloned().map(Finger::fixed));
     for finger in fingers {
         let placed = finger.chain.at(&finger.angles);
@@ -127,7 +126,7 @@ fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp<COORD
 fn with_springs(
     fingers: &[Closed],
     palm: Option<&Contact>,
-    grasp: &Grasp<COORDINATES>,
+    grasp: &Grasp,
 ) -> Result<spatial::Grasp, Failure> {
     let mut all: Vec<Contact> = palm.cloned().into_iter().collect();
     let mut frames = grasp.frames().skip(all.len());
@@ -265,7 +264,7 @@ fn newtons(factor: Option<f64>) -> String {
 fn draw_map(
     title: &str,
     name: &str,
-    grasp: &Grasp<COORDINATES>,
+    grasp: &Grasp,
     springs: &spatial::Grasp,
     ball: &Ball,
 ) -> Result<(), Failure> {
@@ -318,10 +317,10 @@ struct Reach {
     /// The motors that stall on the way.
     stalled: Vec<HandPart>,
     /// Where the path ends.
-    state: Option<spatial::Equilibrium<COORDINATES>>,
+    state: Option<spatial::Equilibrium>,
 }
 
-fn limit(grasp: &Grasp<COORDINATES>, pull: &Wrench<COORDINATES>) -> Result<Reach, Failure> {
+fn limit(grasp: &Grasp, pull: &Wrench) -> Result<Reach, Failure> {
     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
     let events = path.run();
     let yields = |(part, change): &(HandPart, DriveChange)| (*change == DriveChange::Yields).then_some(*part);

@@ -4,7 +4,6 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::scene::{
     Answer, Answers, Goal, Leg, OnsetAnswer, PathEnd, Question, RampAsked, Setup, SolveAnswer, Space,
     TurnOnset,
@@ -29,10 +28,12 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
     let mut scene = files::read(&ask.scene)?;
     match &mut scene.space {
         Space::Planar(setup) => {
-            put(setup, asked, &Words { force_at: planar::Wrench::force_at, turn: planar_turn })?;
+            let moment = |m: &[f64]| planar::Wrench::new([0.0; 2], m[0]);
+            put(setup, asked, &Words { force_at: planar::Wrench::force_at, moment, turn: planar_turn })?;
         }
         Space::Spatial(setup) => {
-            put(setup, asked, &Words { force_at: spatial::Wrench::force_at, turn: spatial_turn })?;
+            let moment = |m: &[f64]| spatial::Wrench::new([0.0; 3], [m[0], m[1], m[2]]);
+            put(setup, asked, &Words { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
     let answers = scene.answers()?;
@@ -58,21 +59,19 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
 }
 
 /// A weight, where it acts and the axis, as a question about a load that turns.
-type TurnOf<const D: usize, const C: usize> =
-    fn(&Numbers, Option<&Numbers>, Option<&Numbers>) -> Result<Question<D, C>, Failure>;
+type TurnOf<const C: usize> =
+    fn(&Numbers, Option<&Numbers>, Option<&Numbers>) -> Result<Question<C>, Failure>;
 
 /// What the numbers of the command line mean in the plane, or in space.
-struct Words<const D: usize, const C: usize> {
-    force_at: fn([f64; C], [f64; C]) -> Wrench<D, C>,
-    turn: TurnOf<D, C>,
+struct Words<const C: usize> {
+    force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
+    /// Of as many components as there are planes to turn in.
+    moment: fn(&[f64]) -> Wrench<C>,
+    turn: TurnOf<C>,
 }
 
 /// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
-fn put<const D: usize, const C: usize>(
-    setup: &mut Setup<D, C>,
-    asked: &Asked,
-    words: &Words<D, C>,
-) -> Result<(), Failure> {
+fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) -> Result<(), Failure> {
     let question = match asked {
         Asked::Everything | Asked::Turn { weight: None, at: None, axis: None } => None,
         Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
@@ -101,7 +100,7 @@ fn put<const D: usize, const C: usize>(
     Ok(())
 }
 
-fn is_of_kind<const D: usize, const C: usize>(question: &Question<D, C>, asked: &Asked) -> bool {
+fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
     match asked {
         Asked::Everything => true,
         Asked::Solve(_) => matches!(question, Question::Solve { .. }),
@@ -111,9 +110,9 @@ fn is_of_kind<const D: usize, const C: usize>(question: &Question<D, C>, asked: 
     }
 }
 
-impl<const D: usize, const C: usize> Words<D, C> {
+impl<const C: usize> Words<C> {
     /// The load of the command line, if there is one.
-    fn wrench(&self, load: &Load) -> Result<Option<Wrench<D, C>>, Failure> {
+    fn wrench(&self, load: &Load) -> Result<Option<Wrench<C>>, Failure> {
         let Load { force, moment, at } = load;
         if force.is_none() && at.is_some() {
             return Err(Failure::Usage("--at without --force: a moment acts anywhere".to_owned()));
@@ -123,24 +122,23 @@ impl<const D: usize, const C: usize> Words<D, C> {
             all = self.push(force, "force", at.as_ref())?;
         }
         if let Some(moment) = moment {
-            let (given, expected) = (moment.0.len(), D - C);
+            let (given, expected) = (moment.0.len(), C * (C - 1) / 2);
             if given != expected {
                 return Err(Failure::Usage(format!("--moment: {given} given, must be {expected}")));
             }
-            let moment = SVector::<f64, D>::from_fn(|k, _| if k < C { 0.0 } else { moment.0[k - C] });
-            all = all + Wrench::from_vector(moment);
+            all = all + (self.moment)(&moment.0);
         }
         Ok((force.is_some() || moment.is_some()).then_some(all))
     }
 
     /// A force at a point.
-    fn push(&self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench<D, C>, Failure> {
+    fn push(&self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
         let force = force.array(option).map_err(Failure::Usage)?;
         let at = at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)?;
         Ok((self.force_at)(force, at))
     }
 
-    fn follow(&self, to: &[Numbers], at: Option<&Numbers>) -> Result<Option<Question<D, C>>, Failure> {
+    fn follow(&self, to: &[Numbers], at: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         if to.is_empty() {
             return Ok(None);
         }
@@ -154,7 +152,7 @@ fn planar_turn(
     weight: &Numbers,
     at: Option<&Numbers>,
     axis: Option<&Numbers>,
-) -> Result<Question<3, 2>, Failure> {
+) -> Result<Question<2>, Failure> {
     if axis.is_some() {
         return Err(Failure::Usage("--axis: there is none in the plane".to_owned()));
     }
@@ -167,7 +165,7 @@ fn spatial_turn(
     weight: &Numbers,
     at: Option<&Numbers>,
     axis: Option<&Numbers>,
-) -> Result<Question<6, 3>, Failure> {
+) -> Result<Question<3>, Failure> {
     let axis =
         axis.ok_or_else(|| Failure::Usage("--axis is missing: about which the grasp is tilted".to_owned()))?;
     let weight = weight.array("weight").map_err(Failure::Usage)?;
@@ -176,7 +174,7 @@ fn spatial_turn(
     Ok(Question::OnsetOfTurn(turn))
 }
 
-fn is_undecided<const D: usize, const C: usize>(answer: &Answer<D, C>) -> bool {
+fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
     match answer {
         Answer::Solve(answer) => matches!(answer, SolveAnswer::Undecided { .. }),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided { .. }),

@@ -1,11 +1,11 @@
 //! Draws what a scene asks: a planar grasp in its first equilibrium, a spatial one in its first answer and as a page with all of them; and how
 //! much friction is used while a load turns.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;
-use grasp_lcp::grasp::Grasp;
 use grasp_lcp::load_path::{Onset, OnsetEvent};
 use grasp_lcp::picture::{Chart, SpatialPage, View, chart_of_turn, draw_grasp};
-use grasp_lcp::scene::{Question, Scene, Setup, Space, WithGrasp};
+use grasp_lcp::scene::{Question, Scene, Setup, Space};
 
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -30,87 +30,63 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure
 }
 
 /// The SVG of a planar scene in the first equilibrium that a question of it has; without one there is nothing to draw.
-fn planar(setup: &Setup<3, 2>, title: &str) -> Result<String, Failure> {
-    setup.with_grasp(Still { setup, title })?
+fn planar(setup: &Setup<2>, title: &str) -> Result<String, Failure> {
+    let grasp = setup.grasp()?;
+    let Some((what, state)) = first_equilibrium(setup, &grasp)? else {
+        let why = "nothing to draw: no question of the scene has an equilibrium or an onset to show";
+        return Err(Failure::Usage(why.to_owned()));
+    };
+    let outline: Vec<[f64; 2]> = setup.outline.iter().map(|corner| (*corner).into()).collect();
+    Ok(draw_grasp(&grasp, &state, Some(&outline), &format!("{title}, {what}"))?)
 }
 
 /// The page of a spatial scene: one answer for each question that has a state to show.
-fn spatial(setup: &Setup<6, 3>, title: &str) -> Result<SpatialPage, Failure> {
-    setup.with_grasp(Page { setup, title })?
+fn spatial(setup: &Setup<3>, title: &str) -> Result<SpatialPage, Failure> {
+    let grasp = setup.grasp()?;
+    let mut page = SpatialPage::new(&grasp, title);
+    if !setup.outline.is_empty() {
+        page = page.outline(setup.outline.iter().copied());
+    }
+    for (index, question) in setup.questions.iter().enumerate() {
+        page = shown(page, setup, &grasp, index + 1, question)?;
+    }
+    Ok(page)
 }
 
 /// What each contact uses of its friction while the load turns, one chart for each such question; none if there is no such question.
-fn turns<const D: usize, const C: usize>(
-    setup: &Setup<D, C>,
-    title: &str,
-) -> Result<Option<String>, Failure> {
-    let charts = setup.with_grasp(Charts { setup, title })??;
+fn turns<const C: usize>(setup: &Setup<C>, title: &str) -> Result<Option<String>, Failure> {
+    let grasp = setup.grasp()?;
+    let turns = setup.questions.iter().enumerate().filter_map(|(i, question)| match question {
+        Question::OnsetOfTurn(turn) => Some((i + 1, turn)),
+        _ => None,
+    });
+    let chart = |(number, turn)| chart_of_turn(&grasp, turn, &format!("{title}, question {number}"));
+    let charts = turns.map(chart).collect::<Result<Vec<_>, _>>()?;
     if charts.is_empty() { Ok(None) } else { Ok(Some(Chart::sheet(&charts, 1)?)) }
 }
 
-struct Charts<'a, const D: usize, const C: usize> {
-    setup: &'a Setup<D, C>,
-    title: &'a str,
-}
-
-impl<const D: usize, const C: usize> WithGrasp<C> for Charts<'_, D, C> {
-    type Output = Result<Vec<Chart>, grasp_lcp::Error>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, C>) -> Self::Output {
-        let Self { setup, title } = self;
-        let turns = setup.questions.iter().enumerate().filter_map(|(i, question)| match question {
-            Question::OnsetOfTurn(turn) => Some((i + 1, turn)),
-            _ => None,
-        });
-        let chart = |(number, turn)| {
-            chart_of_turn(grasp, &setup.turn(turn), &setup.settings, &format!("{title}, question {number}"))
-        };
-        turns.map(chart).collect()
-    }
-}
-
-struct Still<'a> {
-    setup: &'a Setup<3, 2>,
-    title: &'a str,
-}
-
-impl WithGrasp<2> for Still<'_> {
-    type Output = Result<String, Failure>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, 2>) -> Self::Output {
-        let Some((what, state)) = first_equilibrium(self.setup, grasp)? else {
-            let why = "nothing to draw: no question of the scene has an equilibrium or an onset to show";
-            return Err(Failure::Usage(why.to_owned()));
-        };
-        let outline: Vec<[f64; 2]> = self.setup.outline.iter().map(|corner| (*corner).into()).collect();
-        Ok(draw_grasp(grasp, &state, Some(&outline), &format!("{}, {what}", self.title))?)
-    }
-}
-
 /// That of the first question that has one, for the picture, and which it is.
-fn first_equilibrium<const W: usize>(
-    setup: &Setup<3, 2>,
-    grasp: &Grasp<W, 2>,
-) -> Result<Option<(String, Equilibrium<W, 2>)>, grasp_lcp::Error> {
+fn first_equilibrium(
+    setup: &Setup<2>,
+    grasp: &Grasp<2>,
+) -> Result<Option<(String, Equilibrium<2>)>, grasp_lcp::Error> {
     for (index, question) in setup.questions.iter().enumerate() {
-        let onset = |onset: Onset<W, 2>, at: &dyn Fn(f64) -> String| match onset {
+        let onset = |onset: Onset<2>, at: &dyn Fn(f64) -> String| match onset {
             Onset::At(event) => Some((at(event.factor), grasp.state_at_onset(&event)?)),
             Onset::AlreadySliding(state) => Some(("it slides from the start on".to_owned(), *state)),
             _ => None,
         };
         let found = match question {
             Question::Solve { load } => {
-                let outcome = grasp.solve_with(&setup.load(load), &setup.settings)?;
+                let outcome = grasp.solve(load)?;
                 outcome.equilibrium().cloned().map(|state| ("under the load".to_owned(), state))
             }
-            Question::Onset(ramp) => {
-                onset(grasp.onset_with(&setup.ramp(ramp)?, &setup.settings)?, &|factor| {
-                    format!("onset of sliding, factor {factor:.6}")
-                })
-            }
-            Question::OnsetOfTurn(turn) => {
-                onset(grasp.onset_of_turn_with(&setup.turn(turn), &setup.settings)?.onset, &|angle| {
-                    format!("onset of sliding, turned by {:.4} degrees", angle.to_degrees())
-                })
-            }
+            Question::Onset(ramp) => onset(grasp.onset(&setup.ramp(ramp)?)?, &|factor| {
+                format!("onset of sliding, factor {factor:.6}")
+            }),
+            Question::OnsetOfTurn(turn) => onset(grasp.onset_of_turn(turn)?.onset, &|angle| {
+                format!("onset of sliding, turned by {:.4} degrees", angle.to_degrees())
+            }),
             _ => None,
         };
         if let Some((what, state)) = found {
@@ -121,49 +97,23 @@ fn first_equilibrium<const W: usize>(
 }
 
 /// The equilibrium at an onset of the grasp itself.
-fn its_state<const W: usize, const C: usize>(
-    grasp: &Grasp<W, C>,
-    event: &OnsetEvent<W, C>,
-) -> Result<Equilibrium<W, C>, Failure> {
+fn its_state<const C: usize>(grasp: &Grasp<C>, event: &OnsetEvent<C>) -> Result<Equilibrium<C>, Failure> {
     let lost =
         || Failure::Scene("the equilibrium at the onset is not accurate enough to be drawn".to_owned());
     grasp.state_at_onset(event).ok_or_else(lost)
 }
 
-struct Page<'a> {
-    setup: &'a Setup<6, 3>,
-    title: &'a str,
-}
-
-impl WithGrasp<3> for Page<'_> {
-    type Output = Result<SpatialPage, Failure>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, 3>) -> Self::Output {
-        let Self { setup, title } = self;
-        let mut page = SpatialPage::new(grasp, title);
-        if !setup.outline.is_empty() {
-            page = page.outline(setup.outline.iter().copied());
-        }
-        for (index, question) in setup.questions.iter().enumerate() {
-            page = shown(page, setup, grasp, index + 1, question)?;
-        }
-        Ok(page)
-    }
-}
-
 /// The page with the answer to one more question.
-fn shown<const W: usize>(
+fn shown(
     page: SpatialPage,
-    setup: &Setup<6, 3>,
-    grasp: &Grasp<W, 3>,
+    setup: &Setup<3>,
+    grasp: &Grasp<3>,
     number: usize,
-    question: &Question<6, 3>,
+    question: &Question<3>,
 ) -> Result<SpatialPage, Failure> {
-    let settings = &setup.settings;
     Ok(match question {
-        Question::Solve { load } => {
-            page.outcome(format!("{number}. under the load"), &grasp.solve_with(&setup.load(load), settings)?)
-        }
-        Question::Onset(ramp) => match grasp.onset_with(&setup.ramp(ramp)?, settings)? {
+        Question::Solve { load } => page.outcome(format!("{number}. under the load"), &grasp.solve(load)?),
+        Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?)? {
             Onset::At(event) => {
                 let state = its_state(grasp, &event)?;
                 page.frame(format!("{number}. onset of sliding, factor {:.6}", event.factor), &state)
@@ -171,7 +121,7 @@ fn shown<const W: usize>(
             Onset::AlreadySliding(state) => page.frame(format!("{number}. slides at factor 0"), &state),
             _ => page,
         },
-        Question::OnsetOfTurn(turn) => match grasp.onset_of_turn_with(&setup.turn(turn), settings)?.onset {
+        Question::OnsetOfTurn(turn) => match grasp.onset_of_turn(turn)?.onset {
             Onset::At(event) => {
                 let state = its_state(grasp, &event)?;
                 let angle = event.factor.to_degrees();
@@ -181,7 +131,7 @@ fn shown<const W: usize>(
             _ => page,
         },
         Question::Follow { start, legs } => {
-            let mut path = grasp.follow_with(&setup.load(start), &setup.legs(legs)?, settings)?;
+            let mut path = grasp.follow(start, &setup.legs(legs)?)?;
             let mut page = page;
             for event in path.run() {
                 let changes = event.changes.iter();

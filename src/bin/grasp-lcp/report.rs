@@ -10,10 +10,10 @@ use grasp_lcp::scene::{
 use crate::words::{doing, gives_way, left, proof, row, wrench};
 
 /// Prints the answers to the questions of a scene.
-pub(crate) fn print<const D: usize, const C: usize>(
+pub(crate) fn print<const C: usize>(
     out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    answers: &[Answer<D, C>],
+    setup: &Setup<C>,
+    answers: &[Answer<C>],
 ) -> io::Result<()> {
     let points = setup.points().unwrap_or_default();
     writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
@@ -52,11 +52,7 @@ pub(crate) fn print<const D: usize, const C: usize>(
     Ok(())
 }
 
-fn solved<const D: usize, const C: usize>(
-    out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    outcome: &SolveAnswer<D, C>,
-) -> io::Result<()> {
+fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &SolveAnswer<C>) -> io::Result<()> {
     match outcome {
         SolveAnswer::Equilibrium(state) => table(out, setup, state)?,
         SolveAnswer::NoEquilibrium(why) => writeln!(out, "  no equilibrium exists: {}", proof(why))?,
@@ -66,11 +62,7 @@ fn solved<const D: usize, const C: usize>(
     Ok(())
 }
 
-fn slides<const D: usize, const C: usize>(
-    out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    onset: &OnsetAnswer<D, C>,
-) -> io::Result<()> {
+fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAnswer<C>) -> io::Result<()> {
     match onset {
         OnsetAnswer::At(event) => {
             writeln!(out, "  at factor {:.12}, that is {}", event.factor, wrench(&event.load))?;
@@ -96,10 +88,10 @@ fn slides<const D: usize, const C: usize>(
     Ok(())
 }
 
-fn slides_turned<const D: usize, const C: usize>(
+fn slides_turned<const C: usize>(
     out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    answer: &TurnAnswer<D, C>,
+    setup: &Setup<C>,
+    answer: &TurnAnswer<C>,
 ) -> io::Result<()> {
     match &answer.onset {
         TurnOnset::At(event) => {
@@ -162,7 +154,7 @@ fn leave<const C: usize>(
 }
 
 /// What comes after an onset.
-fn goes_on<const D: usize, const C: usize>(out: &mut dyn Write, next: &Beyond<D, C>) -> io::Result<()> {
+fn goes_on<const C: usize>(out: &mut dyn Write, next: &Beyond<C>) -> io::Result<()> {
     match next {
         Beyond::Continues { states, .. } => {
             let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
@@ -173,11 +165,7 @@ fn goes_on<const D: usize, const C: usize>(out: &mut dyn Write, next: &Beyond<D,
     Ok(())
 }
 
-fn followed<const D: usize, const C: usize>(
-    out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    path: &PathAnswer<D, C>,
-) -> io::Result<()> {
+fn followed<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, path: &PathAnswer<C>) -> io::Result<()> {
     for event in &path.events {
         for change in &event.changes {
             let what = match &change.what {
@@ -222,11 +210,7 @@ fn followed<const D: usize, const C: usize>(
 }
 
 /// One line for each contact of the scene; forces of a soft fingertip are sums over its points.
-fn table<const D: usize, const C: usize>(
-    out: &mut dyn Write,
-    setup: &Setup<D, C>,
-    state: &Equilibrium<D, C>,
-) -> io::Result<()> {
+fn table<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, state: &Equilibrium<C>) -> io::Result<()> {
     writeln!(out, "  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)")?;
     for (index, entry) in setup.entries().enumerate() {
         let points: Vec<&Touch<C>> = state.contacts.iter().filter(|c| c.place.contact == index).collect();
@@ -246,12 +230,12 @@ fn table<const D: usize, const C: usize>(
     }
     let r = &state.residuals;
     let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
-    writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.as_vector().as_slice()))?;
+    writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.components()))?;
     Ok(())
 }
 
 /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
-fn beyond<const D: usize, const C: usize>(out: &mut dyn Write, beyond: &Beyond<D, C>) -> io::Result<()> {
+fn beyond<const C: usize>(out: &mut dyn Write, beyond: &Beyond<C>) -> io::Result<()> {
     match beyond {
         Beyond::LimitLoad => writeln!(out, "  beyond: no equilibrium; it is the limit load")?,
         Beyond::Snap => writeln!(out, "  beyond: another equilibrium; the grasp snaps over or is lost")?,

@@ -1,8 +1,9 @@
 //! Words for what a scene's answers say.
 
 use grasp_lcp::equilibrium::DriveState;
+use grasp_lcp::grasp::Motion;
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Doing, Motion, Proof, Touch};
+use grasp_lcp::scene::{Doing, Proof, Touch};
 
 /// What is left of a limit, if there is one.
 pub(crate) fn left(margin: f64) -> String {
@@ -18,8 +19,8 @@ pub(crate) fn gives_way(state: DriveState) -> &'static str {
 }
 
 /// A motion of the object, and of the joints if there are any.
-fn motion<const D: usize, const C: usize>(motion: &Motion<D, C>) -> String {
-    let object = row(motion.object.as_vector().as_slice());
+fn motion<const C: usize>(motion: &Motion<C>) -> String {
+    let object = row(motion.object.components());
     if motion.joints.is_empty() { object } else { format!("{object}, joints {}", row(&motion.joints)) }
 }
 
@@ -42,7 +43,7 @@ pub(crate) fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
     parts.collect::<Vec<_>>().join(", ")
 }
 
-pub(crate) fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> String {
+pub(crate) fn proof<const C: usize>(proof: &Proof<C>) -> String {
     match proof {
         Proof::FreeMotion { motion: free, .. } => {
             format!("nothing resists the motion {}", motion(free))
@@ -60,8 +61,8 @@ pub(crate) fn proof<const D: usize, const C: usize>(proof: &Proof<D, C>) -> Stri
     }
 }
 
-pub(crate) fn wrench<const D: usize, const C: usize>(wrench: &Wrench<D, C>) -> String {
-    row(wrench.as_vector().as_slice())
+pub(crate) fn wrench<const C: usize>(wrench: &Wrench<C>) -> String {
+    row(wrench.components())
 }
 
 /// Rounding of what would be zero is not worth the reader's time.

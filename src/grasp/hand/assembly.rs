@@ -9,7 +9,7 @@ use super::joint::{Joint, Limit};
 use super::linkage::{Linkage, Named};
 use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
-use crate::grasp::held_object::Grasp;
+use crate::grasp::engine::Engine;
 
 impl<const C: usize> Hand<C> {
     /// The grasp of an object by this hand, in D coordinates: those of the object, 3 in the plane and 6 in space, and [one for each joint and
@@ -18,7 +18,7 @@ impl<const C: usize> Hand<C> {
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Coordinates`] if D is too small; [`Error::Hand`] naming joint, tendon or finger, the field and what is
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
-    pub fn grasp<const D: usize>(self) -> Result<Grasp<D, C>, Error> {
+    pub(crate) fn engine<const D: usize>(self) -> Result<Engine<D, C>, Error> {
         let needed = self.coordinates();
         if needed > D {
             return Err(Error::Coordinates { given: D, needed });
@@ -228,7 +228,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     }
 
     /// Puts the grasp together.
-    fn grasp(mut self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Grasp<D, C>, Error> {
+    fn grasp(mut self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Engine<D, C>, Error> {
         // Coordinates that are not in use stay where they are.
         for k in Self::OBJECT + self.used..D {
             let stiffness = self.contacts.first().map_or(1.0, |contact| contact.stiffness.series()[0]);
@@ -243,11 +243,12 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             motions: self.motions,
             drives: self.drives,
             held: self.held,
+            pulled: SVector::zeros(),
             bones: self.bones,
             centres: self.joints.iter().map(|joint| joint.motion.centre()).collect(),
             commands,
         };
-        Grasp::by_hand(self.contacts, linkage)
+        Engine::by_hand(self.contacts, linkage)
     }
 }
 

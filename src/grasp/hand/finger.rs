@@ -27,7 +27,8 @@ pub(super) struct Carried<const C: usize> {
 /// the joints do.
 ///
 /// ```
-/// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Wrench};
+/// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+/// use grasp_lcp::planar::{Wrench};
 /// use grasp_lcp::planar::Contact;
 ///
 /// // Two jaws on prismatic joints of 1000 N/m, closed by 10 mm each; pads of 1e5 N/m, μ = 0.5.
@@ -35,7 +36,7 @@ pub(super) struct Carried<const C: usize> {
 ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1000.0).command(0.01)])
 ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
 /// };
-/// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp::<5>()?; // three coordinates of the object, two joints
+/// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?; // three coordinates of the object, two joints
 /// let outcome = grasp.solve(&Wrench::ZERO)?;
 /// let squeezed = outcome.equilibrium().expect("holds");
 /// assert!((squeezed.joints[0].torque - 10.0 / 1.01).abs() < 1e-12); // the pads take a hundredth
@@ -61,12 +62,13 @@ impl<const C: usize> Finger<C> {
     /// position. Along the tangents its pad holds as usual.
     ///
     /// ```
-    /// use grasp_lcp::planar::hand::{Finger, Hand, Wrench};
+    /// use grasp_lcp::planar::hand::{Finger, Hand};
+    /// use grasp_lcp::planar::{Wrench};
     /// use grasp_lcp::planar::Contact;
     ///
     /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
     /// // Pressed with 8 N against a jaw that stands still.
-    /// let grasp = Hand::new([Finger::pressing(8.0, pad(-1.0)), Finger::fixed(pad(1.0))]).grasp::<4>()?;
+    /// let grasp = Hand::new([Finger::pressing(8.0, pad(-1.0)), Finger::fixed(pad(1.0))]).grasp()?;
     /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
     /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13); // 2 · 0.5 · 8 N
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -91,7 +93,8 @@ impl<const C: usize> Finger<C> {
     ///
     /// ```
     /// use grasp_lcp::nalgebra::DMatrix;
-    /// use grasp_lcp::planar::hand::{Finger, Hand, Wrench};
+    /// use grasp_lcp::planar::hand::{Finger, Hand};
+    /// use grasp_lcp::planar::{Wrench};
     /// use grasp_lcp::planar::Contact;
     ///
     /// // A pinch by two fingers that each move along the tangent, too, when they are pressed: C = [[2, 1], [1, 2]] mm/N.
@@ -102,7 +105,7 @@ impl<const C: usize> Finger<C> {
     /// let hand = Hand::new([finger(-1.0), finger(1.0)]);
     /// let coordinates = hand.coordinates();
     /// assert_eq!(coordinates, 7);
-    /// let grasp = hand.grasp::<7>()?;
+    /// let grasp = hand.grasp()?;
     /// let outcome = grasp.solve(&Wrench::ZERO)?;
     /// // Nothing pulls along the tangents: 20 mm over 2 mm/N.
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-12);

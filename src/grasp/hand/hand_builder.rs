@@ -9,7 +9,8 @@ use crate::grasp::rotation::of_the_object;
 /// Contacts are numbered finger by finger, and so are joints; tendons come after all joints. A hand without joints is a list of contacts.
 ///
 /// ```
-/// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon, Wrench};
+/// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
+/// use grasp_lcp::planar::{Wrench};
 /// use grasp_lcp::planar::Contact;
 ///
 /// // A gripper with a differential: one motor pulls 20 N on two jaws that slide freely.
@@ -19,7 +20,7 @@ use crate::grasp::rotation::of_the_object;
 /// };
 /// let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0));
 /// // The object may be anywhere between the jaws: nothing says where, and the forces are known all the same.
-/// let outcome = hand.grasp::<5>()?.solve(&Wrench::ZERO)?;
+/// let outcome = hand.grasp()?.solve(&Wrench::ZERO)?;
 /// let held = outcome.equilibrium().expect("holds");
 /// assert!((held.contacts[0].normal_force() - 10.0).abs() < 1e-13);
 /// assert_eq!(held.free_motions.len(), 1);

@@ -18,6 +18,8 @@ pub(crate) struct Linkage<const D: usize, const C: usize> {
     pub(crate) drives: Vec<Drive<D>>,
     /// Torques and tensions that act whatever the joints do.
     pub(crate) held: SVector<f64, D>,
+    /// Torques on joints from outside.
+    pub(crate) pulled: SVector<f64, D>,
     /// Links, from joint to joint and on to the contacts: only drawn.
     pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
     /// Where the joints that turn are, those of the plane and the axes of space: only drawn.

@@ -10,7 +10,7 @@ use crate::search::{Settled, settle};
 
 impl<const D: usize, const C: usize> Patch<D, C> {
     /// Asks for the states of everything that stands on an edge or slides.
-    pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
+    pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         self.balance.remember_all();
         let edge = self.all_contacts(journey);
         self.balance.looked_at += edge.rates.len();

@@ -31,7 +31,7 @@ const MOST_ROUNDING: f64 = 1e-10;
 
 impl<const D: usize, const C: usize> Patch<D, C> {
     /// Decides how the path goes on from here; the changes are told.
-    pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<D, C>> {
+    pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
         let decided = self.decide_among_stands(journey, due);
         if decided.is_ok() {
             self.take_over(journey);
@@ -44,7 +44,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
         decided
     }
 
-    fn decide_among_stands(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<D, C>> {
+    fn decide_among_stands(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
         for stand in &self.stands {
             self.balance.remember(stand.contact);
         }
@@ -68,7 +68,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
 
     /// A contact that touches without force, and gets none, does not drag the object along. Where
     /// it may as well part from the object, which moves less then, it parts; forces are the same.
-    fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
+    fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         let balance = &self.balance;
         let is_idle = |stand: &&Stand<C>| {
             let contact = balance.contact(stand.contact);
@@ -151,7 +151,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
 
     /// Infinite friction keeps its tangential force until the normal force is gone, and loses it
     /// all at once.
-    fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
+    fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         for k in 0..self.stands.len() {
             let Stand { contact, was, .. } = self.stands[k];
             let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
@@ -159,10 +159,10 @@ impl<const D: usize, const C: usize> Patch<D, C> {
                 continue;
             }
             // It sticks up to here.
-            let motion = self.unit_motion().map(|v| journey.grasp.outside(&v));
+            let motion = self.unit_motion();
             self.balance.put(contact, was);
             if self.balance.holds_along(contact) {
-                return Err(PathEnd::Lost(self.loss(journey, LossKind::LetsGo, motion)));
+                return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::LetsGo, motion))));
             }
             self.balance.put(contact, Mode::Open);
         }

@@ -4,128 +4,54 @@ use nalgebra::SVector;
 
 use super::bounds_ahead::Piece;
 use super::patch_event::PatchEvent;
-use super::patch_path::{Due, Patch, PatchPath};
+use super::patch_path::{Due, Patch};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Grasp, Wrench};
+use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::{Came, Edge, Follower};
+use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
-use crate::load_path::path::Path;
+use crate::load_path::path::{PatchPath, Path};
 use crate::search::Settings;
 
 /// Steps of no length in a row that are still events of one node: with more, rounding goes in
 /// circles.
 const MOST_STALLS: usize = 64;
 
-impl<const D: usize, const C: usize> Grasp<D, C> {
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the
-    /// grasp, for any number of contacts. An event costs about as much as the contacts that it
-    /// concerns. In space on the default polygonal cone, 8 facets inside the round one; for the round one
-    /// there is [`Self::follow_in_steps`]. See [`PatchPath`].
-    ///
-    /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::StraightOnly`] if the load of a leg turns.
-    pub fn follow_patch(
+impl<const D: usize, const C: usize> Engine<D, C> {
+    /// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch).
+    pub(crate) fn follow_patch(
         &self,
-        start: &Wrench<D, C>,
-        legs: &[Leg<D, C>],
-    ) -> Result<PatchPath<'_, D, C>, Error> {
-        self.follow_patch_with(start, legs, &Settings::default())
-    }
-
-    /// The same with other [`Settings`]: on another polygonal [cone](Settings::cone). Whether they ask for the round one is not looked at.
-    ///
-    /// # Errors
-    /// As for [`Self::follow_patch`].
-    pub fn follow_patch_with(
-        &self,
-        start: &Wrench<D, C>,
-        legs: &[Leg<D, C>],
+        start: &Wrench<C>,
+        legs: &[Leg<C>],
         settings: &Settings,
-    ) -> Result<PatchPath<'_, D, C>, Error> {
+    ) -> Result<PatchPath<'_, C>, Error> {
         self.refuse_hands("follow_patch")?;
-        Path::start(self, (start, legs), &settings.on_the_polygon(), Patch::at_start)
-    }
-}
-
-impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
-    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands
-    /// there, or has ended before. To look at a state on the way, take events until there are none,
-    /// then ask for [`state`](Self::state).
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
-    ///
-    /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
-    /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
-    /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
-    /// let mut path = grasp.follow_patch(&Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
-    ///
-    /// assert!(path.next_before(0, 0.5).is_none());
-    /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);
-    /// let event = path.next_before(0, 1.0).expect("slides");
-    /// assert!(event.contact == 1 && (event.load.resultant()[0] - 0.5).abs() < 1e-15);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<D, C>> {
-        loop {
-            let patch = self.follower.as_ref()?;
-            let (here, stop) = (self.place(), (leg, fraction));
-            if self.end().is_some() || (here >= stop && patch.has_nothing_due()) {
-                return None;
-            }
-            let most = if here.0 == leg { fraction.min(1.0) } else { 1.0 };
-            if let event @ Some(_) = self.go(|patch, journey| patch.go_up_to(journey, most)) {
-                return event;
-            }
-        }
+        let settings = settings.on_the_polygon();
+        Ok(Path::new(Box::new(Following::start(self, (start, legs), &settings, Patch::at_start)?)))
     }
 }
 
 impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Patch<D, C> {
-    type Told = PatchEvent<D, C>;
+    type Told = PatchEvent<C>;
 
     const STRAIGHT_ONLY: Option<&'static str> = Some("follow_patch");
 
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<D, C>> {
+    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         self.begin_leg(journey)
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<PatchEvent<D, C>>, PathEnd<D, C>> {
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
         self.go_up_to(journey, 1.0)
     }
 
-    fn fraction(&self) -> f64 {
-        self.balance.tau
-    }
-
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<D, C>> {
-        Some(self.equilibrium(journey))
-    }
-
-    fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
-        self.forces_at(journey.grasp.sites(), &self.balance.balanced())
-    }
-
-    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
-        self.all_contacts(journey)
-    }
-}
-
-impl<'g, const D: usize, const C: usize> Patch<D, C> {
-    /// Whether nothing has to be told or decided before the path goes on.
-    fn has_nothing_due(&self) -> bool {
-        self.told.is_empty() && self.due == Due::Nothing
-    }
-
-    /// Goes on up to this fraction of the leg.
     fn go_up_to(
         &mut self,
         journey: &Journey<'g, D, C>,
         most: f64,
-    ) -> Result<Came<PatchEvent<D, C>>, PathEnd<D, C>> {
+    ) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
         if let Some(event) = self.told.pop() {
             return Ok(Came::To(event));
         }
@@ -144,8 +70,34 @@ impl<'g, const D: usize, const C: usize> Patch<D, C> {
         Ok(if leg_done { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
+    fn has_nothing_due(&self) -> bool {
+        self.told.is_empty() && self.due == Due::Nothing
+    }
+
+    fn contacts_looked_at(&self) -> usize {
+        self.balance.looked_at
+    }
+
+    fn fraction(&self) -> f64 {
+        self.balance.tau
+    }
+
+    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+        Some(self.equilibrium(journey))
+    }
+
+    fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+        self.forces_at(journey.grasp.sites(), &self.balance.balanced())
+    }
+
+    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+        self.all_contacts(journey)
+    }
+}
+
+impl<'g, const D: usize, const C: usize> Patch<D, C> {
     /// Goes on to the next event of the leg, or up to this fraction of it. Whether the leg is done.
-    fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<D, C>> {
+    fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<C>> {
         let before = self.balance.tau;
         match self.ahead.first_exits(&mut self.balance, most - before) {
             Piece::ToAnEdge(step) => {

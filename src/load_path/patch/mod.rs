@@ -41,4 +41,3 @@ mod state_on_the_way;
 mod trial_leg;
 
 pub use patch_event::PatchEvent;
-pub use patch_path::{Patch, PatchPath};

@@ -8,10 +8,8 @@ use super::patch_event::PatchEvent;
 use super::sliding_on::SlidingOn;
 use super::stand::Stand;
 use super::trial_leg::TrialLeg;
-use crate::grasp::Twist;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::load_path::path::Path;
 use crate::search::Doubt;
 
 /// What has to be decided before the path goes on.
@@ -25,43 +23,9 @@ pub(super) enum Due {
     Event,
 }
 
-/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one
-/// contact at a time. Made by
-/// [`Grasp::follow_patch`](crate::grasp::Grasp::follow_patch); when the iterator has ended,
-/// [`end`](Self::end) says how the path did.
-///
-/// The law is that of [`LoadPath`](crate::load_path::LoadPath), with slip memory, in space **on the
-/// polygonal cone**; legs are the same. Between events [`state`](Self::state) tells the equilibrium
-/// where the path stands, [`next_before`](Self::next_before) stops anywhere on the way. It does not
-/// say whether the continuation is unique, and keeps neither the pieces behind it nor energies. An event allocates nothing.
-///
-/// ```
-/// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
-///
-/// // A pad of a thousand springs under a rigid block, pressed most in the middle, dragged and let go.
-/// let n = 1000;
-/// let xi = |i: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
-/// let spring = |i: usize| {
-///     let press = 1.0 - xi(i) * xi(i);
-///     Contact::new([xi(i), 0.0], [0.0, 1.0]).series_stiffness(1.0, 0.8).friction(0.3).command([press, 0.0])
-/// };
-/// let grasp = Grasp::new((0..n).map(spring))?;
-/// let pressed: f64 = (0..n).map(|i| 1.0 - xi(i) * xi(i)).sum();
-/// let pull = |part: f64| Wrench::new([part * 0.3 * pressed, -pressed], 0.0);
-///
-/// let mut path = grasp.follow_patch(&pull(0.0), &[Leg::load_to(pull(0.5)), Leg::load_to(pull(0.0))])?;
-/// let events: Vec<_> = path.by_ref().collect();
-/// assert!(matches!(path.end(), Some(grasp_lcp::load_path::PathEnd::Completed)));
-/// // The rim slides on the way there and stays displaced: letting go is not the way back.
-/// assert!(events.len() > 300);
-/// assert!(path.state().unwrap().twist.translation()[0] > 0.0);
-/// # Ok::<(), grasp_lcp::Error>(())
-/// ```
-pub type PatchPath<'g, const D: usize, const C: usize> = Path<'g, D, C, Patch<D, C>>;
-
-/// The follower of a [`PatchPath`].
+/// The follower of a [`PatchPath`](crate::load_path::PatchPath).
 #[derive(Debug)]
-pub struct Patch<const D: usize, const C: usize> {
+pub(crate) struct Patch<const D: usize, const C: usize> {
     pub(super) trial: TrialLeg<D, C>,
     pub(super) balance: Balance<D, C>,
     pub(super) ahead: BoundsAhead<D>,
@@ -74,16 +38,7 @@ pub struct Patch<const D: usize, const C: usize> {
     /// Steps of no length in a row.
     pub(super) stalls: usize,
     /// Events that have happened and were not told yet, the next one last.
-    pub(super) told: Vec<PatchEvent<D, C>>,
-}
-
-impl<const D: usize, const C: usize> PatchPath<'_, D, C> {
-    /// How often a contact has been looked at so far: a measure of the work that does not depend on
-    /// the machine.
-    #[must_use]
-    pub fn contacts_looked_at(&self) -> usize {
-        self.follower.as_ref().map_or(0, |patch| patch.balance.looked_at)
-    }
+    pub(super) told: Vec<PatchEvent<C>>,
 }
 
 impl<const D: usize, const C: usize> Patch<D, C> {
@@ -103,8 +58,8 @@ impl<const D: usize, const C: usize> Patch<D, C> {
         &self,
         journey: &Journey<'_, D, C>,
         kind: LossKind,
-        motion: Option<Twist<D, C>>,
-    ) -> Loss<D, C> {
+        motion: Option<SVector<f64, D>>,
+    ) -> Loss<C> {
         let mut contacts: Vec<usize> = self.stands.iter().map(|stand| stand.contact as usize).collect();
         let all = &self.balance.contacts;
         contacts.extend((0..all.len()).filter(|&i| all[i].state.slides()));
@@ -114,7 +69,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     }
 
     /// Where rounding keeps the path from being followed further.
-    pub(super) fn undecided(&self, journey: &Journey<'_, D, C>) -> PathEnd<D, C> {
+    pub(super) fn undecided(&self, journey: &Journey<'_, D, C>) -> PathEnd<C> {
         journey.undecided(self.balance.tau, Doubt::OnTheBoundary)
     }
 

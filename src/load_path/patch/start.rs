@@ -18,7 +18,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     pub(super) fn at_start<'g>(
         journey: &Journey<'g, D, C>,
         problem: &Problem<'g, D, C>,
-    ) -> Result<Self, PathEnd<D, C>> {
+    ) -> Result<Self, PathEnd<C>> {
         let trial = TrialLeg::new(problem.sites);
         let mut patch = Self {
             balance: Balance::new(problem, &trial),
@@ -75,14 +75,13 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     }
 
     /// Sets out on the present leg.
-    pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<D, C>> {
+    pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         if !std::mem::take(&mut self.is_laid) {
             self.lay_leg(journey);
         }
         let (_, change) = loads(journey.grasp, &journey.program);
         if let Some(v) = self.trial.worked_on(&change) {
-            let motion = Some(journey.grasp.outside(&v));
-            return Err(PathEnd::Lost(self.loss(journey, LossKind::GivesWay, motion)));
+            return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::GivesWay, Some(v)))));
         }
         self.balance.renew();
         self.balance.settle_at(0.0);

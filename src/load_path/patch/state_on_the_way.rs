@@ -13,7 +13,7 @@ use crate::search::Found;
 
 impl<const D: usize, const C: usize> Patch<D, C> {
     /// The whole equilibrium. Just after an event the states are those with which the path goes on. One pass over all contacts.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<D, C> {
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let Self { balance, trial, .. } = self;
         let (y, tau) = (balance.balanced(), balance.tau);
         let memory = |contact: &MovingContact<D, C>| contact.memory;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{Grasp, Site};
+use crate::grasp::{Engine, Site};
 use crate::load_path::leg::Program;
 use crate::numerics::{Orthogonal, without};
 use crate::object::{spring_rows, stretched_into, worked_on};
@@ -32,7 +32,7 @@ impl<const D: usize, const C: usize> TrialLeg<D, C> {
     }
 
     /// Lays out the present leg of a program.
-    pub(super) fn lay(&mut self, grasp: &Grasp<D, C>, program: &Program<D, C>) {
+    pub(super) fn lay(&mut self, grasp: &Engine<D, C>, program: &Program<C>) {
         let (from, change) = loads(grasp, program);
         program.drives_into(grasp, &mut self.drives);
         for (x, v) in self.x.iter_mut().zip(&self.drives) {
@@ -56,8 +56,8 @@ impl<const D: usize, const C: usize> TrialLeg<D, C> {
 /// The load at the beginning of the present leg, in inside coordinates, and its change along the
 /// leg.
 pub(super) fn loads<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    program: &Program<D, C>,
+    grasp: &Engine<D, C>,
+    program: &Program<C>,
 ) -> (SVector<f64, D>, SVector<f64, D>) {
     let course = program.inside_course(grasp);
     (course.at(0.0), course.rate_at(0.0))

@@ -14,7 +14,7 @@ const STAY: f64 = 2e-4;
 impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
     /// The end where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge. Else the path is
     /// undecided, for this reason.
-    pub(super) fn end_here(&self, journey: &Journey<'g, D, C>, doubt: Doubt) -> PathEnd<D, C> {
+    pub(super) fn end_here(&self, journey: &Journey<'g, D, C>, doubt: Doubt) -> PathEnd<C> {
         let fraction = self.standing.fraction;
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
@@ -22,8 +22,8 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         if self.pace.speeds.run_to(fraction) {
             // Beyond a maximum forces would go on to change as they do; towards an asymptote the object goes on while they stay.
             let kind = if self.pace.changed < STAY { LossKind::Asymptote } else { LossKind::Fold };
-            let motion = self.pace.rate.map(|v| journey.grasp.outside(&v.normalize()));
-            return PathEnd::Lost(journey.loss(fraction, kind, leaving, motion));
+            let motion = self.pace.rate.map(|v| v.normalize());
+            return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion)));
         }
         match settle(&edge.rates, &journey.settings) {
             (Settled::Found(..) | Settled::Undecided(_), _) => journey.undecided(fraction, doubt),

@@ -25,4 +25,4 @@ mod stepped_path;
 mod unseen;
 mod walking;
 
-pub use stepped_path::{Step, SteppedPath, Steps};
+pub use stepped_path::Step;

@@ -15,7 +15,7 @@ const AT_AN_EDGE: f64 = 1e-9;
 
 impl<const D: usize, const C: usize> Standing<D, C> {
     /// The whole equilibrium. One pass over all contacts.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<D, C> {
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));

@@ -65,10 +65,7 @@ struct Twice {
 
 impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
     /// Tries a step; what it is if it errs by no more than is allowed.
-    pub(super) fn try_a_step(
-        &mut self,
-        journey: &Journey<'g, D, C>,
-    ) -> Result<Came<Step<D, C>>, PathEnd<D, C>> {
+    pub(super) fn try_a_step(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
@@ -142,7 +139,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         finite.then_some(Twice { largest, unseen, felt })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice) -> Step<D, C> {
+    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice) -> Step<C> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);

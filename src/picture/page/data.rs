@@ -70,7 +70,7 @@ impl Drawing<'_> {
             ))
         })?;
         let free = list(&state.free_motions, |motion| {
-            let axis = self.axis(motion);
+            let axis = self.axis(&motion.object);
             let (at, along) = (json_row(axis.at.as_slice())?, json_row(axis.along.as_slice())?);
             Ok(format!("{{\"at\":{at},\"along\":{along},\"turns\":{}}}", axis.turns))
         })?;
@@ -81,7 +81,7 @@ impl Drawing<'_> {
         let load = self.load(state);
         Ok(format!(
             "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free},\"yields\":{yields}}}",
-            json_row(state.twist.as_vector().as_slice())?,
+            json_row(state.twist.components())?,
             json_row(load.at.as_slice())?,
             json_row(load.force.as_slice())?,
             json_row(load.moment.as_slice())?,

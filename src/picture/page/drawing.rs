@@ -173,7 +173,7 @@ impl<'p> Drawing<'p> {
     }
 
     pub(super) fn load(&self, state: &Equilibrium) -> Load {
-        let (force, moment) = halves(state.load.as_vector());
+        let (force, moment) = halves(&state.load.to_vector());
         let about_centre = moment - self.centre.cross(&force);
         let size = force.norm();
         if size == 0.0 {
@@ -187,7 +187,7 @@ impl<'p> Drawing<'p> {
     }
 
     pub(super) fn axis(&self, motion: &Twist) -> Axis {
-        let (moves, turns) = halves(motion.as_vector());
+        let (moves, turns) = halves(&motion.to_vector());
         let at_centre = moves + turns.cross(&self.centre);
         if turns.norm() * self.span > TURNS * at_centre.norm() {
             let at = self.centre + turns.cross(&at_centre) / turns.norm_squared();
@@ -200,7 +200,7 @@ impl<'p> Drawing<'p> {
 
 /// Where a point of the object goes in an answer, to first order.
 pub(super) fn goes(state: &Equilibrium, point: &Vector3<f64>) -> Vector3<f64> {
-    let (moves, turns) = halves(state.twist.as_vector());
+    let (moves, turns) = halves(&state.twist.to_vector());
     moves + turns.cross(point)
 }
 
@@ -210,8 +210,9 @@ fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), Pic
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));
     }
-    let whole = state.free_motions.iter().chain([&state.twist]).map(Twist::as_vector);
-    let whole = whole.chain([state.load.as_vector()]).flat_map(|v| v.iter().copied());
+    let whole =
+        state.free_motions.iter().map(|motion| &motion.object).chain([&state.twist]).map(Twist::components);
+    let whole = whole.chain([state.load.components()]).flat_map(|v| v.iter().copied());
     let of_contacts = state.contacts.iter().flat_map(|answer| {
         let slides = match answer.state {
             ContactState::Sliding { direction } => direction,

@@ -146,7 +146,7 @@ fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let slides = |tip: &Fingertip| tip.resultant(contacts, &state.contacts).slides.is_some();
     let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
     let displaced = state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
-    let moves = state.twist.as_vector().norm() > 0.0 && drawing.displacement > 0.0;
+    let moves = state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
     let all = [
         (drawing.tips.iter().any(slides), arrow(BROWN, 2.0, 1), "slip of the finger over the object"),
         (load.force.norm() > 0.0, arrow(BLACK, 3.0, 1), "load, on its line of action"),

@@ -130,7 +130,7 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
             marks.push(Mark::Name { at, words: format!("{name} yields") });
         }
         for motion in &state.free_motions {
-            let axis = drawing.axis(motion);
+            let axis = drawing.axis(&motion.object);
             let half = axis.along * (AXIS * drawing.span);
             let corners = vec![axis.at - half, axis.at + half];
             marks.push(Mark::Line { corners, ink: SKY, width: 2.0, dashes: Some(FREE) });

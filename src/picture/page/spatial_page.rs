@@ -2,9 +2,8 @@
 
 use super::frame::Frame;
 use super::text::proof_in_words;
-use crate::equilibrium::{NoEquilibrium, Outcome};
 use crate::picture::actuators::Actuators;
-use crate::spatial::Grasp;
+use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
 
 /// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
 /// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
@@ -66,12 +65,12 @@ pub struct SpatialPage {
 impl SpatialPage {
     /// A page without answers yet. The grasp alone can be drawn, too; links of a hand are drawn where they were before anything moved.
     #[must_use]
-    pub fn new<const D: usize>(grasp: &crate::grasp::Grasp<D, 3>, title: impl Into<String>) -> Self {
+    pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
         Self {
-            grasp: grasp.without_hand(),
+            grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: grasp.links().map(|bone| bone.map(Into::into).to_vec()).collect(),
+            fixtures: grasp.links().iter().map(|bone| bone.map(<[f64; 3]>::from).to_vec()).collect(),
             frames: Vec::new(),
             actuators: Actuators::of(grasp),
         }
@@ -97,26 +96,18 @@ impl SpatialPage {
     /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin
     /// with.
     #[must_use]
-    pub fn frame<const D: usize>(
-        mut self,
-        label: impl Into<String>,
-        state: &crate::equilibrium::Equilibrium<D, 3>,
-    ) -> Self {
-        let shown = Ok(Box::new(state.without_hand()));
+    pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
+        let shown = Ok(Box::new(state.clone()));
         self.frames.push(Frame { label: label.into(), shown });
         self
     }
 
-    /// An answer of [`Grasp::solve`](crate::grasp::Grasp::solve), with what its button says. Where
+    /// An answer of [`Grasp::solve`](crate::ask::Grasp::solve), with what its button says. Where
     /// no equilibrium exists, or none was found, the page says so and draws no forces.
     #[must_use]
-    pub fn outcome<const D: usize>(
-        mut self,
-        label: impl Into<String>,
-        outcome: &crate::equilibrium::Outcome<D, 3>,
-    ) -> Self {
+    pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
         let shown = match outcome {
-            Outcome::Equilibrium(state) => Ok(Box::new(state.without_hand())),
+            Outcome::Equilibrium(state) => Ok(state.clone()),
             Outcome::NoEquilibrium(NoEquilibrium { proof }) => {
                 Err(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
             }

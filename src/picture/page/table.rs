@@ -53,7 +53,7 @@ fn write_state(
     actuators: &Actuators<3>,
     state: &Equilibrium,
 ) -> Result<(), PictureError> {
-    let (load, twist) = (state.load.as_vector().as_slice(), state.twist.as_vector().as_slice());
+    let (load, twist) = (state.load.components(), state.twist.components());
     let _ = writeln!(
         page,
         "<p>Load: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
@@ -65,7 +65,7 @@ fn write_state(
         state.residuals.worst()
     );
     for motion in &state.free_motions {
-        let v = motion.as_vector().as_slice();
+        let v = motion.object.components();
         let _ = writeln!(
             page,
             "<p>Nothing resists the motion {} (translation, rotation about the origin): where the object goes is known up to it.</p>",

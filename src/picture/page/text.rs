@@ -47,18 +47,15 @@ pub(super) fn vector(components: &[f64]) -> String {
 }
 
 /// How it is known that no equilibrium exists.
-pub(super) fn proof_in_words<const D: usize>(proof: &Proof<D>) -> String {
+pub(super) fn proof_in_words(proof: &Proof) -> String {
     match proof {
         Proof::FreeMotion { motion, .. } => {
-            format!(
-                "the load works on a motion that nothing resists, {}",
-                vector(motion.as_vector().as_slice())
-            )
+            format!("the load works on a motion that nothing resists, {}", vector(motion.object.components()))
         }
         Proof::SeparatingMotion { motion, .. } => {
             format!(
                 "the load drives a motion that no friction opposes, {}",
-                vector(motion.as_vector().as_slice())
+                vector(motion.object.components())
             )
         }
         Proof::EveryStateTried { combinations } => {

@@ -6,7 +6,8 @@
 use grasp_lcp::Limit;
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
-use grasp_lcp::planar::hand::{Finger, Grasp, Hand, Joint, Tendon};
+use grasp_lcp::planar::Grasp;
+use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use num_traits::{One, Signed, Zero};
 
 use super::affine::{Affine, Q, Solved, eliminate, exact, float};
@@ -240,7 +241,7 @@ impl Scene {
         Some(Some(Exact { forces, joints: x[3..].iter().map(float).collect() }))
     }
 
-    pub(super) fn grasp(&self) -> Result<Grasp<14>, grasp_lcp::Error> {
+    pub(super) fn grasp(&self) -> Result<Grasp, grasp_lcp::Error> {
         let fingers = self.fingers.iter().enumerate().map(|(f, joints)| {
             let joints = joints.iter().map(|k| {
                 let joint =

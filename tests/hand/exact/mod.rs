@@ -4,7 +4,8 @@ mod affine;
 mod census;
 
 use grasp_lcp::Limit;
-use grasp_lcp::planar::hand::{DriveState, Wrench};
+use grasp_lcp::planar::Wrench;
+use grasp_lcp::planar::hand::DriveState;
 use grasp_lcp::planar::{Equilibrium, Outcome};
 use support::numbers::Numbers;
 
@@ -70,7 +71,7 @@ fn scene(numbers: &mut Numbers, kind: usize) -> Scene {
     Scene { touches, fingers, coupling, cable, load }
 }
 
-fn apart(exact: &Exact, found: &Equilibrium<14>) -> f64 {
+fn apart(exact: &Exact, found: &Equilibrium) -> f64 {
     let size = exact.forces.iter().flatten().fold(1.0_f64, |most, f| most.max(f.abs()));
     let forces =
         exact.forces.iter().zip(&found.contacts).flat_map(|(a, b)| [a[0] - b.force[0], a[1] - b.force[1]]);

@@ -6,7 +6,7 @@ use grasp_lcp::load_path::{Beyond, LoadPath, Loss, LossKind};
 ///
 /// # Panics
 /// If the path ended otherwise.
-pub fn limit_load<'p, const D: usize, const C: usize>(path: &'p LoadPath<'_, D, C>) -> &'p Loss<D, C> {
+pub fn limit_load<'p, const C: usize>(path: &'p LoadPath<'_, C>) -> &'p Loss<C> {
     match (path.end().and_then(|end| end.loss()), path.beyond()) {
         (Some(loss), Some(Beyond::LimitLoad)) => loss,
         (_, beyond) => panic!("{:?}, beyond it {beyond:?}", path.end()),
@@ -17,10 +17,7 @@ pub fn limit_load<'p, const D: usize, const C: usize>(path: &'p LoadPath<'_, D, 
 ///
 /// # Panics
 /// If the path ended otherwise.
-pub fn snap<'p, const D: usize, const C: usize>(
-    path: &'p LoadPath<'_, D, C>,
-    kind: LossKind,
-) -> &'p Loss<D, C> {
+pub fn snap<'p, const C: usize>(path: &'p LoadPath<'_, C>, kind: LossKind) -> &'p Loss<C> {
     match (path.end().and_then(|end| end.loss()), path.beyond()) {
         (Some(loss), Some(Beyond::Snap)) if loss.kind == kind => loss,
         (_, beyond) => panic!("{:?}, beyond it {beyond:?}", path.end()),

@@ -307,7 +307,7 @@ impl Entry {
         let (exact, outside) = match &self.solution {
             Solution::Point(_, rounded) => (rounded, 0.0),
             Solution::Family { rows, conditions, forces } => {
-                let point = project(rows, Point::of((*returned.twist.as_vector()).into()));
+                let point = project(rows, Point::of((returned.twist.to_vector()).into()));
                 nearest = Rounded::at(&point, forces);
                 (&nearest, conditions.iter().map(|c| c.missed(&point)).fold(0.0, f64::max))
             }

@@ -26,7 +26,7 @@ pub fn minimum_power(grasp: &Grasp, load: &Wrench, normal_forces: &[f64]) -> Opt
     let mut q = Vector3::zeros();
     for _ in 0..100 {
         let mut stiffness = Matrix3::zeros();
-        let mut missing = *load.as_vector();
+        let mut missing = load.to_vector();
         let mut forces = Vec::new();
         for ((contact, frame), normal) in grasp.contacts().iter().zip(grasp.frames()).zip(normal_forces) {
             let (p, k, a) = (contact.point(), contact.series_stiffness_of_axes(), contact.commanded());

@@ -26,8 +26,9 @@ pub struct Change<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Change<D, C> {
     /// The ramp from the scene on.
-    pub fn ramp(&self, scene: &Scene<D, C>) -> Ramp<D, C> {
-        Ramp::load(scene.wrench(), Wrench::from_vector(self.load)).with_commands(self.commands.clone())
+    pub fn ramp(&self, scene: &Scene<D, C>) -> Ramp<C> {
+        Ramp::load(scene.wrench(), Wrench::from_components(self.load.as_slice()))
+            .with_commands(self.commands.clone())
     }
 
     /// Whether the load works on a motion that no contact resists: then nothing holds from the start.
@@ -95,7 +96,7 @@ pub struct Tally {
 
 impl Tally {
     /// Adds one.
-    pub fn count<const D: usize, const C: usize>(&self, onset: &Onset<D, C>) {
+    pub fn count<const C: usize>(&self, onset: &Onset<C>) {
         let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
         add(&self.never, matches!(onset, Onset::Never));
         if let Onset::At(event) = onset {

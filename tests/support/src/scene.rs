@@ -14,8 +14,9 @@
 
 use std::f64::consts::TAU;
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Cone, Equilibrium};
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::grasp::{Contact, Wrench};
 use nalgebra::{SMatrix, SVector};
 
 /// One contact.
@@ -145,22 +146,23 @@ pub fn wrench<const D: usize, const C: usize>(
 
 impl<const D: usize, const C: usize> Scene<D, C> {
     /// For the library.
-    pub fn grasp(&self) -> Grasp<D, C> {
+    pub fn grasp(&self) -> Grasp<C> {
         Grasp::new(self.contacts.iter().map(Datum::contact)).expect("a scene is a valid grasp")
     }
 
     /// The load, for the library.
-    pub fn wrench(&self) -> Wrench<D, C> {
-        Wrench::from_vector(self.load)
+    pub fn wrench(&self) -> Wrench<C> {
+        Wrench::from_components(self.load.as_slice())
     }
 
     /// Of the scene in this equilibrium.
-    pub fn sizes(&self, answer: &Equilibrium<D, C>) -> Sizes {
+    pub fn sizes(&self, answer: &Equilibrium<C>) -> Sizes {
         let load = SVector::<f64, C>::from_fn(|a, _| self.load[a]).norm();
         let mut sizes = Sizes { force: load, motion: 0.0, length: 0.0 };
         let (mut softest, mut command) = (f64::INFINITY, 0.0_f64);
         for (datum, c) in self.contacts.iter().zip(&answer.contacts) {
-            let u = displacement(&datum.point, answer.twist.as_vector());
+            let u =
+                displacement(&datum.point, &SVector::<f64, D>::from_column_slice(answer.twist.components()));
             sizes.force = sizes.force.max(c.force.norm());
             command = command.max(datum.command.norm()).max(datum.clearance);
             sizes.motion = [command, u.norm(), c.gap, c.slip.norm()].into_iter().fold(sizes.motion, f64::max);
@@ -174,7 +176,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 
     /// The worst violation of the conditions above, relative to the sizes of the scene. `facets` is the number of
     /// corners of the polygon in space.
-    pub fn violation(&self, answer: &Equilibrium<D, C>, facets: usize) -> f64 {
+    pub fn violation(&self, answer: &Equilibrium<C>, facets: usize) -> f64 {
         let sizes = self.sizes(answer);
         let mut worst = 0.0_f64;
         let mut check = |violation: f64, size: f64| {
@@ -183,7 +185,10 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         let mut sum = self.load;
         for (datum, c) in self.contacts.iter().zip(&answer.contacts) {
             let frame = datum.frame();
-            let u = frame.tr_mul(&displacement(&datum.point, answer.twist.as_vector()));
+            let u = frame.tr_mul(&displacement(
+                &datum.point,
+                &SVector::<f64, D>::from_column_slice(answer.twist.components()),
+            ));
             let mut give = datum.drive() - u - c.slip;
             give[0] = datum.drive()[0] - u[0] + c.gap;
             for a in 0..datum.axes() {

@@ -1,7 +1,7 @@
 //! The states of an equilibrium that the library returned, solved again in exact arithmetic.
 //!
 //! The data are those that the library has: every number of the scene, and the contact frames as it rounded them
-//! ([`Grasp::frames`](grasp_lcp::grasp::Grasp::frames)). With `v = a - Gᵀq` the stretch of a contact, a its command less its clearance,
+//! ([`Grasp::frames`](grasp_lcp::ask::Grasp::frames)). With `v = a - Gᵀq` the stretch of a contact, a its command less its clearance,
 //!
 //! ```text
 //! open                       F = 0
@@ -15,8 +15,8 @@
 //! unknowns beside q of polynomial equations: Newton's method from the library's answer, with exact residuals, until its
 //! steps are below 1e-40 of what they change.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
-use grasp_lcp::grasp::Grasp;
 use nalgebra::SVector;
 
 use super::dyadic::{Dyadic, solve};
@@ -112,8 +112,8 @@ impl<const C: usize> Truth<C> {
     /// `None` where the states do not determine the twist, or Newton's method does not arrive.
     pub fn of<const D: usize>(
         scene: &Scene<D, C>,
-        grasp: &Grasp<D, C>,
-        answer: &Equilibrium<D, C>,
+        grasp: &Grasp<C>,
+        answer: &Equilibrium<C>,
     ) -> Option<Self> {
         let mut unknowns = D;
         let contacts: Vec<Known<C>> = (0..scene.contacts.len())
@@ -144,7 +144,7 @@ impl<const C: usize> Truth<C> {
             .collect();
         let load: Vec<Dyadic> = scene.load.iter().map(|&x| Dyadic::new(x)).collect();
         let mut z = vec![Dyadic::zero(); unknowns];
-        for (k, q) in answer.twist.as_vector().iter().enumerate() {
+        for (k, q) in answer.twist.components().iter().enumerate() {
             z[k] = Dyadic::new(*q);
         }
         for (i, contact) in contacts.iter().enumerate() {
@@ -240,7 +240,7 @@ impl<const C: usize> Truth<C> {
     }
 
     /// Errors of the answer.
-    pub fn errors<const D: usize>(&self, grasp: &Grasp<D, C>, answer: &Equilibrium<D, C>) -> Errors {
+    pub fn errors(&self, grasp: &Grasp<C>, answer: &Equilibrium<C>) -> Errors {
         let mut errors = Errors::default();
         for (i, c) in answer.contacts.iter().enumerate() {
             let off: [Dyadic; C] = std::array::from_fn(|a| &Dyadic::new(c.force[a]) - &self.forces[i][a]);

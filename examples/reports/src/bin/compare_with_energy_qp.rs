@@ -18,7 +18,7 @@ fn main() -> Result<()> {
     let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?.factor().ok_or("has an onset")?;
     along_the_load(&grasp, onset)?;
     println!("\nThree laws of friction at W = 0.14 N (beyond W*)\n");
-    print!("{}", grasp.three_laws(&(down() * 0.14))?);
+    print!("{}", grasp.energy().three_laws(&(down() * 0.14))?);
     beyond_first_order(&grasp)?;
     power()?;
     picture(&grasp, onset)
@@ -32,7 +32,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut printed_off, mut interior_off) = (0.0_f64, 0.0_f64);
     for row in TWO_FINGER_TABLE {
         let load = down() * row[0];
-        let comparison = grasp.compare_with_minimum_energy(&load)?;
+        let comparison = grasp.energy().compare(&load)?;
         let minimum = comparison.minimum.minimum().ok_or("the program has a minimum")?;
         print!("{:5.2}", row[0]);
         match comparison.equilibrium.equilibrium() {
@@ -48,7 +48,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
 
         // The same program in all displacements, by Lemke's method and by an interior-point method.
-        let printed = grasp.printed_qp(&load, &settings.cone)?;
+        let printed = grasp.energy().printed_qp(&load, &settings.cone)?;
         let QpOutcome::Minimum(lemke) = printed.program.solve()? else { return Err("no minimum".into()) };
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
             return Err("the interior-point method finds no minimum".into());
@@ -65,7 +65,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         "method on its optimality conditions, below {:.0e} N by an interior-point method",
         ceil(interior_off)
     );
-    let ends = grasp.agreement_with_minimum_energy_with(&Ramp::load(Wrench::ZERO, down()), &settings)?;
+    let ends = grasp.with(&settings).energy().agreement(&Ramp::load(Wrench::ZERO, down()))?;
     let Agreement::UpTo { factor, .. } = ends else { return Err("the agreement ends".into()) };
     println!("\nfirst friction constraint binds at W = {factor:.15}");
     println!("onset of sliding, found directly   W* = {onset:.15}");
@@ -79,9 +79,9 @@ fn ceil(x: f64) -> f64 {
 
 fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
-    let outcome = grasp.second_order_equilibrium(&load)?;
+    let outcome = grasp.energy().second_order(&load)?;
     let state = outcome.equilibrium().ok_or("there is one")?;
-    let first = grasp.stability(&state.first_order);
+    let first = grasp.energy().stability(&state.first_order);
     println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
     println!("  dropped term of equation 4.1 {:.1e} m", state.dropped_displacement);
     println!(
@@ -165,7 +165,7 @@ fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut coulomb, mut program, mut missing, mut associated) = (vec![], vec![], vec![], vec![]);
     for step in 0..=32 {
         let w = if step == 32 { onset } else { 0.005 * f64::from(step) };
-        let laws = grasp.three_laws(&(down() * w))?;
+        let laws = grasp.energy().three_laws(&(down() * w))?;
         if let Some(state) = laws.comparison.equilibrium.equilibrium() {
             coulomb.push((w, state.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
         }

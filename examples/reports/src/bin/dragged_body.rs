@@ -27,10 +27,11 @@ fn follow(grasp: &Grasp, legs: &[Leg], settings: &Settings) -> Result<Followed, 
     let begin = Instant::now();
     while begin.elapsed().as_secs_f64() < 0.2 {
         let start = Instant::now();
-        grasp.follow_with(&Wrench::ZERO, legs, settings)?.run();
+        grasp.with(settings).follow(&Wrench::ZERO, legs)?.run();
         time = time.min(start.elapsed().as_secs_f64());
     }
-    let mut path = grasp.follow_with(&Wrench::ZERO, legs, settings)?;
+    let asked = grasp.with(settings);
+    let mut path = asked.follow(&Wrench::ZERO, legs)?;
     path.run();
     let (mut track, mut error) = (Vec::new(), 0.0_f64);
     for k in 0..=SAMPLES {

@@ -69,17 +69,18 @@ fn main() -> Result<(), Failure> {
     );
     let weight = Wrench::force([0.0, 0.0, -WEIGHT]);
     for (name, grasp) in &grasps {
-        let closed = match grasp.force_closure()? {
+        let closed = match grasp.statics().force_closure()? {
             Closure::Closed { .. } => "yes",
             Closure::Open { .. } => "no",
             _ => "edge",
         };
-        let [total, each] = [Budget::Total(1.0), Budget::Each(1.0)].map(|budget| grasp.ferrari_canny(budget));
-        let carry = match grasp.load_limit(&Wrench::ZERO, &weight, Budget::Each(MOST))? {
+        let [total, each] =
+            [Budget::Total(1.0), Budget::Each(1.0)].map(|budget| grasp.statics().ferrari_canny(budget));
+        let carry = match grasp.statics().load_limit(&Wrench::ZERO, &weight, Budget::Each(MOST))? {
             LoadLimit::Factor { at_least, .. } => Some(WEIGHT * at_least),
             _ => None,
         };
-        let [_, needed] = grasp.budget_needed(&weight, Budget::Each(1.0))?;
+        let [_, needed] = grasp.statics().budget_needed(&weight, Budget::Each(1.0))?;
         let reserve = grasp.reserve(&Ramp::load(Wrench::ZERO, weight), 100.0)?;
         println!(
             "  {name:21} {closed:6} {:7.4} {:7.4} | {:>9} {:>10} | {:>10} {:>8}",
@@ -107,7 +108,7 @@ fn main() -> Result<(), Failure> {
     let scale = WrenchScale { about: [0.0; 3], length: RADIUS };
     let ramp = Ramp::load(Wrench::ZERO, weight);
     let of = |budget: Budget, settings: &Settings| -> Result<(), Failure> {
-        black_box(five.ferrari_canny_with(budget, &scale, settings)?);
+        black_box(five.with(settings).statics().ferrari_canny_scaled(budget, &scale)?);
         Ok(())
     };
     let seconds = best_in_turns([

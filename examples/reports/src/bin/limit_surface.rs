@@ -277,11 +277,8 @@ fn cost(surface: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
         for facets in [8, 16, 32] {
             let cone = PolygonCone::new(facets, Fit::Balanced)?;
             let start = Instant::now();
-            let mut path = patch.grasp.follow_patch_with(
-                &Patch::weight(),
-                &legs,
-                &Settings::default().with_cone(cone),
-            )?;
+            let asked = patch.grasp.with(&Settings::default().with_cone(cone));
+            let mut path = asked.follow_patch(&Patch::weight(), &legs)?;
             let events = path.by_ref().count();
             let seconds = start.elapsed().as_secs_f64();
             let off = off(&path.forces());

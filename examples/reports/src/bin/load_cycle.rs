@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             happens.len() + 1,
             event.leg,
             event.fraction,
-            event.load.as_vector()[0],
+            event.load.to_vector()[0],
             what.join(", ")
         );
         let pairs = event.changes.iter().map(|(i, _)| i / 2).collect();
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     match path.end() {
         Some(PathEnd::Lost(loss)) if matches!(path.beyond(), Some(Beyond::LimitLoad)) => {
-            let exact = loss.load.as_vector()[0];
+            let exact = loss.load.to_vector()[0];
             println!(
                 "  {:3}  {:3}  {:.15}  {exact:11.6}   limit load: the bar is pulled out",
                 happens.len() + 1,
@@ -106,7 +106,7 @@ type Point<'a> = &'a dyn Fn(&Equilibrium) -> (f64, f64);
 
 impl Pictures<'_> {
     fn save(&self) -> Result<(), Box<dyn std::error::Error>> {
-        let load = |state: &Equilibrium| state.load.as_vector()[0];
+        let load = |state: &Equilibrium| state.load.to_vector()[0];
         let mut chart = Chart::new(
             "A grasp with slip memory: finger forces run through loops (numbers: events)",
             "load (N)",

@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut off = [0.0_f64; 2];
     for event in &events {
         let (Change::Slides { .. }, leg @ 0..=1) = (event.change, event.leg) else { continue };
-        let part = event.load.as_vector()[0] / pad.limit;
+        let part = event.load.to_vector()[0] / pad.limit;
         let exact = if leg == 0 { 1.0 - part } else { 1.0 - (MOST - part) / 2.0 }.cbrt();
         let edge = pad.place(event.contact).abs() / pad.a;
         off[leg] = off[leg].max((edge - exact).abs());

@@ -97,7 +97,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for (curve, (_, fit)) in errors.iter_mut().zip(fits) {
             let settings = Settings::default().with_cone(PolygonCone::new(facets, fit)?);
             let factor =
-                grasp.onset_with(&ramp, &settings.on_the_polygon())?.factor().ok_or("holds without load")?;
+                grasp.with(&settings.on_the_polygon()).onset(&ramp)?.factor().ok_or("holds without load")?;
             let error = factor / event.factor - 1.0;
             curve.push((f64::from(u32::try_from(facets)?), 100.0 * error));
             print!("   {factor:.8} ({:+8.4} %)", 100.0 * error);

@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The commands for 1 mm, and the least factor of them.
     let by_millimetres = hand(1e-3)?;
     let needed = |loads: Loads| -> Result<_, Failure> {
-        match by_millimetres.least_squeeze_with(&loads, &settings)? {
+        match by_millimetres.with(&settings).least_squeeze(&loads)? {
             LeastSqueeze::Factor { factor, binding, .. } => {
                 Ok((1e-3 * factor, binding.map(|(contact, _)| contact)))
             }
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Check: with that squeeze the onset along the weight is at the reserve asked for.
     let grasp = hand(least)?;
     let ramp = Ramp::load(Wrench::ZERO, weight);
-    let onset = grasp.onset_with(&ramp, &settings)?;
+    let onset = grasp.with(&settings).onset(&ramp)?;
     let event = onset.event().ok_or("slides at some load")?;
     println!("  onset of sliding with it: {:.12} times the weight", event.factor);
     if let WeakestDirection::Force { size, direction: [x, y], .. } =
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     {
         println!("  beside the weight a force of {size:.6} N slides first, towards ({x:.6}, {y:.6})");
     }
-    let both = grasp.reserve_with(&ramp, 100.0, &settings)?;
+    let both = grasp.with(&settings).reserve(&ramp, 100.0)?;
     match both.limit {
         Some(limit) => {
             println!("  the object is lost at {limit:.6} times the weight, after {} events\n", both.events);
@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("What one percent more of each parameter does to the onset (percent):");
     println!("            friction   k_n        k_t        command");
-    let gradient = grasp.onset_gradients(event).into_iter().next().ok_or("a gradient")?;
+    let gradient = grasp.sensitivity().onset_gradients(event).into_iter().next().ok_or("a gradient")?;
     let mut strongest = (0.0, String::new());
     for (i, contact) in grasp.contacts().iter().enumerate() {
         let name = contact.label_text(i);
@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let curve: Result<Vec<(f64, f64)>, Error> = (0..=60)
         .map(|i| {
             let squeeze = 0.0005 * f64::from(i) * 0.5;
-            Ok((1e3 * squeeze, hand(squeeze)?.onset_with(&ramp, &settings)?.factor().unwrap_or(0.0)))
+            Ok((1e3 * squeeze, hand(squeeze)?.with(&settings).onset(&ramp)?.factor().unwrap_or(0.0)))
         })
         .collect();
     let chart = Chart::new(

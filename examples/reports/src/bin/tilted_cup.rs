@@ -5,7 +5,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke, chart_of_turn};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Onset, PathEnd, Ramp, Turn, Wrench};
 use support::Failure;
@@ -114,7 +113,7 @@ fn main() -> Result<(), Failure> {
     );
     support::save("tilted_cup.svg", &chart.to_svg()?)?;
     let title = "The full cup tilted towards the index finger";
-    let used = chart_of_turn(&grasp, &turn, &Settings::default(), title)?;
+    let used = chart_of_turn(&grasp, &turn, title)?;
     support::save("tilted_cup_friction.svg", &used.to_svg()?)?;
     Ok(())
 }

@@ -1,18 +1,18 @@
 //! The question that is asked for every direction, and its answer.
 
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::Error;
 use grasp_lcp::load_path::{Departure, Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
 use grasp_lcp::sweep::Uncertainty;
-use grasp_lcp::{Error, Settings};
+use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
 
 /// The load on top of which the force comes.
-pub(crate) fn base<const D: usize, const W: usize, const C: usize>(setup: &Setup<D, C>) -> Wrench<W, C> {
+pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
-        Question::Onset(ramp) => Some(setup.load(&ramp.base)),
+        Question::Onset(ramp) => Some(ramp.base),
         _ => None,
     });
     asked.unwrap_or(Wrench::ZERO)
@@ -47,29 +47,24 @@ fn not_known_exactly() -> Uncertainty {
 }
 
 /// The direction in which the least force leaves rolling, with its size, N. `None` where something does not touch under the base load.
-pub(crate) fn weakest<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    settings: &Settings,
-    base: &Wrench<D, C>,
+pub(crate) fn weakest<const C: usize>(
+    grasp: &Grasp<C>,
+    base: &Wrench<C>,
     at: [f64; C],
 ) -> Result<Option<([f64; C], f64)>, Error> {
-    Ok(match grasp.weakest_direction_with(base, at, settings)? {
+    Ok(match grasp.weakest_direction(base, at)? {
         WeakestDirection::Force { size, direction, .. } => Some((direction, size)),
         _ => None,
     })
 }
 
-/// Settings for many directions: where no equilibrium is found none is sought among all combinations of contact states.
-pub(crate) fn quick(settings: &Settings) -> Settings {
-    (*settings).with_most_states(0)
+/// The grasp asked in many directions: where no equilibrium is found none is sought among all combinations of contact states.
+pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
+    grasp.with(&grasp.settings().with_most_states(0))
 }
 
-pub(crate) fn first<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    settings: &Settings,
-    ramp: &Ramp<D, C>,
-) -> Result<First, Error> {
-    let answer = grasp.robust_onset_with(ramp, &not_known_exactly(), settings)?;
+pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
+    let answer = grasp.robust_onset(ramp, &not_known_exactly())?;
     // Below zero there is no reserve to speak of.
     let spread = answer.spread.map(|spread| spread.held_with(SIGMAS)).map(|x| if x < 0.0 { 0.0 } else { x });
     Ok(match answer.onset {
@@ -94,12 +89,8 @@ pub(crate) fn first<const D: usize, const C: usize>(
 }
 
 /// An error, with its reason, where there is no rolling equilibrium to start from: no direction has an onset then.
-pub(crate) fn check_base<const D: usize, const W: usize, const C: usize>(
-    grasp: &Grasp<W, C>,
-    setup: &Setup<D, C>,
-    ramp: &Ramp<W, C>,
-) -> Result<(), Failure> {
-    match grasp.onset_with(ramp, &setup.settings)? {
+pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<(), Failure> {
+    match grasp.onset(ramp)? {
         Onset::NoBase(none) => {
             Err(Failure::Scene(format!("no equilibrium exists under the base load: {:?}", none.proof)))
         }
@@ -115,9 +106,9 @@ pub(crate) fn check_base<const D: usize, const W: usize, const C: usize>(
 }
 
 /// Lines that say where the force acts, and on top of what.
-pub(crate) fn words<const D: usize, const C: usize>(at: [f64; C], base: &Wrench<D, C>) -> Vec<String> {
+pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
-    let load = base.as_vector();
+    let load = base.components();
     let mut lines = vec![format!("Force at ({point}) m")];
     if load.iter().any(|x| *x != 0.0) {
         let load: Vec<_> = load.iter().map(ToString::to_string).collect();

@@ -1,8 +1,8 @@
 //! How far the load path goes in one direction, and how it ends.
 
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::Error;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
-use grasp_lcp::{Error, Settings};
+use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 /// The end of a load path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,15 +49,14 @@ pub(crate) struct Last {
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
 /// Follows the load from `base` by `most` times `direction`.
-pub(crate) fn last<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    settings: &Settings,
-    base: Wrench<D, C>,
-    direction: Wrench<D, C>,
+pub(crate) fn last<const C: usize>(
+    grasp: &Grasp<C>,
+    base: Wrench<C>,
+    direction: Wrench<C>,
     most: f64,
 ) -> Result<Last, Error> {
-    let settings = settings.with_step_error(STEP_ERROR);
-    let mut path = grasp.follow_with(&base, &[Leg::load_by(direction * most)], &settings)?;
+    let grasp = grasp.with(&grasp.settings().with_step_error(STEP_ERROR));
+    let mut path = grasp.follow(&base, &[Leg::load_by(direction * most)])?;
     path.by_ref().for_each(drop);
     let (end, fraction) = match path.end() {
         Some(PathEnd::Completed) => (End::Held, f64::INFINITY),

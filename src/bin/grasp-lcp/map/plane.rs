@@ -3,10 +3,9 @@
 use std::f64::consts::TAU;
 use std::time::Duration;
 
-use grasp_lcp::grasp::Grasp;
 use grasp_lcp::picture::{Polar, Stroke};
-use grasp_lcp::planar::hand::{Ramp, Wrench};
-use grasp_lcp::scene::{Setup, WithGrasp};
+use grasp_lcp::planar::{Grasp, Ramp, Wrench};
+use grasp_lcp::scene::Setup;
 
 use super::ask::{self, First};
 use super::limit::{self, End, Last};
@@ -23,37 +22,20 @@ const SHOWN: f64 = 3.0;
 /// Then something is wrong.
 const MOST: Duration = Duration::from_secs(300);
 
-pub(crate) fn map(setup: &Setup<3, 2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Result<(), Failure> {
-    setup.with_grasp(Map { setup, pictures, at })?
-}
-
-struct Map<'a> {
-    setup: &'a Setup<3, 2>,
-    pictures: &'a Pictures<'a>,
-    at: [f64; 2],
-}
-
-impl WithGrasp<2> for Map<'_> {
-    type Output = Result<(), Failure>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, 2>) -> Self::Output {
-        map_of(grasp, &self)
-    }
-}
-
-fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map<'_>) -> Result<(), Failure> {
-    let &Map { setup, pictures, at } = map;
+pub(crate) fn map(setup: &Setup<2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Result<(), Failure> {
+    let grasp = setup.grasp()?;
     let title = pictures.title();
-    let base: Wrench<W> = ask::base(setup);
+    let base = ask::base(setup);
     let pull = |angle: f64| {
         // Quarter turns exactly, so that symmetric grasps have symmetric answers.
         let (sin, cos) = quarter(angle).unwrap_or_else(|| angle.sin_cos());
         Wrench::force_at([cos, sin], at)
     };
     let ramp = |angle: f64| Ramp::load(base, pull(angle));
-    ask::check_base(grasp, setup, &ramp(0.0))?;
-    let quick = ask::quick(&setup.settings);
+    ask::check_base(&grasp, &ramp(0.0))?;
+    let quick = ask::quick(&grasp);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
-    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(grasp, &quick, &ramp(*angle)))?
+    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
         .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -63,16 +45,14 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map<'_>) -> Result<(), Fail
         ));
     }
     let most = FAR * largest;
-    let lasts = watch::sweep("load paths", &angles, MOST, |angle| {
-        limit::last(grasp, &setup.settings, base, pull(*angle), most)
-    })?
-    .ok_or_else(ask::too_long)?;
+    let lasts =
+        watch::sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
+            .ok_or_else(ask::too_long)?;
     let onset_at = |angle: f64| {
-        let onset = grasp.onset_with(&ramp(angle), &quick).ok().and_then(|onset| onset.factor());
+        let onset = quick.onset(&ramp(angle)).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::NAN)
     };
-    let weakest =
-        ask::weakest(grasp, &quick, &base, at)?.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
+    let weakest = ask::weakest(&quick, &base, at)?.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
 
     let words = ask::words(at, &base);
     println!("{title}: {}", words.join(", "));
@@ -85,7 +65,7 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 2>, map: &Map<'_>) -> Result<(), Fail
             onset_at(angle)
         );
     }
-    let svg = draw(&title, grasp, &words, &angles, &firsts, &lasts, weakest)?;
+    let svg = draw(&title, &grasp, &words, &angles, &firsts, &lasts, weakest)?;
     pictures.save("_map.svg", &svg)?;
     Ok(())
 }
@@ -114,9 +94,9 @@ fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
     }
 }
 
-fn draw<const W: usize>(
+fn draw(
     title: &str,
-    grasp: &Grasp<W, 2>,
+    grasp: &Grasp,
     words: &[String],
     angles: &[f64],
     firsts: &[First],

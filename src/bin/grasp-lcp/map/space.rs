@@ -2,10 +2,9 @@
 
 use std::time::Duration;
 
-use grasp_lcp::grasp::Grasp;
 use grasp_lcp::picture::{SphereGrid, SphereMap};
-use grasp_lcp::scene::{Setup, WithGrasp};
-use grasp_lcp::spatial::hand::{Ramp, Wrench};
+use grasp_lcp::scene::Setup;
+use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use super::ask::{self, First};
 use super::limit::{self, End, Last};
@@ -24,36 +23,19 @@ const ALL_PATHS: Duration = Duration::from_secs(120);
 /// Load paths are followed this many times as far as the largest onset.
 const FAR: f64 = 5.0;
 
-pub(crate) fn map(setup: &Setup<6, 3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Result<(), Failure> {
-    setup.with_grasp(Map { setup, pictures, at })?
-}
-
-struct Map<'a> {
-    setup: &'a Setup<6, 3>,
-    pictures: &'a Pictures<'a>,
-    at: [f64; 3],
-}
-
-impl WithGrasp<3> for Map<'_> {
-    type Output = Result<(), Failure>;
-    fn with<const W: usize>(self, grasp: &Grasp<W, 3>) -> Self::Output {
-        map_of(grasp, &self)
-    }
-}
-
-fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Failure> {
-    let &Map { setup, pictures, at } = map;
+pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Result<(), Failure> {
+    let grasp = setup.grasp()?;
     let title = pictures.title();
-    let base: Wrench<W> = ask::base(setup);
+    let base = ask::base(setup);
     let pull = |direction: [f64; 3]| Wrench::force_at(direction, at);
     let ramp = |direction: [f64; 3]| Ramp::load(base, pull(direction));
-    ask::check_base(grasp, setup, &ramp([0.0, 0.0, -1.0]))?;
-    let quick = ask::quick(&setup.settings);
+    ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
+    let quick = ask::quick(&grasp);
 
     let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
-    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(grasp, &quick, &ramp(*d)))?
+    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(&quick, &ramp(*d)))?
         .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
@@ -64,16 +46,16 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Fail
         ));
     };
     // Found directly where everything touches and rolls under the base load; of the map's directions the worst otherwise.
-    let (weakest, onset) = ask::weakest(grasp, &quick, &base, at)?.unwrap_or((directions[nearest], least));
+    let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);
     let most = FAR * largest;
     let ways = coarse.directions();
-    let lasts = load_paths(grasp, setup, base, &pull, (&ways, most))?;
+    let lasts = load_paths(&grasp, base, &pull, (&ways, most))?;
 
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
-    print_table(grasp, setup, &ramp, &pull, (base, most), weakest)?;
+    print_table(&grasp, &ramp, &pull, (base, most), weakest)?;
     println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
     println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
     match &lasts {
@@ -89,9 +71,9 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Fail
             grasp.len()
         ),
     }
-    let first = ask::first(grasp, &quick, &ramp(weakest))?;
+    let first = ask::first(&quick, &ramp(weakest))?;
 
-    let drawing = Drawing { grasp, pictures, title: &title, words: &words };
+    let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words };
     let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
     match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
@@ -101,34 +83,33 @@ fn map_of<const W: usize>(grasp: &Grasp<W, 3>, map: &Map<'_>) -> Result<(), Fail
 }
 
 /// Where the load path ends in each of these directions; `None` where that takes too long.
-fn load_paths<const W: usize>(
-    grasp: &Grasp<W, 3>,
-    setup: &Setup<6, 3>,
-    base: Wrench<W>,
-    pull: &(impl Fn([f64; 3]) -> Wrench<W> + Sync),
+fn load_paths(
+    grasp: &Grasp,
+    base: Wrench,
+    pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (ways, most): (&[[f64; 3]], f64),
 ) -> Result<Option<Vec<Last>>, Failure> {
     if grasp.len() > MANY {
         return Ok(None);
     }
-    let quick = ask::quick(&setup.settings);
+    let quick = ask::quick(grasp);
     // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
     Ok(watch::sweep("load paths", ways, ALL_PATHS, |d| {
-        let last = limit::last(grasp, &quick, base, pull(*d), most)?;
+        let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != End::Unknown;
-        if known { Ok(last) } else { limit::last(grasp, &setup.settings, base, pull(*d), most) }
+        if known { Ok(last) } else { limit::last(grasp, base, pull(*d), most) }
     })?)
 }
 
 /// What all maps of a grasp have in common.
-struct Drawing<'a, const W: usize> {
-    grasp: &'a Grasp<W, 3>,
+struct Drawing<'a> {
+    grasp: &'a Grasp,
     pictures: &'a Pictures<'a>,
     title: &'a str,
     words: &'a str,
 }
 
-impl<const W: usize> Drawing<'_, W> {
+impl Drawing<'_> {
     /// Onsets, and what is left of them in reserve.
     fn of_onsets(
         &self,
@@ -173,12 +154,11 @@ impl<const W: usize> Drawing<'_, W> {
 /// Names of more contacts would cover the map, and its load paths take minutes.
 const MANY: usize = 8;
 
-fn print_table<const W: usize>(
-    grasp: &Grasp<W, 3>,
-    setup: &Setup<6, 3>,
-    ramp: &impl Fn([f64; 3]) -> Ramp<W>,
-    pull: &impl Fn([f64; 3]) -> Wrench<W>,
-    (base, most): (Wrench<W>, f64),
+fn print_table(
+    grasp: &Grasp,
+    ramp: &impl Fn([f64; 3]) -> Ramp,
+    pull: &impl Fn([f64; 3]) -> Wrench,
+    (base, most): (Wrench, f64),
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
     println!(
@@ -196,8 +176,8 @@ fn print_table<const W: usize>(
         ("−z", back(z)),
         ("weakest", weakest),
     ] {
-        let First { factor, who, robust } = ask::first(grasp, &ask::quick(&setup.settings), &ramp(d))?;
-        let last = limit::last(grasp, &setup.settings, base, pull(d), most)?;
+        let First { factor, who, robust } = ask::first(&ask::quick(grasp), &ramp(d))?;
+        let last = limit::last(grasp, base, pull(d), most)?;
         let held = last.words(most);
         println!("  {name:9}  {factor:14.9}  {robust:14.9}  {held:>14}  {:22} {who}", last.end.word());
     }

@@ -9,8 +9,9 @@ pub mod views;
 use std::f64::consts::{PI, TAU};
 
 use grasp_lcp::Settings;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
+use grasp_lcp::grasp::{Contact, Hold, Wrench};
 use grasp_lcp::load_path::{Change, Leg, Turn};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
@@ -145,7 +146,7 @@ pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
 
 impl<const D: usize, const C: usize> Scene<D, C> {
     /// With the commands of goal 0.
-    pub fn grasp(&self) -> Grasp<D, C> {
+    pub fn grasp(&self) -> Grasp<C> {
         let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
             let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
             let contact = if C == 3 { contact.tangent(spot.frame.column(1).into_owned()) } else { contact };
@@ -164,18 +165,18 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     /// The load of goal 0.
-    pub fn start(&self) -> Wrench<D, C> {
-        Wrench::from_vector(self.goals[0].load)
+    pub fn start(&self) -> Wrench<C> {
+        Wrench::from_components(self.goals[0].load.as_slice())
     }
 
     /// One to each further goal.
-    pub fn legs(&self) -> Vec<Leg<D, C>> {
+    pub fn legs(&self) -> Vec<Leg<C>> {
         let to = |goal: &Goal<D, C>| {
             if let Some(Swing { cosine, sine, angle }) = &goal.turn {
-                let [cosine, sine] = [cosine, sine].map(|part| Wrench::from_vector(*part));
+                let [cosine, sine] = [cosine, sine].map(|part| Wrench::from_components(part.as_slice()));
                 return Leg::turn(&Turn::new(Wrench::ZERO, cosine, sine).up_to(*angle));
             }
-            Leg::load_to(Wrench::from_vector(goal.load)).and_commands_to(goal.commands.clone())
+            Leg::load_to(Wrench::from_components(goal.load.as_slice())).and_commands_to(goal.commands.clone())
         };
         self.goals[1..].iter().map(to).collect()
     }
@@ -203,13 +204,13 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 
     /// By how much a state breaks the contact law at its worst, relative to the sizes of what is compared; the law is
     /// written out as in the crate's first page, with the slip that the state carries.
-    pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+    pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<C>) -> f64 {
         let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
         self.breach_of(leg, fraction, state, reach)
     }
 
     /// The same on the round cone.
-    pub fn breach_on_the_round_cone(&self, leg: usize, fraction: f64, state: &Equilibrium<D, C>) -> f64 {
+    pub fn breach_on_the_round_cone(&self, leg: usize, fraction: f64, state: &Equilibrium<C>) -> f64 {
         self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
     }
 
@@ -218,7 +219,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         &self,
         leg: usize,
         fraction: f64,
-        state: &Equilibrium<D, C>,
+        state: &Equilibrium<C>,
         reach: impl Fn(&SVector<f64, C>) -> f64,
     ) -> f64 {
         let (load, drives) = self.at(leg, fraction);
@@ -233,12 +234,14 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         let (mut sum, mut sum_size) = (load, load.norm());
         for (i, (spot, c)) in self.spots.iter().zip(&state.contacts).enumerate() {
             let map = spot.map::<D>();
-            let stretch = drives[i] - map.transpose() * state.twist.as_vector();
+            let stretch =
+                drives[i] - map.transpose() * SVector::<f64, D>::from_column_slice(state.twist.components());
             let (n, t) = (c.force[0], tangential(&c.force));
             sum += map * c.force;
             sum_size += map.norm() * c.force.norm();
             // Translation and rotation may cancel at the contact, their rounding does not.
-            let size = drives[i].norm() + map.norm() * state.twist.as_vector().norm() + c.slip.norm();
+            let moved = SVector::<f64, D>::from_column_slice(state.twist.components());
+            let size = drives[i].norm() + map.norm() * moved.norm() + c.slip.norm();
             if spot.hold == Hold::Unilateral {
                 note(-n, most);
             }
@@ -275,15 +278,15 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 }
 
 /// The size of forces and of displacements here: what rounding is measured against.
-pub fn sizes<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> (f64, f64) {
-    let load = SVector::<f64, C>::from_fn(|a, _| state.load.as_vector()[a]).norm();
+pub fn sizes<const C: usize>(state: &Equilibrium<C>) -> (f64, f64) {
+    let load = SVector::<f64, C>::from_fn(|a, _| state.load.components()[a]).norm();
     let force = state.contacts.iter().fold(load, |most, c| most.max(c.force.norm()));
     let motion = state.contacts.iter().map(|c| c.body_core.norm() + c.slip.norm() + c.gap);
     (force, motion.fold(0.0, f64::max))
 }
 
 /// State and force of each contact, for messages.
-pub fn brief<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> String {
+pub fn brief<const C: usize>(state: &Equilibrium<C>) -> String {
     let of = |c: &ContactAnswer<C>| (c.state, c.force.as_slice().to_vec(), c.slip.as_slice().to_vec(), c.gap);
     format!("{:?}", state.contacts.iter().map(of).collect::<Vec<_>>())
 }
@@ -291,8 +294,8 @@ pub fn brief<const D: usize, const C: usize>(state: &Equilibrium<D, C>) -> Strin
 /// The forces of two states, compared; and their motions.
 pub fn same_state<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    a: &Equilibrium<D, C>,
-    b: &Equilibrium<D, C>,
+    a: &Equilibrium<C>,
+    b: &Equilibrium<C>,
     within: f64,
 ) -> Result<(), TestCaseError> {
     let (force, motion) = sizes(a);

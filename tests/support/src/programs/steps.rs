@@ -43,7 +43,7 @@ impl Step {
 
 impl Scene<3, 2> {
     /// What each contact does in a state of the crate.
-    pub fn does(&self, state: &Equilibrium<3, 2>) -> Vec<Does> {
+    pub fn does(&self, state: &Equilibrium<2>) -> Vec<Does> {
         let of = |(spot, c): (&Spot<2>, &ContactAnswer<2>)| match c.state {
             ContactState::Separated => Does::Opens,
             ContactState::Sliding { direction } => Does::Slips(spot.frame.column(1).dot(&direction).signum()),
@@ -53,11 +53,11 @@ impl Scene<3, 2> {
     }
 
     /// The start of a path.
-    pub fn first_step(&self, state: &Equilibrium<3, 2>) -> Step {
+    pub fn first_step(&self, state: &Equilibrium<2>) -> Step {
         Step {
             does: self.does(state),
             forces: state.contacts.iter().map(|c| c.force).collect(),
-            twist: *state.twist.as_vector(),
+            twist: state.twist.to_vector(),
             slips: state.contacts.iter().map(|c| c.slip[1]).collect(),
         }
     }

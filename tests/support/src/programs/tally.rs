@@ -45,11 +45,7 @@ pub struct Tally {
 
 impl Tally {
     /// Adds a path with its events.
-    pub fn count<const D: usize, const C: usize>(
-        &mut self,
-        events: &[Event<D, C>],
-        path: &LoadPath<'_, D, C>,
-    ) {
+    pub fn count<const C: usize>(&mut self, events: &[Event<C>], path: &LoadPath<'_, C>) {
         self.scenes += 1;
         self.events += events.len();
         for (_, change) in events.iter().flat_map(|e| &e.changes) {

@@ -32,7 +32,7 @@ pub(crate) fn onset_by_hand(scene: &Scene) -> Result<f64, Failure> {
 /// The largest violation of balance and of the round contact law, relative to the largest force.
 pub(crate) fn residual(grasp: &Grasp, load: &Wrench, answer: &Equilibrium) -> f64 {
     let size = largest_force(answer);
-    let (mut worst, mut missing) = (0.0_f64, *load.as_vector());
+    let (mut worst, mut missing) = (0.0_f64, load.to_vector());
     let mut arm = 0.0_f64;
     for ((contact, frame), c) in grasp.contacts().iter().zip(grasp.frames()).zip(&answer.contacts) {
         let (p, k, mu) =

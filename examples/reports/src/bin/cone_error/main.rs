@@ -46,9 +46,9 @@ struct Measured {
 
 /// The onset on a turned polygon: the traction is known where the first polygon starts to slide.
 fn turned_onset(scene: &Scene, settings: &Settings) -> Result<f64, Failure> {
-    let first = Grasp::new(scene.contacts.clone())?.onset_with(&scene.ramp(), &settings.on_the_polygon())?;
+    let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(&scene.ramp())?;
     let there = scene.turned(first.factor().ok_or("a rolling base")?)?;
-    let second = Grasp::new(there.contacts.clone())?.onset_with(&there.ramp(), &settings.on_the_polygon())?;
+    let second = Grasp::new(there.contacts.clone())?.with(&settings.on_the_polygon()).onset(&there.ramp())?;
     Ok(second.factor().ok_or("a rolling base")?)
 }
 
@@ -57,7 +57,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
     let (grasp, ramp) = (Grasp::new(scene.contacts.clone())?, scene.ramp());
     let settings = Settings::default().with_most_states(0);
     let (factor, time) =
-        timed(|| Ok(grasp.onset_with(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a rolling base")?))?;
     let mut polygons = Vec::new();
     for method in 0..METHODS.len() {
         let mut row = Vec::new();
@@ -70,7 +70,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
                 if method == 3 {
                     turned_onset(scene, &on)
                 } else {
-                    Ok(grasp.onset_with(&ramp, &on.on_the_polygon())?.factor().ok_or("a rolling base")?)
+                    Ok(grasp.with(&on.on_the_polygon()).onset(&ramp)?.factor().ok_or("a rolling base")?)
                 }
             })?;
             row.push((facets, (factor / exact - 1.0).abs(), time));
@@ -84,7 +84,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
 fn measure_sliding(scene: &Scene) -> Result<Measured, Failure> {
     let factor = scene.deep * onset_by_hand(scene)?;
     let (grasp, load) = scene.at(factor)?;
-    let held = |grasp: &Grasp, settings: &Settings| Ok(grasp.solve_with(&load, settings)?);
+    let held = |grasp: &Grasp, settings: &Settings| Ok(grasp.with(settings).solve(&load)?);
     let (outcome, time) = timed(|| held(&grasp, &Settings::default()))?;
     let exact = outcome.equilibrium().ok_or_else(|| format!("no equilibrium: {outcome:?}"))?;
     let residual = residual(&grasp, &load, exact);

@@ -6,9 +6,9 @@
 
 use std::hint::black_box;
 
+use grasp_lcp::ask::Workspace;
 use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::spatial::{ContactState, Grasp};
-use grasp_lcp::structured::Workspace;
 use grasp_lcp::{PolygonCone, Settings};
 
 use support::Failure;
@@ -71,7 +71,7 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let (grasp, load) = scene.turned(factor)?.at(factor)?;
     let round = Settings::default();
     let polygon = Settings::default().on_the_polygon();
-    let answers = [grasp.solve_with(&load, &polygon)?, grasp.solve_with(&load, &round)?];
+    let answers = [grasp.with(&polygon).solve(&load)?, grasp.with(&round).solve(&load)?];
     let [Some(flat), Some(answer)] = answers.each_ref().map(|outcome| outcome.equilibrium()) else {
         return Ok(None);
     };
@@ -92,8 +92,8 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
             black_box(form.lcp.solve_with(&lemke));
             Ok(())
         },
-        &mut || grasp.solve_with(&load, &polygon).map(drop).map_err(Failure::from),
-        &mut || grasp.solve_with(&load, &round).map(drop).map_err(Failure::from),
+        &mut || grasp.with(&polygon).solve(&load).map(drop).map_err(Failure::from),
+        &mut || grasp.with(&round).solve(&load).map(drop).map_err(Failure::from),
         &mut || stuck.solve(&load).map(drop).map_err(Failure::from),
     ])?;
     Ok(Some(Times { sliding: sliding as f64, pivoting, polygon, round, bonded }))

@@ -47,14 +47,14 @@ fn onset() -> Result<Panel, Failure> {
         for facets in FACETS {
             let settings = on(facets, fit)?;
             let (factor, time) = timed(|| {
-                Ok(grasp.onset_with(&ramp, &settings.on_the_polygon())?.factor().ok_or("a rolling base")?)
+                Ok(grasp.with(&settings.on_the_polygon()).onset(&ramp)?.factor().ok_or("a rolling base")?)
             })?;
             panel.add(name, facets.to_string(), (factor / exact - 1.0).abs(), time);
         }
     }
     let settings = on(8, Fit::Inscribed)?;
     let (factor, time) =
-        timed(|| Ok(grasp.onset_with(&ramp, &settings)?.factor().ok_or("a rolling base")?))?;
+        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a rolling base")?))?;
     panel.add("round cone, and 8 facets beside it", "", (factor / exact - 1.0).abs(), time);
     Ok(panel)
 }
@@ -75,7 +75,7 @@ fn sliding() -> Result<Panel, Failure> {
     for (name, fit) in FITS {
         for facets in FACETS {
             let settings = on(facets, fit)?.on_the_polygon();
-            let (outcome, time) = timed(|| Ok(grasp.solve_with(&load, &settings)?))?;
+            let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(&load)?))?;
             let error = outcome.equilibrium().map_or(f64::NAN, off);
             if let Outcome::Undecided(why) = &outcome {
                 panel.notes.push(format!("{name}, {facets} facets: {:?}", why.doubt));
@@ -85,7 +85,7 @@ fn sliding() -> Result<Panel, Failure> {
     }
     for facets in [8, 16, 32] {
         let settings = on(facets, Fit::Inscribed)?;
-        let (outcome, time) = timed(|| Ok(grasp.solve_with(&load, &settings)?))?;
+        let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(&load)?))?;
         let answer = outcome.equilibrium().ok_or("the scene was made to have one")?;
         if facets == 8 {
             let slide = |c: &&ContactAnswer| matches!(c.state, ContactState::Sliding { .. });

@@ -3,8 +3,9 @@
 //! Stepping and bisection ask the paper's quadratic program, in its reduced form, whether one of its friction rows is active under a
 //! load. In the plane that is exactly sliding; in space the program has facets, and what it finds is their onset.
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::{QpOutcome, ReducedRow, Unknowns};
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Fingers, Pull};
 use grasp_lcp::{Fit, PolygonCone, spatial};
@@ -50,19 +51,19 @@ impl Solver {
 }
 
 /// A grasp without load at factor 0, its load at factor 1.
-struct Question<'a, const D: usize, const C: usize> {
-    grasp: &'a Grasp<D, C>,
-    direction: Wrench<D, C>,
+struct Question<'a, const C: usize> {
+    grasp: &'a Grasp<C>,
+    direction: Wrench<C>,
     cone: PolygonCone,
     /// Stepping and bisection look from 0 to here.
     most: f64,
 }
 
-impl<const D: usize, const C: usize> Question<'_, D, C> {
+impl<const C: usize> Question<'_, C> {
     /// Whether no friction row of the program is active at a factor.
     fn rolls(&self, factor: f64, solver: Solver) -> Result<bool, Failure> {
         let load = self.direction * factor;
-        let reduced = self.grasp.reduced_qp(&load, &self.cone, Unknowns::TwistAndGaps)?;
+        let reduced = self.grasp.energy().reduced_qp(&load, &self.cone, Unknowns::TwistAndGaps)?;
         let friction = |i: usize| matches!(reduced.rows[i], ReducedRow::Friction { .. });
         let mut rows = (0..reduced.rows.len()).filter(|i| friction(*i));
         if solver == Solver::Lemke {
@@ -167,7 +168,7 @@ fn in_the_plane() -> Result<Panel, Failure> {
     let mut panel =
         Panel::new("onset", "Onset of the paper's two fingers, W* = √65/66 N", "relative error of the onset");
     let contacts: &[_; 2] = grasp.contacts().try_into()?;
-    screened(&mut panel, contacts, &down(), exact)?;
+    screened::<3, 2, _>(&mut panel, contacts, &down(), exact)?;
     question.direct(&mut panel, exact)?;
     for solver in [Solver::Lemke, Solver::InteriorPoint] {
         question.bisections(&mut panel, &format!("bisection, {}", solver.name()), exact, solver)?;
@@ -186,7 +187,7 @@ fn in_the_plane() -> Result<Panel, Failure> {
 fn screened<const D: usize, const C: usize, const N: usize>(
     panel: &mut Panel,
     contacts: &[grasp_lcp::grasp::Contact<C>; N],
-    direction: &Wrench<D, C>,
+    direction: &Wrench<C>,
     exact: f64,
 ) -> Result<(), Failure> {
     const CALLS: u32 = 1000;
@@ -213,7 +214,7 @@ fn in_space() -> Result<Panel, Failure> {
         "Onset of three fingers in space, μN / hypot(w/3, m/3R)",
         "relative error of the onset",
     );
-    screened(&mut panel, &contacts, &direction, exact)?;
+    screened::<6, 3, _>(&mut panel, &contacts, &direction, exact)?;
     let on = |facets: usize| -> Result<_, Failure> {
         let cone = PolygonCone::new(facets, Fit::Inscribed)?;
         Ok(Question { grasp: &grasp, direction, cone, most: 8.0 })

@@ -29,7 +29,8 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     };
     let (start, legs) = (load([0.0; 2]), LEGS.map(|part| Leg::load_to(load(part))));
     let followed = |step_error: f64| -> Result<Vec<Vector3<f64>>, Failure> {
-        let mut path = grasp.follow_with(&start, &legs, &Settings::default().with_step_error(step_error))?;
+        let asked = grasp.with(&Settings::default().with_step_error(step_error));
+        let mut path = asked.follow(&start, &legs)?;
         path.by_ref().for_each(drop);
         let state = path.state().ok_or("it starts")?;
         Ok(state.contacts.iter().map(|contact| contact.force).collect())
@@ -59,7 +60,8 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     for facets in [8, 16, 32, 64, 128] {
         let cone = PolygonCone::new(facets, Fit::Balanced)?;
         let (forces, time) = timed(|| {
-            let mut path = grasp.follow_patch_with(&start, &legs, &Settings::default().with_cone(cone))?;
+            let asked = grasp.with(&Settings::default().with_cone(cone));
+            let mut path = asked.follow_patch(&start, &legs)?;
             path.by_ref().for_each(drop);
             let state = path.state().ok_or("it starts")?;
             Ok(state.contacts.iter().map(|contact| contact.force).collect::<Vec<_>>())

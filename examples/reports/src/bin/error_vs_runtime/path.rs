@@ -3,7 +3,8 @@
 //! An implicit step solves for the equilibrium at its end, with the slip so far taken off the finger commands; the slip of the answer is added to it.
 
 use grasp_lcp::Settings;
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Change, Leg};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
@@ -22,8 +23,8 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
 }
 
 /// A grasp in small steps, with the slip of each contact so far.
-struct Stepper<const D: usize, const C: usize> {
-    grasp: Grasp<D, C>,
+struct Stepper<const C: usize> {
+    grasp: Grasp<C>,
     slips: Vec<SVector<f64, C>>,
 }
 
@@ -33,13 +34,13 @@ struct Step<const C: usize> {
     slipped: Vec<bool>,
 }
 
-impl<const D: usize, const C: usize> Stepper<D, C> {
-    fn new(grasp: &Grasp<D, C>) -> Self {
+impl<const C: usize> Stepper<C> {
+    fn new(grasp: &Grasp<C>) -> Self {
         Self { grasp: grasp.clone(), slips: vec![SVector::zeros(); grasp.len()] }
     }
 
     /// On to another load and other commands.
-    fn step(&mut self, load: &Wrench<D, C>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
+    fn step(&mut self, load: &Wrench<C>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
         let left: Vec<_> = commands.iter().zip(&self.slips).map(|(a, s)| a - s).collect();
         self.grasp = self.grasp.clone().with_commands(left)?;
         let outcome = self.grasp.solve(load)?;
@@ -119,7 +120,7 @@ fn pad() -> Result<Panel, Failure> {
         let slides = events.iter().flat_map(|e| {
             let contacts =
                 e.changes.iter().filter(|(_, change)| self::slides(change)).map(|(contact, _)| *contact);
-            contacts.map(|contact| (e.leg, e.load.as_vector()[0], contact))
+            contacts.map(|contact| (e.leg, e.load.to_vector()[0], contact))
         });
         Ok(slides.collect::<Vec<_>>())
     })?;
@@ -127,7 +128,7 @@ fn pad() -> Result<Panel, Failure> {
     let (slides, time) = timed(|| {
         let events = grasp.follow_patch(&load(0.0), &legs)?;
         let slides = events.filter(|e| self::slides(&e.change));
-        Ok(slides.map(|e| (e.leg, e.load.as_vector()[0], e.contact)).collect::<Vec<_>>())
+        Ok(slides.map(|e| (e.leg, e.load.to_vector()[0], e.contact)).collect::<Vec<_>>())
     })?;
     panel.add("exact events, Grasp::follow_patch", "", off(&when(&slides)), time);
     let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();
@@ -170,8 +171,9 @@ fn dragged() -> Result<Panel, Failure> {
     );
     for tolerance in [1e-4, 1e-7, 1e-10, 1e-13] {
         let settings = Settings::default().with_step_error(tolerance);
+        let grasp = grasp.with(&settings);
         let (path, time) = timed(|| {
-            let mut path = grasp.follow_with(&spatial::Wrench::ZERO, &legs, &settings)?;
+            let mut path = grasp.follow(&spatial::Wrench::ZERO, &legs)?;
             path.run();
             Ok(path)
         })?;

@@ -3,9 +3,9 @@
 //! Five fingers in space, all springs alike, and the same with one finger 10⁶ times as stiff; forces against rational arithmetic.
 
 use grasp_lcp::PolygonCone;
+use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::energy::{QpOutcome, QuadraticProgram, Unknowns};
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
-use grasp_lcp::structured::{Search, Workspace};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
 use crate::exact_rolling;
@@ -77,8 +77,8 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     panel.add("textbook, (G K Gᵀ)⁻¹ by Cholesky", "", off(&at(&grasp, &twist, &[])), time);
 
     let cone = PolygonCone::default();
-    let printed = || grasp.printed_qp(&load, &cone);
-    let reduced = || grasp.reduced_qp(&load, &cone, Unknowns::TwistAndGaps);
+    let printed = || grasp.energy().printed_qp(&load, &cone);
+    let reduced = || grasp.energy().reduced_qp(&load, &cone, Unknowns::TwistAndGaps);
     let meaning = (printed()?, reduced()?);
     let by_printed = |x: &DVector<f64>| {
         let forces = grasp.frames().enumerate().map(|(i, frame)| frame * meaning.0.force(x, i));
@@ -98,7 +98,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
         let error = if let Oracle::Minimum(x, _) = oracle { off(&by_reduced(&x)) } else { f64::NAN };
         panel.add("reduced QP by Clarabel", format!("{tolerance:.0e}"), error, time);
     }
-    let held = grasp.minimum_energy(&load)?;
+    let held = grasp.energy().minimum(&load)?;
     let binding = held.minimum().map_or(usize::MAX, |minimum| minimum.binding.len());
     if binding > 0 {
         return Err("a friction row binds: the programs would answer another question".into());
@@ -126,7 +126,7 @@ fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> 
 
 /// q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a).
 fn textbook(grasp: &Grasp, load: &Wrench) -> Result<Twist, Failure> {
-    let (mut stiffness, mut pull) = (Matrix6::zeros(), *load.as_vector());
+    let (mut stiffness, mut pull) = (Matrix6::zeros(), load.to_vector());
     for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {
         let (p, k) = (contact.point(), contact.series_stiffness_of_axes());
         for axis in 0..3 {

@@ -6,7 +6,8 @@
 //! 0 <= z  ⟂  L F⁰ + (L P B) z >= 0,   F = F⁰ + P B z
 //! ```
 
-use grasp_lcp::grasp::{Grasp, Hold, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Hold, Wrench};
 use grasp_lcp::lcp::Lcp;
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -38,9 +39,9 @@ fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
 }
 
 /// The wrench of a force at a point about the origin.
-fn wrench<const D: usize, const C: usize>(p: &SVector<f64, C>, f: &SVector<f64, C>) -> SVector<f64, D> {
+fn wrench<const C: usize>(p: &SVector<f64, C>, f: &SVector<f64, C>) -> DVector<f64> {
     let cross = |i: usize, j: usize| p[i] * f[j] - p[j] * f[i];
-    SVector::from_fn(|row, _| match row {
+    DVector::from_fn(C * (C + 1) / 2, |row, _| match row {
         row if row < C => f[row],
         _ if C == 2 => cross(0, 1),
         row => cross((row - C + 1) % C, (row - C + 2) % C),
@@ -49,18 +50,18 @@ fn wrench<const D: usize, const C: usize>(p: &SVector<f64, C>, f: &SVector<f64, 
 
 impl Full {
     /// Makes the matrices.
-    pub fn new<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Self, Failure> {
-        let (grasp, load): (&Grasp<D, C>, &Wrench<D, C>) = (&scene.grasp, &scene.load);
+    pub fn new<const C: usize>(scene: &Scene<C>) -> Result<Self, Failure> {
+        let d = C * (C + 1) / 2;
+        let (grasp, load): (&Grasp<C>, &Wrench<C>) = (&scene.grasp, &scene.load);
         let (n, normals) = (grasp.len(), facets::<C>());
-        let (mut g, mut k, mut a) = (DMatrix::zeros(D, C * n), DVector::zeros(C * n), DVector::zeros(C * n));
+        let (mut g, mut k, mut a) = (DMatrix::zeros(d, C * n), DVector::zeros(C * n), DVector::zeros(C * n));
         let pairs = 1 + normals.len();
         let (mut l, mut b) = (DMatrix::zeros(pairs * n, C * n), DMatrix::zeros(C * n, pairs * n));
         for (i, (contact, frame)) in grasp.contacts().iter().zip(grasp.frames()).enumerate() {
             let (stiffness, command) = (contact.series_stiffness_of_axes(), contact.commanded());
             let (at, row) = (C * i, pairs * i);
             for axis in 0..C {
-                g.column_mut(at + axis)
-                    .copy_from(&wrench::<D, C>(&contact.point(), &frame.column(axis).into()));
+                g.column_mut(at + axis).copy_from(&wrench::<C>(&contact.point(), &frame.column(axis).into()));
                 (k[at + axis], a[at + axis]) = (stiffness[axis], command[axis]);
             }
             let mu = if scene.holds[i] == Hold::Bonded {
@@ -77,9 +78,9 @@ impl Full {
                 }
             }
         }
-        let gk = DMatrix::from_fn(D, C * n, |row, j| g[(row, j)] * k[j]);
+        let gk = DMatrix::from_fn(d, C * n, |row, j| g[(row, j)] * k[j]);
         let object = (&gk * g.transpose()).cholesky().ok_or("a motion is free")?;
-        let twist = object.solve(&(DVector::from_column_slice(load.as_vector().as_slice()) + &gk * &a));
+        let twist = object.solve(&(DVector::from_column_slice(load.components()) + &gk * &a));
         let rolling = k.component_mul(&a) - gk.tr_mul(&twist);
         let jumps = DMatrix::from_fn(C * n, pairs * n, |i, j| k[i] * b[(i, j)])
             - gk.tr_mul(&object.solve(&(&gk * &b)));

@@ -35,7 +35,7 @@ struct Answer {
 }
 
 impl Answer {
-    fn new<const D: usize, const C: usize>(answer: &Equilibrium<D, C>) -> Self {
+    fn new<const C: usize>(answer: &Equilibrium<C>) -> Self {
         let left_out = &answer.work.rows_left_out;
         let mut reasons: Vec<(Why, usize)> = Vec::new();
         for part in left_out {
@@ -73,9 +73,9 @@ fn reason(why: Why) -> &'static str {
 }
 
 /// Solves a scene both ways, in space on the same polygon.
-pub fn measure<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Measured, Failure> {
+pub fn measure<const C: usize>(scene: &Scene<C>) -> Result<Measured, Failure> {
     let settings = Settings::default().on_the_polygon();
-    let (outcome, time) = timed(|| Ok(scene.grasp.solve_with(&scene.load, &settings)?))?;
+    let (outcome, time) = timed(|| Ok(scene.grasp.with(&settings).solve(&scene.load)?))?;
     let answer = outcome.equilibrium().ok_or_else(|| format!("{}: {outcome:?}", scene.name))?;
     let ((full_rows, full), full_time) = timed(|| {
         let full = Full::new(scene)?;
@@ -119,7 +119,7 @@ pub fn report() -> Result<(), Failure> {
     Ok(())
 }
 
-fn row<const D: usize, const C: usize>(table: &mut String, scene: &Scene<D, C>) -> Result<(), Failure> {
+fn row<const C: usize>(table: &mut String, scene: &Scene<C>) -> Result<(), Failure> {
     let measured = measure(scene)?;
     let Measured { full_rows, full_time, time, full_pivots, answer, apart } = &measured;
     let or_ray = |text: Option<String>| text.unwrap_or_else(|| "ray".into());

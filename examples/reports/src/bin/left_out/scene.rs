@@ -1,23 +1,24 @@
 //! Grasps under loads: what rolls, slides, has no friction, is glued on, lies in a plane or far away.
 
-use grasp_lcp::grasp::{Contact, Grasp, Hold, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Hold, Wrench};
 use grasp_lcp::{planar, spatial};
 
 pub type Failure = Box<dyn std::error::Error>;
 
 /// A grasp under a load, with how its contacts hold.
-pub struct Scene<const D: usize, const C: usize> {
+pub struct Scene<const C: usize> {
     pub name: &'static str,
-    pub grasp: Grasp<D, C>,
-    pub load: Wrench<D, C>,
+    pub grasp: Grasp<C>,
+    pub load: Wrench<C>,
     pub holds: Vec<Hold>,
 }
 
-impl<const D: usize, const C: usize> Scene<D, C> {
+impl<const C: usize> Scene<C> {
     pub fn new(
         name: &'static str,
         contacts: impl IntoIterator<Item = Contact<C>>,
-        load: Wrench<D, C>,
+        load: Wrench<C>,
     ) -> Result<Self, grasp_lcp::Error> {
         let grasp = Grasp::new(contacts)?;
         let holds = vec![Hold::Unilateral; grasp.len()];
@@ -42,19 +43,19 @@ fn finger(count: u8, i: u8) -> spatial::Contact {
 }
 
 /// Five fingers and a load that they hold without sliding.
-pub fn rolls() -> Result<Scene<6, 3>, grasp_lcp::Error> {
+pub fn rolls() -> Result<Scene<3>, grasp_lcp::Error> {
     let load = spatial::Wrench::new([1.0, 0.5, -3.0], [0.2, 0.1, 0.3]);
     Scene::new("everything rolls", (0..5).map(|i| finger(5, i)), load)
 }
 
 /// The same under a load that makes some of them slide.
-pub fn slides() -> Result<Scene<6, 3>, grasp_lcp::Error> {
+pub fn slides() -> Result<Scene<3>, grasp_lcp::Error> {
     let load = spatial::Wrench::new([4.0, 2.0, -23.0], [0.2, 0.1, 0.3]);
     Scene::new("some slide", (0..5).map(|i| finger(5, i)), load)
 }
 
 /// A cube in a nest of twelve smooth pins, two a side, some of which it leaves.
-pub fn smooth() -> Result<Scene<6, 3>, grasp_lcp::Error> {
+pub fn smooth() -> Result<Scene<3>, grasp_lcp::Error> {
     let pin = |k: u8| {
         let (side, axis) = (if k < 6 { -1.0 } else { 1.0 }, usize::from(k / 2 % 3));
         let across = if k.is_multiple_of(2) { 0.5 } else { -0.5 };
@@ -71,7 +72,7 @@ pub fn smooth() -> Result<Scene<6, 3>, grasp_lcp::Error> {
 }
 
 /// Two fingers with friction, two smooth ones, one that never slides, and one that is glued on.
-pub fn mixed() -> Result<Scene<6, 3>, grasp_lcp::Error> {
+pub fn mixed() -> Result<Scene<3>, grasp_lcp::Error> {
     let contacts = (0..6).map(|i| match i {
         2 | 3 => finger(6, i).friction(0.0),
         4 => finger(6, i).friction(f64::INFINITY),
@@ -95,13 +96,13 @@ fn flat(count: u8, i: u8) -> planar::Contact {
 }
 
 /// Three fingers in the plane, one of which slides.
-pub fn in_the_plane() -> Result<Scene<3, 2>, grasp_lcp::Error> {
+pub fn in_the_plane() -> Result<Scene<2>, grasp_lcp::Error> {
     let (force, moment) = FLAT_LOAD;
     Scene::new("three fingers in the plane", (0..3).map(|i| flat(3, i)), planar::Wrench::new(force, moment))
 }
 
 /// The same in space, at height zero; corners of the polygons lie in the plane.
-pub fn in_a_spatial_guise() -> Result<Scene<6, 3>, grasp_lcp::Error> {
+pub fn in_a_spatial_guise() -> Result<Scene<3>, grasp_lcp::Error> {
     let contacts = (0..3).map(|i| {
         let ([x, y, _], [u, v, _]) = around(3, i);
         spatial::Contact::new([x, y, 0.0], [u, v, 0.0])
@@ -115,7 +116,7 @@ pub fn in_a_spatial_guise() -> Result<Scene<6, 3>, grasp_lcp::Error> {
 }
 
 /// Three fingers that hold, and twenty that are held back by a hand's breadth.
-pub fn far(name: &'static str, part: f64) -> Result<Scene<3, 2>, grasp_lcp::Error> {
+pub fn far(name: &'static str, part: f64) -> Result<Scene<2>, grasp_lcp::Error> {
     let (force, moment) = FLAT_LOAD;
     let away = (0..20).map(|i| flat(20, i).command([-0.2, 0.0]));
     let load = planar::Wrench::new(force, moment) * part;
@@ -123,9 +124,9 @@ pub fn far(name: &'static str, part: f64) -> Result<Scene<3, 2>, grasp_lcp::Erro
 }
 
 /// A pad along x, pressed most in the middle and sheared; at part 1 two thirds of it slide.
-pub fn pad(name: &'static str, springs: usize, part: f64) -> Result<Scene<3, 2>, grasp_lcp::Error> {
+pub fn pad(name: &'static str, springs: usize, part: f64) -> Result<Scene<2>, grasp_lcp::Error> {
     let (grasp, load) = support::patches::planar_patch(springs)?;
-    let load = load.as_vector();
+    let load = load.to_vector();
     let load = planar::Wrench::new([part * load[0], load[1]], load[2]);
     let holds = vec![Hold::Unilateral; springs];
     Ok(Scene { name, grasp, load, holds })

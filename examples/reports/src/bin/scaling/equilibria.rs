@@ -4,9 +4,10 @@ use std::hint::black_box;
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::Settings;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::forms::Row;
-use grasp_lcp::grasp::{Grasp, Wrench};
-use grasp_lcp::structured::{Search, Workspace};
+use grasp_lcp::grasp::Wrench;
 
 use crate::Outcome;
 use crate::limits::{Cores, Limit, Needs};
@@ -35,7 +36,7 @@ pub fn few_contacts() -> Outcome {
 }
 
 /// The same on the round cone, beside `Grasp::solve`.
-fn on_the_round_cone(name: &str, grasp: &Grasp<6, 3>, load: &Wrench<6, 3>, runs: usize) -> Outcome {
+fn on_the_round_cone(name: &str, grasp: &Grasp<3>, load: &Wrench<3>, runs: usize) -> Outcome {
     let mut workspace = Workspace::on_the_round_cone();
     let time = best(runs, || {
         black_box(workspace.solve(black_box(grasp), black_box(load)).is_ok());
@@ -55,11 +56,11 @@ fn on_the_round_cone(name: &str, grasp: &Grasp<6, 3>, load: &Wrench<6, 3>, runs:
 pub fn patches() -> Outcome {
     for n in [100, 1000, 10_000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
-        patch("in the plane", &grasp, &load, n <= 300)?;
+        patch::<3, 2>("in the plane", &grasp, &load, n <= 300)?;
     }
     for n in [100, 1000, 10_000] {
         let (grasp, load) = spatial_patch(n)?;
-        patch("in space", &grasp, &load, n <= 100)?;
+        patch::<6, 3>("in space", &grasp, &load, n <= 100)?;
         on_the_round_cone(&format!("patch in space, n = {n}"), &grasp, &load, (20_000 / n).clamp(3, 50))?;
     }
     Ok(())
@@ -67,16 +68,16 @@ pub fn patches() -> Outcome {
 
 fn patch<const D: usize, const C: usize>(
     place: &str,
-    grasp: &Grasp<D, C>,
-    load: &Wrench<D, C>,
+    grasp: &Grasp<C>,
+    load: &Wrench<C>,
     affordable: bool,
 ) -> Outcome {
     let runs = (20_000 / grasp.len()).clamp(3, 50);
     let mut workspace = Workspace::default();
     let lemke = best(runs, || {
-        black_box(workspace.solve_along_one_path(grasp, load).is_ok());
+        black_box(workspace.solve(grasp, load).is_ok());
     });
-    let remarks = remark(workspace.solve_along_one_path(grasp, load)?);
+    let remarks = remark(workspace.solve(grasp, load)?);
     let (dense, today) =
         if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
     let name = format!("equilibrium, patch {place}, n = {}", grasp.len());
@@ -116,7 +117,7 @@ pub fn growth() -> Outcome {
         let (grasp, load) = planar_patch(n)?;
         let mut workspace = Workspace::default();
         times.push(best((20_000 / n).clamp(3, 20), || {
-            black_box(workspace.solve_along_one_path(&grasp, &load).is_ok());
+            black_box(workspace.solve(&grasp, &load).is_ok());
         }));
     }
     println!("growth of Lemke's cost from n = 10³ to 10⁵: n^{:.2}", (times[1] / times[0]).log10() / 2.0);
@@ -132,7 +133,7 @@ pub fn whole_solve() -> Outcome {
         let (grasp, load) = planar_patch(n)?;
         let mut worst = f64::NAN;
         let solve = best(3, || {
-            if let Ok(outcome) = grasp.solve_with(&load, &Settings::default()) {
+            if let Ok(outcome) = grasp.with(&Settings::default()).solve(&load) {
                 worst = outcome.equilibrium().map_or(f64::NAN, |e| e.residuals.worst());
             }
         });
@@ -144,16 +145,12 @@ pub fn whole_solve() -> Outcome {
 }
 
 /// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
-fn program_once<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    load: &Wrench<D, C>,
-    runs: usize,
-) -> f64 {
+fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>, runs: usize) -> f64 {
     best(runs, || drop(black_box(rolls(grasp, load))))
 }
 
 /// The kinematic form made and solved as a dense problem, without check of the answer as physics.
-fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D, C>, runs: usize) -> f64 {
+fn dense<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>, runs: usize) -> f64 {
     best(runs, || {
         if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {
             black_box(form.lcp.solve());
@@ -161,15 +158,15 @@ fn dense<const D: usize, const C: usize>(grasp: &Grasp<D, C>, load: &Wrench<D, C
     })
 }
 
-fn found<const D: usize, const C: usize>(
-    workspace: &mut Workspace<D, C>,
-    grasp: &Grasp<D, C>,
-    load: &Wrench<D, C>,
+fn found<const C: usize>(
+    workspace: &mut Workspace<C>,
+    grasp: &Grasp<C>,
+    load: &Wrench<C>,
 ) -> Result<String, grasp_lcp::Error> {
     Ok(remark(workspace.solve(grasp, load)?))
 }
 
-fn remark<const D: usize, const C: usize>(search: Search<'_, D, C>) -> String {
+fn remark<const C: usize>(search: Search<'_, C>) -> String {
     let Search::Found(view) = search else { return format!("{search:?}") };
     let mut last = None;
     let slides = view.jumps().filter(|row| last.replace(contact_of(row)) != Some(contact_of(row))).count();

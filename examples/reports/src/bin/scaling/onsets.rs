@@ -3,7 +3,8 @@
 
 use std::hint::black_box;
 
-use grasp_lcp::grasp::{Contact, Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Ramp, Turn};
 use grasp_lcp::screening::{Batch, Fingers, LoadCases, Pull, TurningPull};
 use grasp_lcp::squeeze::Loads;
@@ -31,7 +32,7 @@ pub fn rows() -> Outcome {
 fn family<const D: usize, const C: usize, const N: usize>(
     name: &str,
     contacts: impl Fn(usize) -> [Contact<C>; N],
-    direction: &Wrench<D, C>,
+    direction: &Wrench<C>,
 ) -> Outcome {
     let scenes: Vec<_> = (0..GRASPS).map(contacts).collect();
     let pull = Pull::new(&Wrench::ZERO, direction)?;
@@ -139,8 +140,8 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
 fn turns<const D: usize, const C: usize, const N: usize>(
     name: &str,
     (fingers, batch): (&[Fingers<D, C, N>], &Batch<D, C, N>),
-    grasps: &[Grasp<D, C>],
-    direction: &Wrench<D, C>,
+    grasps: &[Grasp<C>],
+    direction: &Wrench<C>,
 ) -> Outcome {
     for (times, how) in [(1.0, "light"), (20.0, "heavy")] {
         let turn = Turn::new(Wrench::ZERO, *direction * 0.1, *direction * times);
@@ -171,8 +172,8 @@ fn turns<const D: usize, const C: usize, const N: usize>(
 fn squeezes<const D: usize, const C: usize, const N: usize>(
     name: &str,
     (fingers, batch): (&[Fingers<D, C, N>], &Batch<D, C, N>),
-    grasps: &[Grasp<D, C>],
-    direction: &Wrench<D, C>,
+    grasps: &[Grasp<C>],
+    direction: &Wrench<C>,
 ) -> Outcome {
     let loads = vec![*direction * 8.0, *direction * -2.0];
     let cases = [LoadCases::new(&loads)?];

@@ -3,7 +3,8 @@
 use std::hint::black_box;
 
 use grasp_lcp::Settings;
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
 
@@ -18,11 +19,11 @@ use support::patches::{planar_patch, spatial_patch, uneven};
 pub fn rows() -> Outcome {
     for n in [100, 1000, 10_000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
-        whole_path("in the plane", &grasp, &load, n <= 100)?;
+        whole_path::<3, 2>("in the plane", &grasp, &load, n <= 100)?;
     }
     for n in [100, 1000] {
         let (grasp, load) = spatial_patch(n)?;
-        whole_path("in space", &grasp, &load, n <= 100)?;
+        whole_path::<6, 3>("in space", &grasp, &load, n <= 100)?;
     }
     for n in [30, 100, 300] {
         round_a_ball(n)?;
@@ -59,13 +60,13 @@ fn round_a_ball(n: usize) -> Outcome {
 
 fn whole_path<const D: usize, const C: usize>(
     place: &str,
-    grasp: &Grasp<D, C>,
-    load: &Wrench<D, C>,
+    grasp: &Grasp<C>,
+    load: &Wrench<C>,
     affordable: bool,
 ) -> Outcome {
     // Along the normals, which all contacts share.
-    let press = SVector::from_fn(|k, _| if k == C - 1 { load.as_vector()[k] } else { 0.0 });
-    let press = Wrench::from_vector(press);
+    let press = SVector::<f64, D>::from_fn(|k, _| if k == C - 1 { load.components()[k] } else { 0.0 });
+    let press = Wrench::from_components(press.as_slice());
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
     for (name, legs) in [("", &there_and_back[..1]), (" and back", &there_and_back)] {
         let mut path = grasp.follow_patch(&press, legs)?;
@@ -77,7 +78,7 @@ fn whole_path<const D: usize, const C: usize>(
             black_box(grasp.follow_patch(&press, legs).map_or(0, Iterator::count));
         });
         let settings = Settings::default().on_the_polygon();
-        let whole = || grasp.follow_with(&press, legs, &settings).map(|mut path| path.run().len());
+        let whole = || grasp.with(&settings).follow(&press, legs).map(|mut path| path.run().len());
         let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
         let limit = Limit::of(&needs::<D, C>(grasp.len(), events as f64, looked));
         row(
@@ -90,7 +91,7 @@ fn whole_path<const D: usize, const C: usize>(
     Ok(())
 }
 
-fn how<const D: usize, const C: usize>(end: Option<&PathEnd<D, C>>) -> &'static str {
+fn how<const C: usize>(end: Option<&PathEnd<C>>) -> &'static str {
     if matches!(end, Some(PathEnd::Completed)) { "completed" } else { "not completed" }
 }
 

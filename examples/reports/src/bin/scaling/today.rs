@@ -1,8 +1,9 @@
 //! What one does today: the reduced quadratic program by an interior-point method (Clarabel), again and again.
 
 use grasp_lcp::PolygonCone;
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::{ReducedRow, Unknowns};
-use grasp_lcp::grasp::{Grasp, Wrench};
+use grasp_lcp::grasp::Wrench;
 
 use support::interior_point::{Oracle, interior_point};
 
@@ -12,11 +13,8 @@ const ACTIVE: f64 = 1e-6;
 const HALVINGS: usize = 20;
 
 /// One solution of the program under a load; whether no friction row is active in it.
-pub fn rolls<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    load: &Wrench<D, C>,
-) -> Result<bool, grasp_lcp::Error> {
-    let reduced = grasp.reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
+pub fn rolls<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
+    let reduced = grasp.energy().reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
     let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
     let slack = &reduced.program.b * x - &reduced.program.d;
     let friction =
@@ -26,9 +24,9 @@ pub fn rolls<const D: usize, const C: usize>(
 }
 
 /// The factor of the load from which on the program has a friction row active, by doubling and halving.
-pub fn bisected_onset<const D: usize, const C: usize>(
-    grasp: &Grasp<D, C>,
-    direction: &Wrench<D, C>,
+pub fn bisected_onset<const C: usize>(
+    grasp: &Grasp<C>,
+    direction: &Wrench<C>,
 ) -> Result<f64, grasp_lcp::Error> {
     let (mut below, mut above) = (0.0, 1.0);
     while rolls(grasp, &(*direction * above))? && above < 1e12 {

@@ -63,7 +63,7 @@ fn squeeze<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Fail
             // Not all alike.
             datum.command[0] = value.1 * (1.0 + 0.05 * uneven(i)) / NORMAL;
         }
-        let load = scene.wrench().as_vector().rows_range(..C).norm();
+        let load = nalgebra::SVector::<f64, C>::from_column_slice(&scene.wrench().components()[..C]).norm();
         scene.load /= load;
         let case = "commands times stiffness over the load";
         table.ask(Question { family: "squeeze", case, value, expected: None }, &scene)?;

@@ -40,7 +40,7 @@ fn lengths<const D: usize, const C: usize>(
     case: &'static str,
     slippery: bool,
 ) -> Result<(), Failure> {
-    let mut in_metres: Option<Equilibrium<D, C>> = None;
+    let mut in_metres: Option<Equilibrium<C>> = None;
     for (unit, metres) in UNITS {
         let mut scene = held::<D, C>(4, TILTED);
         if slippery {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome};
-use grasp_lcp::grasp::Grasp;
 
 use crate::Failure;
 use crate::ring::SQUEEZE;
@@ -81,7 +81,7 @@ impl Table {
         &mut self,
         question: Question,
         scene: &Scene<D, C>,
-    ) -> Result<Option<Equilibrium<D, C>>, Failure> {
+    ) -> Result<Option<Equilibrium<C>>, Failure> {
         let grasp = Grasp::new(scene.contacts.iter().map(support::scene::Datum::contact))?;
         self.ask_of(question, scene, &grasp)
     }
@@ -91,8 +91,8 @@ impl Table {
         &mut self,
         question: Question,
         scene: &Scene<D, C>,
-        grasp: &Grasp<D, C>,
-    ) -> Result<Option<Equilibrium<D, C>>, Failure> {
+        grasp: &Grasp<C>,
+    ) -> Result<Option<Equilibrium<C>>, Failure> {
         let outcome = grasp.solve(&scene.wrench())?;
         let mut row = Row {
             outcome: describe(&outcome),
@@ -239,7 +239,7 @@ impl States {
 }
 
 impl Expected {
-    fn is<const D: usize, const C: usize>(self, outcome: &Outcome<D, C>) -> bool {
+    fn is<const C: usize>(self, outcome: &Outcome<C>) -> bool {
         let every = |what: fn(&grasp_lcp::equilibrium::ContactAnswer<C>) -> bool| {
             outcome.equilibrium().is_some_and(|answer| answer.contacts.iter().all(what))
         };
@@ -255,14 +255,11 @@ fn slides<const C: usize>(state: ContactState<C>) -> bool {
     matches!(state, ContactState::Sliding { .. })
 }
 
-fn count<const D: usize, const C: usize>(
-    answer: &Equilibrium<D, C>,
-    what: impl Fn(ContactState<C>) -> bool,
-) -> usize {
+fn count<const C: usize>(answer: &Equilibrium<C>, what: impl Fn(ContactState<C>) -> bool) -> usize {
     answer.contacts.iter().filter(|c| what(c.state)).count()
 }
 
-fn describe<const D: usize, const C: usize>(outcome: &Outcome<D, C>) -> String {
+fn describe<const C: usize>(outcome: &Outcome<C>) -> String {
     let answer = match outcome {
         Outcome::Equilibrium(answer) => answer,
         Outcome::NoEquilibrium(_) => return "no equilibrium".to_owned(),

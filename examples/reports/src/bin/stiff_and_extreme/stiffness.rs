@@ -1,6 +1,6 @@
 //! Springs of very different stiffness: between contacts, between the axes of one, between body and finger, beside a rigid side.
 
-use grasp_lcp::grasp::Grasp;
+use grasp_lcp::ask::Grasp;
 use nalgebra::SVector;
 
 use crate::Failure;
@@ -71,7 +71,7 @@ fn stiff<const D: usize, const C: usize>(
     kind: Between,
     ratio: f64,
     slippery: bool,
-) -> Result<(Scene<D, C>, Grasp<D, C>), Failure> {
+) -> Result<(Scene<D, C>, Grasp<C>), Failure> {
     let mut scene =
         held::<D, C>(if matches!(kind, Between::ContactsOfFew) { 4 } else { enough::<C>() }, TILTED);
     let axes = |normal: f64, tangential: f64| {

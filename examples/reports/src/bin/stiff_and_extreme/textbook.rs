@@ -1,6 +1,6 @@
 //! The rolling problem as textbooks solve it: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
 
-use grasp_lcp::grasp::Grasp;
+use grasp_lcp::ask::Grasp;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use support::dyadic::Dyadic;
@@ -10,7 +10,7 @@ use support::truth::Truth;
 /// Largest error of a contact force over the largest force. `None` where the matrix has no inverse.
 pub(crate) fn error<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    grasp: &Grasp<D, C>,
+    grasp: &Grasp<C>,
     truth: &Truth<C>,
 ) -> Option<f64> {
     let maps: Vec<SMatrix<f64, D, C>> = scene

@@ -1,0 +1,224 @@
+//! A closer look at equilibria: all of them, how accurate they are, what they are made of, and proofs that there are none.
+
+use super::grasp::Grasp;
+use crate::contact::PolygonCone;
+use crate::equilibrium::{Accuracy, Bracket, Decomposition, Equilibrium, Refutation};
+use crate::error::Error;
+use crate::forms::Form;
+use crate::grasp::Wrench;
+
+impl<const C: usize> Grasp<C> {
+    /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
+    /// [`Self::solve`] returns is among them. On the round cone: that one, and those that Newton's method reaches from the equilibria of
+    /// the polygon, which may be fewer than there are. Whether it is proved that there is none says [`Self::solve`]. Combinations that
+    /// share one equilibrium (a contact exactly on an edge) are listed once; a line of equilibria by one of its points, with its
+    /// [`neutral_motions`](Equilibrium::neutral_motions).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let all = grasp.equilibria(&Wrench::force([0.0, -4.0]))?;
+    /// assert_eq!(all.len(), 1); // a pinch with horizontal normals has no other
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::TooManyStates`] beyond [`Settings::most_states`](crate::Settings::most_states) combinations, [`Error::Wrench`] if the load is not
+    /// finite, or beyond 1e50.
+    pub fn equilibria(&self, load: &Wrench<C>) -> Result<Vec<Equilibrium<C>>, Error> {
+        self.engine.equilibria(load, &self.settings)
+    }
+
+    /// How far an equilibrium of this grasp is from the exact one, and how strongly it depends on the last digits of the question: two more
+    /// passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path
+    /// with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    ///
+    /// let accuracy = grasp.accuracy(outcome.equilibrium().expect("holds")).expect("its own answer");
+    /// assert!(accuracy.force < 1e-14 && accuracy.condition < 10.0);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
+        self.engine.accuracy(equilibrium)
+    }
+
+    /// Contact by contact, whether working precision tells the state of an equilibrium from its neighbours.
+    ///
+    /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms it is
+    /// a difference of, and than ten times the estimated error ([`Self::accuracy`], which this asks for). Where the answer is
+    /// `false` the last digits of the question decide between, say, rolling and just sliding. Forces and displacements hardly
+    /// depend on that. `None` for an equilibrium with another number of contacts.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5: they hold 10 N.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let distinct = |load: f64| -> Result<Option<Vec<bool>>, grasp_lcp::Error> {
+    ///     Ok(grasp.solve(&Wrench::force([0.0, -load]))?.equilibrium().and_then(|held| grasp.distinct(held)))
+    /// };
+    /// assert_eq!(distinct(9.0)?, Some(vec![true, true]));
+    /// assert_eq!(distinct(10.0)?, Some(vec![false, false]));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
+        self.engine.distinct(equilibrium)
+    }
+
+    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
+    /// 5.2 of the paper).
+    ///
+    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two
+    /// frictional contacts has no component along the line that joins them. Separated contacts carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::Vector2;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let split = grasp.decompose(outcome.equilibrium().expect("holds"));
+    /// assert!((split.equilibrating[0] - Vector2::new(0.0, 2.0)).norm() < 1e-14);
+    /// assert!((split.interaction[0] - Vector2::new(10.0, 0.0)).norm() < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
+        self.engine.decompose(equilibrium)
+    }
+
+    /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as
+    /// `settings.cone` has; its fit and `settings.round` are not looked at. In the plane the three are one.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    ///
+    /// // Three fingers under a plate of 12 N, μ = 0.5: they hold 6 N sideways on the round cone.
+    /// let finger = |x: f64, y: f64| {
+    ///     Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(100.0, 100.0).friction(0.5).command([0.04, 0.0, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
+    ///
+    /// // Below 6 cos(π/8) N everything rolls on every polygon of 8 facets, and the three answers are one.
+    /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]))?;
+    /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn bracket(&self, load: &Wrench<C>) -> Result<Bracket<C>, Error> {
+        self.engine.bracket(load, &self.settings)
+    }
+
+    /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` where none was found: there is an
+    /// equilibrium, [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or no cone is round, as in the plane.
+    ///
+    /// ```
+    /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+    ///
+    /// // Three fingers around a jar press with 10 N each, μ = 0.5: they hold 15 N, and more if they squeezed more.
+    /// let finger = |angle: f64| {
+    ///     let (s, c) = angle.sin_cos();
+    ///     Contact::new([c, s, 0.0], [-c, -s, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0, 0.0])
+    /// };
+    /// let jar = Grasp::new([0.0, 2.0, 4.0].map(finger))?;
+    /// let load = Wrench::force([0.0, 0.0, -16.0]);
+    ///
+    /// let proof = jar.refutation(&load)?.expect("too heavy");
+    /// assert!(proof.check(&jar, &load)?.is_some_and(|escape| escape > 1e4));
+    /// // It says nothing about a load that is held.
+    /// assert!(proof.check(&jar, &Wrench::force([0.0, 0.0, -1.0]))?.is_none());
+    /// assert!(jar.refutation(&Wrench::force([0.0, 0.0, -1.0]))?.is_none());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
+    pub fn refutation(&self, load: &Wrench<C>) -> Result<Option<Refutation<C>>, Error> {
+        self.engine.refutation(load, &self.settings)
+    }
+
+    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
+    /// sticks. `None` if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. When
+    /// `lcp.vector() >= 0` everything rolls and z = 0 is the answer. In the plane `cone` is not looked at.
+    ///
+    /// ```
+    /// use grasp_lcp::forms::Row;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::{PolygonCone, lcp::Outcome};
+    ///
+    /// // A body on a spring of 100 N/m that rests on a floor just so, and is pulled up by 1 N: it lifts off by 10 mm.
+    /// let spring = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0).bonded();
+    /// let floor = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0);
+    /// let grasp = Grasp::new([spring, floor])?;
+    ///
+    /// let form = grasp.kinematic_form(&Wrench::force([0.0, 1.0]), &PolygonCone::default())?.expect("the floor has a row");
+    /// let Outcome::Solved(solution) = form.lcp.solve() else { panic!("it lifts off") };
+    /// let row = form.position(Row::Gap { contact: 1 }).expect("may open");
+    /// assert!((form.z_unit[row] * solution.z[row] - 0.01).abs() < 1e-17);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
+    pub fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+        self.engine.kinematic_form(load, cone)
+    }
+
+    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act
+    /// both ways (bonded, kept closed, infinite friction) have springs in the rows of the balance and no rows of their own. `None` if a
+    /// number overflows. In the plane `cone` is not looked at.
+    ///
+    /// ```
+    /// use grasp_lcp::forms::Row;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::{PolygonCone, lcp::Outcome};
+    ///
+    /// // A body of 1 N on a spring and a floor of 100 N/m each: the floor carries half.
+    /// let spring = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0).bonded();
+    /// let floor = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0);
+    /// let grasp = Grasp::new([spring, floor])?;
+    ///
+    /// let form = grasp.force_form(&Wrench::force([0.0, -1.0]), &PolygonCone::default())?.expect("moderate numbers");
+    /// let Outcome::Solved(solution) = form.lcp.solve() else { panic!("it rests") };
+    /// let row = form.position(Row::NormalForce { contact: 1 }).expect("may open");
+    /// assert!((form.z_unit[row] * solution.z[row] - 0.5).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
+    pub fn force_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+        self.engine.force_form(load, cone)
+    }
+}
+
+impl<const C: usize> Refutation<C> {
+    /// Checks the proof against a grasp and a load: the factor by which an equilibrium that rounding has hidden would have to exceed
+    /// the data, at least. Stretches and forces of all contacts together are measured in √J, against those of the elastic trial
+    /// state. `None` where the proof does not hold for this grasp and this load, or by a factor below 1e4.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
+    pub fn check(&self, grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Option<f64>, Error> {
+        grasp.engine.check_refutation(self, load)
+    }
+}

@@ -1,0 +1,257 @@
+//! The paper's quadratic programs, other laws of friction, and stability.
+
+use super::grasp::Grasp;
+use crate::contact::PolygonCone;
+use crate::energy::{
+    Agreement, AssociatedOutcome, Comparison, MinimumOutcome, PrintedQp, ReducedQp, SecondOrderOutcome,
+    Stability, ThreeLaws, Unknowns,
+};
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Ramp;
+
+/// The paper's quadratic programs and other laws of friction beside Coulomb's, made by [`Grasp::energy`]; see [the room](crate::energy).
+#[derive(Debug, Clone, Copy)]
+pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
+
+impl<const C: usize> Energy<'_, C> {
+    /// How far along a ramp the minimum of the paper's program is an equilibrium. In space on the polygonal cone of the settings.
+    ///
+    /// Where every contact has friction and touches at factor 0 this is the
+    /// [onset of sliding](Grasp::onset) on the polygon, found another way. Frictionless contacts may open and close before.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let factor = grasp.energy().agreement(&ramp)?.factor().expect("agrees at first");
+    /// assert!((factor - 10.0).abs() < 1e-12); // the onset of sliding
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`](Grasp::onset).
+    pub fn agreement(&self, ramp: &Ramp<C>) -> Result<Agreement<C>, Error> {
+        self.0.engine.agreement_with_minimum_energy(ramp, &self.0.settings)
+    }
+
+    /// What the associated friction law says under a load ([`AssociatedState`](crate::energy::AssociatedState) has the law). In space on the polygonal cone of the settings.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Coulomb's law has no equilibrium under 12 N. The associated law lets the contacts slide and open until they press with 12 N,
+    /// // which takes 12 mm of spring: 2 mm more than the command, and μ times the slip.
+    /// let law = grasp.energy().associated_friction(&Wrench::force([0.0, -12.0]))?;
+    /// let contact = law.rest().expect("in the friction wrench cone").contacts[0];
+    /// assert!((contact.force[0] - 12.0).abs() < 1e-13);
+    /// assert!((contact.dilation() - 0.002).abs() < 1e-16);
+    /// assert!((contact.slip.norm() - 0.004).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn associated_friction(&self, load: &Wrench<C>) -> Result<AssociatedOutcome<C>, Error> {
+        self.0.engine.associated_friction(load, &self.0.settings)
+    }
+
+    /// Complementarity against the paper's quadratic program; in space on their polygonal cone.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::energy::Verdict;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let within = grasp.energy().compare(&Wrench::force([0.0, -4.0]))?;
+    /// assert_eq!(within.verdict, Verdict::Agree);
+    /// // Beyond 10 N nothing holds, but the program returns numbers.
+    /// let beyond = grasp.energy().compare(&Wrench::force([0.0, -11.0]))?;
+    /// assert!(matches!(beyond.verdict, Verdict::NoEquilibrium { force, .. } if force > 0.1));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn compare(&self, load: &Wrench<C>) -> Result<Comparison<C>, Error> {
+        self.0.engine.compare_with_minimum_energy(load, &self.0.settings)
+    }
+
+    /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
+    ///
+    /// The minimum is that of [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp) with its gaps, and that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed
+    /// program opens no contact with infinite friction. Springs stand in series and orthogonal factors keep their digits,
+    /// so that rigid sides and series stiffness are welcome.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.energy().minimum(&Wrench::force([0.0, -6.0]))?;
+    /// let minimum = outcome.minimum().expect("everything rolls");
+    /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
+    /// assert!(minimum.imbalance.to_vector().amax() < 1e-14);
+    /// // Σ ½ F²/k = 10²/1000 + 3²/800.
+    /// assert!((minimum.stored_energy - 0.11125).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn minimum(&self, load: &Wrench<C>) -> Result<MinimumOutcome<C>, Error> {
+        self.0.engine.minimum_energy(load, &self.0.settings)
+    }
+
+    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` stands for the round cone in space.
+    ///
+    /// ```
+    /// use grasp_lcp::PolygonCone;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Springs of 2000 and 1600 N/m on both sides: half of that in series.
+    /// let finger = |x: f64| {
+    ///     Contact::new([x, 0.0], [-x, 0.0])
+    ///         .body_stiffness(2000.0, 1600.0)
+    ///         .finger_stiffness(2000.0, 1600.0)
+    ///         .friction(0.5)
+    ///         .command([0.01, 0.0])
+    /// };
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let printed = grasp.energy().printed_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
+    /// let outcome = printed.program.solve()?;
+    /// let minimum = outcome.minimum().ok_or("everything rolls")?;
+    /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
+    /// // The springs of body and finger give way alike, 5 mm each.
+    /// let u = printed.displacements(&minimum.x, 0);
+    /// assert!((u.finger_surface[0] - 0.005).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
+    /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
+    pub fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
+        self.0.engine.printed_qp(load, cone)
+    }
+
+    /// The reduced quadratic program under a load; `cone` stands for the round cone in space.
+    ///
+    /// ```
+    /// use grasp_lcp::PolygonCone;
+    /// use grasp_lcp::energy::Unknowns;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Rows F_n >= 0 and ±F_t <= μ F_n of each contact, unknowns x, y and the angle.
+    /// let reduced = grasp.energy().reduced_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default(), Unknowns::Twist)?;
+    /// let outcome = reduced.program.solve()?;
+    /// let minimum = outcome.minimum().ok_or("the program is strictly convex")?;
+    /// assert!((minimum.x[1] + 6.0 / (2.0 * 800.0)).abs() < 1e-16);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn reduced_qp(
+        &self,
+        load: &Wrench<C>,
+        cone: &PolygonCone,
+        unknowns: Unknowns,
+    ) -> Result<ReducedQp<C>, Error> {
+        self.0.engine.reduced_qp(load, cone, unknowns)
+    }
+
+    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
+    /// load's force acts at the object's point there. At most 100 iterations, each an equilibrium of first order; contact frames, springs and
+    /// commands stay as they are in space.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // A weight of 2 N at the end of an arm of 10 mm turns the body by M / (2 · 800 N/m · (1 m)²), to first order.
+    /// let load = Wrench::force_at([0.0, -2.0], [0.01, 0.0]);
+    /// let outcome = grasp.energy().second_order(&load)?;
+    /// let found = outcome.equilibrium().expect("it hardly turns");
+    /// let angle = 0.02 / 1600.0;
+    /// assert!((found.first_order.twist.rotation() + angle).abs() < 1e-18);
+    /// // To second order the fingers' pressure turns with the body, a matter of 2 · 10 N · 1 m beside 1600 N m; ½ θ² r is what first order drops.
+    /// let turned = found.twist.rotation().abs();
+    /// assert!((turned / angle - 1.0).abs() < 0.02);
+    /// assert!((found.dropped_displacement / (0.5 * turned * turned) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn second_order(&self, load: &Wrench<C>) -> Result<SecondOrderOutcome<C>, Error> {
+        self.0.engine.second_order_equilibrium(load, &self.0.settings)
+    }
+
+    /// The stability of an equilibrium of this grasp, its contacts where they are at first (displacements are small).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::energy::StabilityVerdict;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let stability = grasp.energy().stability(outcome.equilibrium().expect("holds"));
+    /// assert_eq!(stability.verdict, StabilityVerdict::Stable);
+    /// // Along y two tangential springs. A turn stretches them at arms of 1 m, and the pinch of 10 N pushes it on at each: 2 (800 - 10).
+    /// assert!((stability.elastic[(1, 1)] - 1600.0).abs() < 1e-9);
+    /// assert!((stability.hessian()[(2, 2)] - 1580.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
+        self.0.engine.stability(equilibrium)
+    }
+
+    /// The same load under three laws of friction; the module [`energy`](crate::energy) has them side by side.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Twelve newtons are two more than friction holds: an equilibrium for the associated law alone.
+    /// let table = grasp.energy().three_laws(&Wrench::force([0.0, -12.0]))?;
+    /// assert!(table.comparison.equilibrium.equilibrium().is_none());
+    /// assert!(table.associated.rest().is_some());
+    /// assert!(table.to_string().contains("no equilibrium exists"));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
+    pub fn three_laws(&self, load: &Wrench<C>) -> Result<ThreeLaws<C>, Error> {
+        self.0.engine.three_laws(load, &self.0.settings)
+    }
+}

@@ -1,0 +1,62 @@
+//! Where engines are made: for the plane and for space, and for hands.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use super::questions::Questions;
+use crate::error::Error;
+use crate::grasp::{Contact, Engine, Hand};
+
+/// Coordinates of small hands: four fingers of two joints in space.
+pub(super) const SMALL: usize = 16;
+/// Coordinates of large hands: 24 joints in space, all of which may stall.
+pub(super) const LARGE: usize = 56;
+
+type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
+
+/// The engine of a grasp without joints.
+pub(super) fn of_contacts<const C: usize>(contacts: Vec<Contact<C>>) -> Made<C> {
+    in_the_plane_or_in_space(
+        contacts,
+        |contacts: Vec<Contact<2>>| -> Made<2> { Ok(Arc::new(Engine::<3, 2>::new(contacts)?)) },
+        |contacts: Vec<Contact<3>>| -> Made<3> { Ok(Arc::new(Engine::<6, 3>::new(contacts)?)) },
+    )
+}
+
+/// The engine of a grasp by a hand.
+pub(super) fn of_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
+    in_the_plane_or_in_space(hand, by_hand::<2>, by_hand::<3>)
+}
+
+fn by_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
+    let needed = hand.coordinates();
+    if needed <= SMALL {
+        Ok(Arc::new(hand.engine::<SMALL>()?))
+    } else if needed <= LARGE {
+        Ok(Arc::new(hand.engine::<LARGE>()?))
+    } else {
+        Err(Error::Coordinates { given: LARGE, needed })
+    }
+}
+
+/// Does one thing in the plane and another in space, for whoever knows the number of axes only by a parameter of its type. So engines are
+/// compiled here alone, and not again by whoever calls a function with that parameter.
+fn in_the_plane_or_in_space<T: Any, R: Any, T2: Any, R2: Any, T3: Any, R3: Any>(
+    given: T,
+    planar: fn(T2) -> R2,
+    spatial: fn(T3) -> R3,
+) -> R {
+    let mut given = Some(given);
+    let given = &mut given as &mut dyn Any;
+    let mut made: Option<R> = None;
+    if let Some(given) = given.downcast_mut::<Option<T2>>().and_then(Option::take) {
+        if let Some(made) = (&mut made as &mut dyn Any).downcast_mut::<Option<R2>>() {
+            *made = Some(planar(given));
+        }
+    } else if let Some(given) = given.downcast_mut::<Option<T3>>().and_then(Option::take)
+        && let Some(made) = (&mut made as &mut dyn Any).downcast_mut::<Option<R3>>()
+    {
+        *made = Some(spatial(given));
+    }
+    made.expect("a contact has two axes in the plane and three in space")
+}

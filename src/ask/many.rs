@@ -1,0 +1,178 @@
+//! Many questions on all cores, and grasps that are not known exactly.
+
+use super::grasp::Grasp;
+use crate::equilibrium::Outcome;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
+use crate::sweep::{RobustOnset, Uncertainty, map_in_order};
+
+impl<const C: usize> Grasp<C> {
+    /// The equilibria under many loads, each that of [`Self::solve`], in the order of the
+    /// loads; an error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let loads = [3.0, 30.0].map(|weight| Wrench::force([0.0, -weight]));
+    /// let outcomes = grasp.solve_each(&loads).into_iter().collect::<Result<Vec<_>, _>>()?;
+    /// assert_eq!([true, false], [0, 1].map(|i| outcomes[i].equilibrium().is_some()));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn solve_each(&self, loads: &[Wrench<C>]) -> Vec<Result<Outcome<C>, Error>> {
+        self.engine.solve_each(loads, &self.settings)
+    }
+
+    /// The onsets of sliding along many ramps, each that of [`Self::onset`], in the order of the
+    /// ramps; an error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let tilted = |angle: f64| Ramp::load(Wrench::ZERO, Wrench::force([angle.sin(), -angle.cos()]));
+    /// let onsets = grasp.onset_each(&[tilted(0.0), tilted(0.5)]);
+    /// let factors = onsets.into_iter().map(|onset| onset.map(|o| o.factor().expect("slides"))).collect::<Result<Vec<_>, _>>()?;
+    /// // The contact that the pull relieves slides first: W cos φ / 2 = μ (10 - W sin φ / 2).
+    /// assert!((factors[1] - 10.0 / (0.5_f64.cos() + 0.5 * 0.5_f64.sin())).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn onset_each(&self, ramps: &[Ramp<C>]) -> Vec<Result<Onset<C>, Error>> {
+        self.engine.onset_each(ramps, &self.settings)
+    }
+
+    /// The onsets of sliding while each of many loads turns, each that of [`Self::onset_of_turn`], in the order of the turns; an
+    /// error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Turn};
+    ///
+    /// // Two palms that press with 10 N each, μ = 0.5, and boxes that start on their sides.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([palm(-1.0), palm(1.0)])?;
+    /// let turns = [9.0, 12.0].map(|weight| Turn::force_at([weight, 0.0], [0.0, 0.0]));
+    /// for (onset, weight) in grasp.onset_of_turn_each(&turns).into_iter().zip([9.0, 12.0_f64]) {
+    ///     // w/2 sin θ + w/4 cos θ = 5 where a palm slides.
+    ///     let angle = onset?.onset.factor().expect("slides");
+    ///     assert!((weight * (0.5 * angle.sin() + 0.25 * angle.cos()) - 5.0).abs() < 1e-13);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn onset_of_turn_each(&self, turns: &[Turn<C>]) -> Vec<Result<TurnOnset<C>, Error>> {
+        self.engine.onset_of_turn_each(turns, &self.settings)
+    }
+
+    /// The onset of sliding with its mean and standard deviation to first order, by the gradients of the onset: samples of a grasp beside
+    /// it are asked for by [`Self::onset_of_samples`].
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::sweep::Uncertainty;
+    ///
+    /// let finger = |x: f64, mu: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(mu).pressed_with(10.0);
+    /// let grasp = Grasp::new([finger(1.0, 0.4), finger(-1.0, 0.6)])?;
+    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    ///
+    /// // The right finger slides at 2 μ N = 8 newtons, in proportion to its friction, which is known to 5 %.
+    /// let robust = grasp.robust_onset(&weight, &Uncertainty::seeded(1).with_friction(0.05))?;
+    /// let spread = robust.spread.expect("slides");
+    /// assert!((spread.deviation.expect("one leaves") - 0.4).abs() < 1e-12);
+    /// assert!((spread.held_with(3.0) - 6.8).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`], and [`Error::NotForHands`] for uncertain positions of a hand's contacts.
+    pub fn robust_onset(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty) -> Result<RobustOnset<C>, Error> {
+        self.engine.robust_onset(ramp, uncertainty, &self.settings)
+    }
+
+    /// The robust onsets along many ramps, each that of [`Self::robust_onset`], in the order of the ramps: with a ramp for each direction
+    /// of the load a map of how robust the grasp is. The same bits for any number of threads; an error in one does not stop the rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    /// use grasp_lcp::sweep::Uncertainty;
+    ///
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([finger(1.0), finger(-1.0)])?;
+    /// let off = Uncertainty::seeded(1).with_friction(0.1).with_position(0.01);
+    ///
+    /// // Which force holds with three standard deviations in reserve, by direction?
+    /// let towards = |angle: f64| Ramp::load(Wrench::ZERO, Wrench::force([angle.cos(), angle.sin()]));
+    /// let ramps: Vec<_> = (0..36).map(|k| towards(f64::from(k) * 10_f64.to_radians())).collect();
+    /// let map = grasp.robust_onset_each(&ramps, &off);
+    /// for robust in map {
+    ///     let spread = robust?.spread.expect("slides");
+    ///     assert!(spread.held_with(3.0) < spread.factor);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn robust_onset_each(
+        &self,
+        ramps: &[Ramp<C>],
+        uncertainty: &Uncertainty,
+    ) -> Vec<Result<RobustOnset<C>, Error>> {
+        self.engine.robust_onset_each(ramps, uncertainty, &self.settings)
+    }
+
+    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,
+    /// which are [`Self::sample`] 0, 1, …, each under its own load: the same bits for any number of
+    /// threads. An error in one does not stop the rest.
+    #[must_use]
+    pub fn onset_of_samples(
+        &self,
+        ramp: &Ramp<C>,
+        uncertainty: &Uncertainty,
+        samples: u64,
+    ) -> Vec<Result<Onset<C>, Error>> {
+        self.engine.onset_of_samples(ramp, uncertainty, samples, &self.settings)
+    }
+
+    /// What the grasp may be, joint springs of a hand included: sample `number` of those with the seed, whatever else is sampled. See
+    /// [`Uncertainty`]. What the load may be is told by [`Uncertainty::load_factor`].
+    ///
+    /// # Errors
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
+    /// range (1e50 at most). [`Error::NotForHands`] for uncertain positions of a hand's contacts, whose joints would move them otherwise.
+    pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
+        let engine = self.engine.sample(uncertainty, number)?;
+        Ok(Self { engine, settings: self.settings })
+    }
+}
+
+/// The onsets of sliding of many grasps along one ramp, each that of [`Grasp::onset`], in the order
+/// of the grasps; an error in one does not stop the rest.
+///
+/// ```
+/// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+/// use grasp_lcp::ask::onset_of_each;
+///
+/// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N: they slide at 2 μ N.
+/// let frictions = [0.2, 0.4, 0.8];
+/// let pinch = |mu: f64| {
+///     let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(mu).command([0.01, 0.0]);
+///     Grasp::new([finger(-1.0), finger(1.0)])
+/// };
+/// let grasps = frictions.into_iter().map(pinch).collect::<Result<Vec<_>, _>>()?;
+/// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+/// for (onset, mu) in onset_of_each(&grasps, &weight).into_iter().zip(frictions) {
+///     assert!((onset?.factor().expect("slides") - 2.0 * mu * 10.0).abs() < 1e-13);
+/// }
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[must_use]
+pub fn onset_of_each<const C: usize>(grasps: &[Grasp<C>], ramp: &Ramp<C>) -> Vec<Result<Onset<C>, Error>> {
+    map_in_order(grasps, |grasp| grasp.onset(ramp))
+}

@@ -1,0 +1,22 @@
+//! Questions put to a grasp.
+//!
+//! [`Grasp`] is the one type to ask. Behind it stands an engine for as many coordinates as the grasp has; who asks need not know.
+//! What is rarely asked has a view of its own: [`Statics`], [`Sensitivity`], [`Energy`].
+
+mod closer_look;
+mod energy;
+mod engines;
+mod grasp;
+mod many;
+mod questions;
+mod sensitivity;
+mod statics;
+mod workspace;
+
+pub use crate::structured::{Search, View};
+pub use energy::Energy;
+pub use grasp::Grasp;
+pub use many::onset_of_each;
+pub use sensitivity::Sensitivity;
+pub use statics::Statics;
+pub use workspace::{OnsetWorkspace, Workspace};

@@ -1,0 +1,158 @@
+//! How answers change with the data.
+
+use super::grasp::Grasp;
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::load_path::{Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Response};
+use crate::sweep::{OnsetSpread, Uncertainty};
+
+/// How the answers of a grasp change with its data, made by [`Sensitivity::of`](crate::ask::Sensitivity::of).
+#[derive(Debug, Clone, Copy)]
+pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
+
+impl<const C: usize> Sensitivity<'_, C> {
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The margin that vanishes is
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. Of a load that turns they are those of the angle.
+    ///
+    /// Empty if a contact had closed on the way, since the history then enters, too, or closes there and slides at once. Empty as well if the event has
+    /// another number of contacts.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let onset = grasp.onset(&ramp)?;
+    /// // A contact leaves at W = 2 μ N, so ∂W/∂μ = 2 N = 20 newtons.
+    /// let gradient = &grasp.sensitivity().onset_gradients(onset.event().expect("slides"))[0];
+    /// assert!((gradient.friction[0] - 20.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
+        self.0.engine.onset_gradients(event)
+    }
+
+    /// Derivatives of the onset by positions and normals of the contacts, one answer for each leaving contact, exact to first order: one
+    /// linear solve for each datum. Empty where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is.
+    ///
+    /// What a contact carries is seen from its frame: a frame that turns or moves changes the grasp map,
+    ///
+    /// ```text
+    /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0,      dτ = -dm / m'
+    /// ```
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 10 N, μ = 0.5, under a weight whose line is the middle: each carries half of it.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    ///
+    /// // The left finger comes nearer to that line by d: its share is 1 / (2 - d), the onset 2 μ N (1 - d/2).
+    /// let gradient = &grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides"))?[0];
+    /// assert!((gradient.point[0][0] + 5.0).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotForHands`] for a grasp by a hand, whose joints would move a contact at another place otherwise. Directions of normals
+    /// alone [`Sensitivity::of`](crate::ask::Sensitivity::of) knows for hands, too.
+    pub fn onset_gradients_by_geometry(
+        &self,
+        event: &OnsetEvent<C>,
+    ) -> Result<Vec<GeometryGradient<C>>, Error> {
+        self.0.engine.onset_gradients_by_geometry(event)
+    }
+
+    /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state: one linear solve for each axis
+    /// of each contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Twist, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let response = grasp.sensitivity().response(outcome.equilibrium().expect("holds")).expect("regular");
+    /// // The left finger moves on by 1 m: the object goes half the way, its force grows by half its stiffness.
+    /// assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-14);
+    /// assert!((response.forces[(0, 0)] - 500.0).abs() < 1e-11);
+    ///
+    /// // 1 mm to the right: the left finger follows, the right one, whose normal points left, gives way.
+    /// let command = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
+    /// assert!((command[0] - 1e-3).abs() < 1e-16 && (command[2] - -1e-3).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
+        self.0.engine.response(equilibrium)
+    }
+
+    /// How an equilibrium answers to the joint commands of its hand while every contact and every drive keeps its state: as [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column
+    /// for each joint and then each tendon.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    /// use grasp_lcp::planar::{Twist, Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3).command(0.01)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let response = grasp.sensitivity().joint_response(outcome.equilibrium().expect("holds")).expect("regular");
+    /// // 1 mm to the right: the left jaw closes by as much as the right one opens.
+    /// let commands = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
+    /// assert!((commands[0] - 1e-3).abs() < 1e-15 && (commands[1] + 1e-3).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
+        self.0.engine.joint_response(equilibrium)
+    }
+
+    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
+    /// On a load path what has slipped so far stays. `None` if an index is out of range, if the equilibrium has another number of
+    /// contacts, or if the change has no equilibrium in these states (a load on a free motion). `None`, too, for the position of a
+    /// contact of a hand, and where another geometry holds a motion that is free in this one.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::load_path::Parameter;
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let held = outcome.equilibrium().expect("holds");
+    /// let by_weight = grasp.sensitivity().of(held, Parameter::Load { component: 1 }).expect("a component");
+    /// assert!((by_weight.twist.translation()[1] - 1.0 / 1600.0).abs() < 1e-15); // two springs of 800 N/m
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn of(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
+        self.0.engine.sensitivity(equilibrium, by)
+    }
+
+    /// How far an onset spreads, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is empty.
+    ///
+    /// # Errors
+    /// [`Error::NotForHands`] for uncertain positions of a hand's contacts.
+    pub fn onset_spread(
+        &self,
+        event: &OnsetEvent<C>,
+        uncertainty: &Uncertainty,
+    ) -> Result<Option<OnsetSpread>, Error> {
+        self.0.engine.onset_spread(event, uncertainty)
+    }
+}

@@ -1,0 +1,134 @@
+//! Which loads any contact forces could balance.
+
+use super::grasp::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
+
+/// Static questions to a grasp, made by [`Grasp::statics`]: springs and commands do not matter.
+#[derive(Debug, Clone, Copy)]
+pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
+
+impl<const C: usize> Statics<'_, C> {
+    /// Whether contact forces inside their friction cones could balance any load, on the round cone in space.
+    ///
+    /// Stiffness, commands and squeeze play no part in this: it says what fingers *could* hold if they pressed as needed, not what these do.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Closure, Contact, Grasp};
+    ///
+    /// // Two fingers opposite each other with friction; in the plane that is enough. One that is moved up lies outside the other's cone.
+    /// let finger = |x: f64, y: f64| Contact::new([x, y], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0, 0.0), finger(1.0, 0.0)])?;
+    /// assert!(matches!(pinch.statics().force_closure()?, Closure::Closed { .. }) && matches!(pinch.statics().form_closure()?, Closure::Open { .. }));
+    /// let apart = Grasp::new([finger(-1.0, 0.0), finger(1.0, 1.5)])?;
+    /// assert!(matches!(apart.statics().force_closure()?, Closure::Open { .. }));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn force_closure(&self) -> Result<Closure<C>, Error> {
+        self.0.engine.force_closure(&self.0.settings)
+    }
+
+    /// Whether the contacts hold the object without any friction: normal forces could balance any load, and no motion is left, to first
+    /// order.
+    ///
+    /// # Errors
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn form_closure(&self) -> Result<Closure<C>, Error> {
+        self.0.engine.form_closure()
+    }
+
+    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
+    /// analysis, on the round cone in space. What these fingers do as springs is for [`Self::reserve`](Grasp::reserve) to say.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::statics::{Budget, LoadLimit};
+    ///
+    /// // Two fingers that face each other carry 2 · 0.5 · 10 N, if none may press with more than 10 N.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let limit = pinch.statics().load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(10.0))?;
+    /// let LoadLimit::Factor { at_least, at_most, forces, .. } = limit else { panic!("nothing is on it yet") };
+    /// assert!((at_least - 10.0).abs() < 1e-9 && (at_most - 10.0).abs() < 1e-9);
+    /// assert!(forces.iter().all(|force| (force[0] - 10.0).abs() < 1e-9));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50; [`Error::Argument`] for a direction or a budget of nothing; [`Error::Unlimited`]
+    /// for a contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
+    pub fn load_limit(
+        &self,
+        base: &Wrench<C>,
+        direction: &Wrench<C>,
+        budget: Budget,
+    ) -> Result<LoadLimit<C>, Error> {
+        self.0.engine.load_limit(base, direction, budget, &self.0.settings)
+    }
+
+    /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
+    /// cone in space.
+    ///
+    /// It is what some contact forces *could* do, if fingers were told. What these fingers do, squeezed this much, is for
+    /// [`Self::onset`](Grasp::onset) to say.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    /// use grasp_lcp::statics::Budget;
+    ///
+    /// // Two fingers that face each other, μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let all = pinch.statics().ferrari_canny(Budget::Total(1.0))?;
+    /// // The edges of both cones are (1, ±0.5, ∓0.5) and (-1, ±0.5, ±0.5): a tetrahedron whose faces are 1/3 away.
+    /// assert!((all.at_least - 1.0 / 3.0).abs() < 1e-9 && (all.at_most - 1.0 / 3.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Argument`] for a budget that is not positive, [`Error::Unlimited`] for a contact that is bonded, pulls or never slides,
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn ferrari_canny(&self, budget: Budget) -> Result<WrenchBall<C>, Error> {
+        self.ferrari_canny_scaled(budget, &WrenchScale::of(self.0.contacts()))
+    }
+
+    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny) with another scale of moments. [`Settings::most_steps`](crate::Settings::most_steps) bounds the support points that are asked
+    /// for.
+    ///
+    /// # Errors
+    /// As for [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is none.
+    pub fn ferrari_canny_scaled(
+        &self,
+        budget: Budget,
+        scale: &WrenchScale<C>,
+    ) -> Result<WrenchBall<C>, Error> {
+        self.0.engine.ferrari_canny(budget, scale, &self.0.settings)
+    }
+
+    /// How much of a budget a load needs: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
+    /// `Budget::Total(1.0)` the least sum of them. Infinite where no forces do.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    /// use grasp_lcp::statics::Budget;
+    ///
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
+    /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let [at_least, at_most] = pinch.statics().budget_needed(&Wrench::force([0.0, -3.0]), Budget::Each(1.0))?;
+    /// assert!((at_least - 3.0).abs() < 1e-9 && (at_most - 3.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Statics::load_limit`](crate::ask::Statics::load_limit).
+    pub fn budget_needed(&self, load: &Wrench<C>, budget: Budget) -> Result<[f64; 2], Error> {
+        Ok(match self.load_limit(&Wrench::ZERO, load, budget)? {
+            LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
+            LoadLimit::NoBase { .. } | LoadLimit::Undecided => [0.0, f64::INFINITY],
+        })
+    }
+}

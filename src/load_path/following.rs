@@ -1,0 +1,173 @@
+//! A load program with its follower: how it starts, goes from leg to leg, and ends.
+
+use std::fmt::Debug;
+
+use nalgebra::SVector;
+
+use super::beyond::{Beyond, End, beyond_end};
+use super::energy::Energy;
+use super::event::PathEnd;
+use super::follower::{Came, Edge, Follower};
+use super::journey::Journey;
+use super::leg::Leg;
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::grasp::{Coordinates, Engine, Wrench};
+use crate::object::Problem;
+use crate::search::{Settings, settle};
+
+/// A journey, and who follows it.
+#[derive(Debug)]
+pub(crate) struct Following<'g, const D: usize, const C: usize, F> {
+    pub(super) journey: Journey<'g, D, C>,
+    /// `None` if there is no equilibrium to start from.
+    pub(super) follower: Option<F>,
+    end: Option<PathEnd<C>>,
+}
+
+impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> {
+    /// A path from rest under a load, where a follower begins at the equilibrium if there is one, with the first leg before it.
+    pub(super) fn start(
+        grasp: &'g Engine<D, C>,
+        (start, legs): (&Wrench<C>, &[Leg<C>]),
+        settings: &Settings,
+        begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<C>>,
+    ) -> Result<Self, Error> {
+        let mut journey = Journey::new(grasp, start, settings)?;
+        journey.extend(legs, F::STRAIGHT_ONLY)?;
+        let problem = journey.problem_at_start();
+        let goes = journey.program.begin_leg();
+        let mut path = match begin(&journey, &problem) {
+            Ok(follower) => Self { journey, follower: Some(follower), end: None },
+            Err(end) => Self { journey, follower: None, end: Some(end) },
+        };
+        path.set_out(goes);
+        Ok(path)
+    }
+
+    /// Sets out on the present leg if there is one, or completes the path.
+    fn set_out(&mut self, goes: bool) {
+        if let Some(follower) = &mut self.follower {
+            self.end = if goes { follower.set_out(&self.journey).err() } else { Some(PathEnd::Completed) };
+        }
+    }
+
+    /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
+    pub(super) fn go(
+        &mut self,
+        on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Told>, PathEnd<C>>,
+    ) -> Option<F::Told> {
+        match on(self.follower.as_mut()?, &self.journey) {
+            Ok(Came::To(told)) => return Some(told),
+            Ok(Came::OnTheWay) => {}
+            Ok(Came::ToTheEndOfTheLeg) => {
+                let goes = self.journey.program.next_leg();
+                self.set_out(goes);
+            }
+            Err(end) => self.end = Some(end),
+        }
+        None
+    }
+}
+
+/// What a path answers, whoever follows it and in however many coordinates.
+pub(crate) trait AnyPath<const C: usize, T>: Debug {
+    fn next(&mut self) -> Option<T>;
+    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<T>;
+    fn end(&self) -> Option<&PathEnd<C>>;
+    fn place(&self) -> (usize, f64);
+    fn state(&self) -> Option<Equilibrium<C>>;
+    fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>>;
+    fn forces(&self) -> Vec<SVector<f64, C>>;
+    fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error>;
+    fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>>;
+    fn step_error(&self) -> f64;
+    fn energies(&self) -> &[Energy];
+    fn contacts_looked_at(&self) -> usize;
+}
+
+impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Told>
+    for Following<'g, D, C, F>
+{
+    fn next(&mut self) -> Option<F::Told> {
+        while self.end.is_none() {
+            if let told @ Some(_) = self.go(F::go_on) {
+                return told;
+            }
+        }
+        None
+    }
+
+    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<F::Told> {
+        loop {
+            let follower = self.follower.as_ref()?;
+            let (here, stop) = (self.place(), (leg, fraction));
+            if self.end.is_some() || (here >= stop && follower.has_nothing_due()) {
+                return None;
+            }
+            let most = if here.0 == leg { fraction.min(1.0) } else { 1.0 };
+            if let told @ Some(_) = self.go(|follower, journey| follower.go_up_to(journey, most)) {
+                return told;
+            }
+        }
+    }
+
+    fn end(&self) -> Option<&PathEnd<C>> {
+        self.end.as_ref()
+    }
+
+    fn place(&self) -> (usize, f64) {
+        let fraction = self.follower.as_ref().map_or(0.0, Follower::fraction);
+        self.journey.program.place(fraction)
+    }
+
+    fn state(&self) -> Option<Equilibrium<C>> {
+        self.follower.as_ref()?.state(&self.journey)
+    }
+
+    fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+        let follower = self.follower.as_ref()?;
+        if follower.is_behind(leg, fraction) {
+            return follower.state_behind(leg, fraction);
+        }
+        if self.place() == (leg, fraction) { self.state() } else { None }
+    }
+
+    fn forces(&self) -> Vec<SVector<f64, C>> {
+        let mut forces =
+            self.follower.as_ref().map(|follower| follower.forces(&self.journey)).unwrap_or_default();
+        forces.truncate(self.journey.grasp.len());
+        forces
+    }
+
+    fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+        self.journey.extend(legs, F::STRAIGHT_ONLY)?;
+        if matches!(self.end, Some(PathEnd::Completed)) {
+            let goes = self.journey.program.begin_leg();
+            self.set_out(goes);
+        }
+        Ok(())
+    }
+
+    fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>> {
+        let settings = settings.unwrap_or(&self.journey.settings);
+        let loss = self.end.as_ref()?.loss()?;
+        let Edge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
+        let motion = loss.inside.as_ref().map(Coordinates::to);
+        let end = End { factor: loss.fraction, forces: &forces, motion };
+        let (settled, effort) = settle(&rates, settings);
+        Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
+    }
+
+    fn step_error(&self) -> f64 {
+        self.follower.as_ref().map_or(0.0, Follower::step_error)
+    }
+
+    fn energies(&self) -> &[Energy] {
+        self.follower.as_ref().map_or(&[], Follower::energies)
+    }
+
+    fn contacts_looked_at(&self) -> usize {
+        self.follower.as_ref().map_or(0, Follower::contacts_looked_at)
+    }
+}

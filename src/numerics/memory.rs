@@ -1,0 +1,29 @@
+//! Memory that is lent from question to question to whoever answers.
+
+use std::any::Any;
+use std::fmt::{Debug, Formatter};
+
+/// What an engine keeps for its next question. That of another engine is thrown away, and a copy begins empty.
+#[derive(Default)]
+pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
+
+impl Memory {
+    /// The memory of this type: what was kept before, or a new one.
+    pub(crate) fn of<T: Any + Send + Sync>(&mut self, new: impl FnOnce() -> T) -> &mut T {
+        let kept = self.0.take().and_then(|kept| kept.downcast::<T>().ok());
+        let kept = self.0.insert(kept.unwrap_or_else(|| Box::new(new())));
+        kept.downcast_mut().expect("the type that was put in")
+    }
+}
+
+impl Clone for Memory {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Debug for Memory {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Memory")
+    }
+}
