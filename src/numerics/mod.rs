@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
 //! | `complete_pivoting` | LU that says what it could not resolve |
+//! | `cores` | work spread over the cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
@@ -28,6 +29,7 @@
 mod anew;
 mod bordered;
 mod complete_pivoting;
+mod cores;
 mod dormand_prince;
 mod double_double;
 mod exact_sum;
@@ -52,6 +54,7 @@ mod waiting_line;
 pub(crate) use anew::anew;
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
+pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};

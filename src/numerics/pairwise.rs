@@ -3,20 +3,16 @@
 
 use std::ops::Range;
 
+use super::cores;
+
 /// Terms that are summed one after the other: fewer would cost more calls than digits are worth.
 const SUMMED_IN_TURN: usize = 256;
 /// Terms that are worth a second thread: with fewer, waking it costs more than their sum.
-#[cfg(feature = "parallel")]
 const APART: usize = 4096;
 
 /// Both results, on two threads if the work on so many contacts is worth it.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
-    #[cfg(feature = "parallel")]
-    if count >= APART {
-        return rayon::join(a, b);
-    }
-    let _ = count;
-    (a(), b())
+    if count >= APART { cores::both(a, b) } else { (a(), b()) }
 }
 
 /// What can be divided into a near half and a far one.

@@ -1,5 +1,6 @@
 //! Batches of small grasps screened on all cores.
 
+use crate::numerics::each_taken;
 use crate::screening::{
     Batch, LoadCases, Part, Pull, Question, Screened, ScreenedSqueeze, ScreenedTurn, TurningPull,
 };
@@ -46,12 +47,5 @@ fn ask<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
     answers: &mut Vec<Q::Answer>,
 ) {
     let parts = batch.parts(questions, BLOCKS, answers);
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        let parts: Vec<_> = parts.collect();
-        parts.into_par_iter().for_each(Part::screen);
-    }
-    #[cfg(not(feature = "parallel"))]
-    parts.for_each(Part::screen);
+    each_taken(parts, &Part::screen);
 }

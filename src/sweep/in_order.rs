@@ -1,5 +1,7 @@
 //! Work spread over the cores, answers in the order of the questions.
 
+use crate::numerics::in_order;
+
 /// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`,
 /// one after the other without it. A panic in `f` goes on to the caller.
 ///
@@ -8,13 +10,5 @@
 /// assert_eq!(squares, [1, 4, 9]);
 /// ```
 pub fn map_in_order<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        items.par_iter().map(f).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    {
-        items.iter().map(f).collect()
-    }
+    in_order(items, &f)
 }

@@ -1,0 +1,58 @@
+//! Work spread over the cores: the one place that knows of threads. What is done is handed over behind a pointer, so that the machinery of threads
+//! is compiled once and not for every question.
+
+use std::sync::{Mutex, PoisonError};
+
+/// Does something for each of so many numbers: in parallel with the feature `parallel`, one after the other without it. A panic goes on to the caller.
+fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        (0..count).into_par_iter().for_each(what);
+    }
+    #[cfg(not(feature = "parallel"))]
+    (0..count).for_each(what);
+}
+
+/// `f` of every item, answers in the order of the items.
+pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
+    let answers: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
+    for_each(items.len(), &|k| {
+        let answer = f(&items[k]);
+        *answers[k].lock().unwrap_or_else(PoisonError::into_inner) = Some(answer);
+    });
+    answers
+        .into_iter()
+        .filter_map(|answer| answer.into_inner().unwrap_or_else(PoisonError::into_inner))
+        .collect()
+}
+
+/// Does something with each of the items, which it takes.
+pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T) + Sync)) {
+    let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).collect();
+    for_each(items.len(), &|k| {
+        if let Some(item) = items[k].lock().unwrap_or_else(PoisonError::into_inner).take() {
+            f(item);
+        }
+    });
+}
+
+/// Both results, on two threads if there are threads.
+pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
+    let (mut first, mut second) = (None, None);
+    {
+        let (mut a, mut b) = (Some(a), Some(b));
+        side_by_side(&mut || first = a.take().map(|a| a()), &mut || second = b.take().map(|b| b()));
+    }
+    first.zip(second).expect("both have been done")
+}
+
+fn side_by_side(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
+    #[cfg(feature = "parallel")]
+    rayon::join(a, b);
+    #[cfg(not(feature = "parallel"))]
+    {
+        a();
+        b();
+    }
+}
