@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+#[cfg(feature = "cli-full")]
+use clap::ValueEnum;
+use clap::{Args, Parser, Subcommand};
+#[cfg(feature = "cli-full")]
 use clap_complete::Shell;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
@@ -115,21 +118,25 @@ pub(crate) enum Command {
     /// The JSON Schema of scenes or of answers, for editors and for programs that write them.
     ///
     /// An editor completes a scene that begins with `"$schema": "scene.schema.json"`, the file that this writes.
+    #[cfg(feature = "cli-full")]
     Schema {
         /// Of what.
         #[arg(value_enum, default_value_t = SchemaOf::Scene)]
         of: SchemaOf,
     },
     /// Completions for a shell, to be put where it looks for them.
+    #[cfg(feature = "cli-full")]
     Completions {
         /// The shell.
         shell: Shell,
     },
     /// The manual page, in roff.
+    #[cfg(feature = "cli-full")]
     Man,
 }
 
 /// What a schema is of.
+#[cfg(feature = "cli-full")]
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum SchemaOf {
     /// Of a scene.

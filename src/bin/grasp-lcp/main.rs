@@ -2,6 +2,8 @@
 
 mod arguments;
 mod asking;
+#[cfg(feature = "cli-full")]
+mod beside;
 mod drawing;
 mod failure;
 mod files;
@@ -9,15 +11,14 @@ mod map;
 mod report;
 mod words;
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::{CommandFactory, Parser};
-use grasp_lcp::schema::Schema;
+use clap::Parser;
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
-use arguments::{Arguments, Command, SchemaOf};
+use arguments::{Arguments, Command};
 use asking::Asked;
 use failure::Failure;
 use files::Pictures;
@@ -56,30 +57,14 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             (options.most_states, options.most_steps) = (most_states, most_steps);
             stream(&options)?;
         }
-        Command::Schema { of } => {
-            let schema = match of {
-                SchemaOf::Scene => Schema::Scene,
-                SchemaOf::Answers => Schema::Answers,
-                SchemaOf::Line => Schema::Reply,
-            };
-            writeln!(io::stdout(), "{:#}", schema.to_json())?;
-        }
-        Command::Completions { shell } => {
-            clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut io::stdout());
-        }
-        Command::Man => manual(&mut io::stdout().lock())?,
+        #[cfg(feature = "cli-full")]
+        Command::Schema { of } => beside::schema(of)?,
+        #[cfg(feature = "cli-full")]
+        Command::Completions { shell } => beside::completions(shell),
+        #[cfg(feature = "cli-full")]
+        Command::Man => beside::manual(&mut io::stdout().lock())?,
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The page of the program, then those of its commands.
-fn manual(out: &mut impl Write) -> Result<(), Failure> {
-    let command = Arguments::command();
-    clap_mangen::Man::new(command.clone()).render(out)?;
-    for part in command.get_subcommands() {
-        clap_mangen::Man::new(part.clone()).render(out)?;
-    }
-    Ok(())
 }
 
 fn stream(options: &StreamOptions) -> Result<(), Failure> {

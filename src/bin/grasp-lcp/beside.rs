@@ -1,0 +1,33 @@
+//! What an installed program has beside its answers: schemas, completions for shells, the manual.
+
+use std::io::{self, Write};
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+use grasp_lcp::schema::Schema;
+
+use super::arguments::{Arguments, SchemaOf};
+use super::failure::Failure;
+
+pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
+    let schema = match of {
+        SchemaOf::Scene => Schema::Scene,
+        SchemaOf::Answers => Schema::Answers,
+        SchemaOf::Line => Schema::Reply,
+    };
+    Ok(writeln!(io::stdout(), "{:#}", schema.to_json())?)
+}
+
+pub(crate) fn completions(shell: Shell) {
+    clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut io::stdout());
+}
+
+/// The page of the program, then those of its commands.
+pub(crate) fn manual(out: &mut impl Write) -> Result<(), Failure> {
+    let command = Arguments::command();
+    clap_mangen::Man::new(command.clone()).render(out)?;
+    for part in command.get_subcommands() {
+        clap_mangen::Man::new(part.clone()).render(out)?;
+    }
+    Ok(())
+}
