@@ -113,14 +113,6 @@ pub enum Error {
         /// The method that was called.
         method: &'static str,
     },
-    /// A grasp has fewer coordinates than the hand needs that it is made of.
-    #[error("a grasp in {given} coordinates, must be at least {needed}: the object's, and those of the hand")]
-    Coordinates {
-        /// The coordinates of the grasp, D.
-        given: usize,
-        /// What the hand needs.
-        needed: usize,
-    },
     /// One number of one joint, tendon or finger is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Hand {

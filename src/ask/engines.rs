@@ -6,11 +6,7 @@ use std::sync::Arc;
 use super::questions::Questions;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Hand};
-
-/// Coordinates of small hands: four fingers of two joints in space.
-pub(super) const SMALL: usize = 16;
-/// Coordinates of large hands: 24 joints in space, all of which may stall.
-pub(super) const LARGE: usize = 56;
+use crate::numerics::Fixed;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
@@ -18,8 +14,8 @@ type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 pub(super) fn of_contacts<const C: usize>(contacts: Vec<Contact<C>>) -> Made<C> {
     in_the_plane_or_in_space(
         contacts,
-        |contacts: Vec<Contact<2>>| -> Made<2> { Ok(Arc::new(Engine::<3, 2>::new(contacts)?)) },
-        |contacts: Vec<Contact<3>>| -> Made<3> { Ok(Arc::new(Engine::<6, 3>::new(contacts)?)) },
+        |contacts: Vec<Contact<2>>| -> Made<2> { Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?)) },
+        |contacts: Vec<Contact<3>>| -> Made<3> { Ok(Arc::new(Engine::<Fixed<6>, 3>::new(contacts)?)) },
     )
 }
 
@@ -29,14 +25,7 @@ pub(super) fn of_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
 }
 
 fn by_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
-    let needed = hand.coordinates();
-    if needed <= SMALL {
-        Ok(Arc::new(hand.engine::<SMALL>()?))
-    } else if needed <= LARGE {
-        Ok(Arc::new(hand.engine::<LARGE>()?))
-    } else {
-        Err(Error::Coordinates { given: LARGE, needed })
-    }
+    Ok(Arc::new(hand.engine()?))
 }
 
 /// Does one thing in the plane and another in space, for whoever knows the number of axes only by a parameter of its type. So engines are

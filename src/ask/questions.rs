@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::engines::{LARGE, SMALL};
 use crate::contact::PolygonCone;
 use crate::energy::{
     Agreement, AssociatedOutcome, Comparison, MinimumOutcome, PrintedQp, ReducedQp, SecondOrderOutcome,
@@ -19,7 +18,7 @@ use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
     PatchPath, Ramp, Reserve, Response, RollingRange, SteppedPath, Turn, TurnOnset,
 };
-use crate::numerics::Memory;
+use crate::numerics::{Any, Fixed, Memory};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
@@ -32,7 +31,7 @@ macro_rules! questions {
         questions!(@trait $any $other);
         const _: () = {
             const C: usize = 2;
-            impl Questions<C> for Engine<3, C> {
+            impl Questions<C> for Engine<Fixed<3>, C> {
                 questions!(@answered $any);
                 questions!(@answered $other);
                 questions!(@changed);
@@ -40,18 +39,13 @@ macro_rules! questions {
         };
         const _: () = {
             const C: usize = 3;
-            impl Questions<C> for Engine<6, C> {
+            impl Questions<C> for Engine<Fixed<6>, C> {
                 questions!(@answered $any);
                 questions!(@answered $other);
                 questions!(@changed);
             }
         };
-        impl<const C: usize> Questions<C> for Engine<SMALL, C> {
-            questions!(@answered $any);
-            questions!(@refused $other);
-            questions!(@changed);
-        }
-        impl<const C: usize> Questions<C> for Engine<LARGE, C> {
+        impl<const C: usize> Questions<C> for Engine<Any, C> {
             questions!(@answered $any);
             questions!(@refused $other);
             questions!(@changed);

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
+use crate::numerics::{Size, Vector};
 use crate::object::Piece;
 
 /// How far along a ramp the minimum of energy is an equilibrium.
@@ -53,7 +54,7 @@ impl<const C: usize> Agreement<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::agreement`](crate::ask::Energy::agreement).
     pub(crate) fn agreement_with_minimum_energy(
         &self,
@@ -76,13 +77,13 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// The program along a ramp.
-struct Line<'g, const D: usize, const C: usize> {
+struct Line<'g, D: Size, const C: usize> {
     program: Program<'g, D, C>,
     change: Vec<SVector<f64, C>>,
-    direction: SVector<f64, D>,
+    direction: Vector<D>,
 }
 
-impl<const D: usize, const C: usize> Line<'_, D, C> {
+impl<D: Size, const C: usize> Line<'_, D, C> {
     /// The forces of these springs at factor 0, and their rates.
     fn forces(&self, springs: &Piece<D, C>) -> Option<[Vec<SVector<f64, C>>; 2]> {
         let problem = &self.program.problem;

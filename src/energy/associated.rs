@@ -8,7 +8,7 @@ use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::lcp::Outcome;
-use crate::numerics::unit;
+use crate::numerics::{Size, Vector, unit};
 use crate::object::{Piece, PieceState, Problem};
 use crate::proofs::separating_motion;
 
@@ -90,7 +90,7 @@ impl<const C: usize> AssociatedContact<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::associated_friction`](crate::ask::Energy::associated_friction).
     pub(crate) fn associated_friction(
         &self,
@@ -147,13 +147,13 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// The law and the question in inside coordinates.
-struct AssociatedLaw<'g, const D: usize, const C: usize> {
+struct AssociatedLaw<'g, D: Size, const C: usize> {
     problem: Problem<'g, D, C>,
     stuck: Piece<D, C>,
     rows: Vec<Row<D, C>>,
 }
 
-impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
+impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     fn new(problem: Problem<'g, D, C>) -> Self {
         let stuck = axis_springs(problem.sites, |_, _| true);
         let rows = rows(&problem, &stuck, |local| local.may_open() && local.facets().is_empty(), true);
@@ -163,17 +163,17 @@ impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
     /// A state that satisfies the law, the rows that bind there, and the twist that follows from the pivots.
     ///
     /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` says which rows bind; none does if everything sticks.
-    fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, SVector<f64, D>)> {
+    fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, Vector<D>)> {
         let (rows, problem) = (&self.rows, &self.problem);
         let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let vector = values(rows, &trial.forces);
         if vector.iter().all(|q| *q >= 0.0) {
-            let twist = trial.twist;
+            let twist = trial.twist.clone();
             return Some((trial, Vec::new(), twist));
         }
         let matrix = dense(rows.len(), |i, j| rows[i].past_the_object(&rows[j]))?;
         let Outcome::Solved(solution) = by_pivots(matrix, vector, settings)? else { return None };
-        let travelled = rows.iter().zip(&solution.z).map(|(row, z)| row.seen * *z).sum();
+        let travelled = rows.iter().zip(&solution.z).map(|(row, z)| &row.seen * *z).sum();
         let near = trial.twist + self.stuck.motion(&travelled);
         let binding: Vec<usize> = solution.basis.iter().collect();
         Some((self.on_faces(&binding, &near)?, binding, near))
@@ -181,7 +181,7 @@ impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
 
     /// The springs along the faces where these rows bind; `None` if they do not satisfy the law. The twist is the least one,
     /// or one near that of the pivots where the least would let something slip the wrong way.
-    fn on_faces(&self, binding: &[usize], near: &SVector<f64, D>) -> Option<PieceState<D, C>> {
+    fn on_faces(&self, binding: &[usize], near: &Vector<D>) -> Option<PieceState<D, C>> {
         let problem = &self.problem;
         let springs = Piece::of_springs(problem.sites, |contact, list| {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
@@ -192,7 +192,7 @@ impl<'g, const D: usize, const C: usize> AssociatedLaw<'g, D, C> {
         let mut state = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         if !self.jumps_outwards(&state) {
             let free = springs.free_motions().iter();
-            state.twist += free.fold(SVector::zeros(), |sum, v| sum + v * v.dot(near));
+            state.twist += free.fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
         }
         let most = problem.largest_force(&state.forces, &state.twist);
         self.rows.iter().all(|row| row.holds(&state.forces, most)).then_some(state)

@@ -6,9 +6,9 @@ use super::minimum::{MinimumEnergy, MinimumOutcome};
 use crate::Settings;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
-use nalgebra::SVector;
 
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 
 /// An imbalance below this part of the largest force is rounding of zero.
 const BALANCED: f64 = 1e-12;
@@ -144,7 +144,7 @@ impl<const C: usize> MinimumEnergy<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
@@ -186,11 +186,11 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             energy_size: equilibrium.stored_energy,
         };
         // In inside coordinates free motions are orthonormal.
-        let mut apart: SVector<f64, D> = equilibrium.local.twist.to() - minimum.inside.twist.to();
+        let mut apart: Vector<D> = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {
-                let v: SVector<f64, D> = v.to();
-                apart -= v * v.dot(&apart);
+                let v: Vector<D> = v.to();
+                apart -= &v * v.dot(&apart);
             }
         }
         for ((a, b), (site, drive)) in

@@ -4,13 +4,13 @@
 //! Π = QQᵀ be the projector on the motions of the object. Every law of this module is made of the products `n·Π n'`
 //! and `n·(1 - Π) n'` of two rows n, n', and of the values `n·x⁰` when everything sticks.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring};
 use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
-use crate::numerics::unit;
+use crate::numerics::{Map, Size, Vector, unit};
 use crate::object::{Piece, Problem};
 
 /// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit).
@@ -24,7 +24,7 @@ const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
-pub(super) struct Row<const D: usize, const C: usize> {
+pub(super) struct Row<D: Size, const C: usize> {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
@@ -37,15 +37,15 @@ pub(super) struct Row<const D: usize, const C: usize> {
     /// What the rounding of [`Self::value`] is measured against, with forces of size one.
     pub(super) weight: f64,
     /// Qᵀ times the normal: what the object feels of the row.
-    pub(super) seen: SVector<f64, D>,
+    pub(super) seen: Vector<D>,
 }
 
-impl<const D: usize, const C: usize> Row<D, C> {
+impl<D: Size, const C: usize> Row<D, C> {
     fn new(
         (contact, local): (usize, &LocalLaw<'_, C>),
         facet: Option<usize>,
         law: SVector<f64, C>,
-        seen: &SMatrix<f64, D, C>,
+        seen: &Map<D, C>,
     ) -> Self {
         let normal = law.component_mul(&local.springs.root());
         let length = normal.norm();
@@ -82,7 +82,7 @@ impl<const D: usize, const C: usize> Row<D, C> {
 }
 
 /// The springs along the axes that `holds(contact, axis)` says.
-pub(super) fn axis_springs<const D: usize, const C: usize>(
+pub(super) fn axis_springs<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     holds: impl Fn(usize, usize) -> bool,
 ) -> Piece<D, C> {
@@ -94,7 +94,7 @@ pub(super) fn axis_springs<const D: usize, const C: usize>(
 }
 
 /// The rows contact by contact: `F_n >= 0` where `presses` says so, and the facets of the cone if asked for.
-pub(super) fn rows<const D: usize, const C: usize>(
+pub(super) fn rows<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     stuck: &Piece<D, C>,
     presses: impl Fn(&LocalLaw<'_, C>) -> bool,
@@ -115,7 +115,7 @@ pub(super) fn rows<const D: usize, const C: usize>(
 }
 
 /// `n·x` of every row.
-pub(super) fn values<'r, const D: usize, const C: usize>(
+pub(super) fn values<'r, D: Size, const C: usize>(
     rows: impl IntoIterator<Item = &'r Row<D, C>>,
     forces: &[SVector<f64, C>],
 ) -> DVector<f64> {

@@ -10,6 +10,7 @@ use super::optimality::{Faces, Failure, Point, Program};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
+use crate::numerics::{Size, Vector};
 use crate::object::Unbalanced;
 
 /// How the search for the minimum of the paper's program ends.
@@ -118,7 +119,7 @@ pub struct Binding {
     pub multiplier: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::minimum`](crate::ask::Energy::minimum).
     pub(crate) fn minimum_energy(
         &self,
@@ -167,7 +168,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             .filter(|(row, l)| row.contact < self.len() && (**l != 0.0 || row.binds(&point.forces, most)))
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
-        let pushed: SVector<f64, D> = self.sites().iter().zip(&held).map(|(site, f)| site.map * f).sum();
+        let pushed: Vector<D> = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
         let object = object_alone::<D, C>(&point.twist);
         let contact = |i: usize| {
             let site = &self.sites()[i];

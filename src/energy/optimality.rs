@@ -28,10 +28,11 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 
 /// Gaps that may open, rows that may bind, and the springs when all of them hold.
-pub(super) struct Program<'g, const D: usize, const C: usize> {
+pub(super) struct Program<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
     pub(super) stuck: Piece<D, C>,
     pub(super) gaps: Vec<Row<D, C>>,
@@ -47,13 +48,13 @@ pub(super) struct Faces {
 
 /// A point of the program.
 #[derive(Debug, Clone)]
-pub(super) struct Point<const D: usize, const C: usize> {
+pub(super) struct Point<D: Size, const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) twist: SVector<f64, D>,
+    pub(super) twist: Vector<D>,
     pub(super) gaps: Vec<f64>,
     /// Of every friction row, for rows of unit length.
     pub(super) multipliers: Vec<f64>,
-    pub(super) free: Vec<SVector<f64, D>>,
+    pub(super) free: Vec<Vector<D>>,
 }
 
 pub(super) enum Failure {
@@ -61,7 +62,7 @@ pub(super) enum Failure {
     Unsolved,
 }
 
-impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
+impl<'g, D: Size, const C: usize> Program<'g, D, C> {
     pub(super) fn new(problem: Problem<'g, D, C>) -> Self {
         let stuck = axis_springs(problem.sites, |_, _| true);
         Self {
@@ -97,15 +98,15 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         &self,
         stuck: &PieceState<D, C>,
         settings: &Settings,
-    ) -> Result<(Faces, usize, SVector<f64, D>), Failure> {
+    ) -> Result<(Faces, usize, Vector<D>), Failure> {
         let matrix = self.matrix().ok_or(Failure::Unsolved)?;
         match by_pivots(matrix, self.vector(&stuck.forces), settings) {
             Some(Outcome::Solved(solution)) => {
-                let mut travelled = SVector::zeros();
+                let mut travelled = Vector::zeros();
                 for (i, (row, z)) in self.rows().zip(solution.z.iter()).enumerate() {
-                    travelled += row.seen * if i < self.gaps.len() { *z } else { -z };
+                    travelled.add_times(&row.seen, if i < self.gaps.len() { *z } else { -z });
                 }
-                let near = stuck.twist + self.stuck.motion(&travelled);
+                let near = &stuck.twist + self.stuck.motion(&travelled);
                 Ok((self.faces_of(&solution.basis), solution.pivots, near))
             }
             Some(outcome) if outcome.is_infeasible() => Err(Failure::NoMinimum),
@@ -133,7 +134,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
     pub(super) fn rolling(&self, stuck: &PieceState<D, C>) -> Point<D, C> {
         Point {
             forces: stuck.forces.clone(),
-            twist: stuck.twist,
+            twist: stuck.twist.clone(),
             gaps: vec![0.0; self.problem.len()],
             multipliers: vec![0.0; self.friction.len()],
             free: self.stuck.free_motions().to_vec(),
@@ -146,7 +147,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         &self,
         faces: &Faces,
         stuck: &PieceState<D, C>,
-        near: &SVector<f64, D>,
+        near: &Vector<D>,
     ) -> Option<Point<D, C>> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
@@ -158,7 +159,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         if !faces.binding.is_empty() {
             twist += springs.motion(&self.bind(faces, springs, &mut forces, &mut multipliers)?);
         }
-        let gaps_at = |twist: &SVector<f64, D>| -> Vec<f64> {
+        let gaps_at = |twist: &Vector<D>| -> Vec<f64> {
             let gap = |i: usize| {
                 let give = problem.sites[i].springs.give_along(0, forces[i][0]);
                 if faces.open[i] { give - problem.stretch(i, twist)[0] } else { 0.0 }
@@ -169,7 +170,7 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
             // Motions that stretch no spring still open and close gaps; the pivots found some that close none.
-            twist += free.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(near));
+            twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
         }
         let finite = forces.iter().flatten().all(|x| x.is_finite());
@@ -193,36 +194,41 @@ impl<'g, const D: usize, const C: usize> Program<'g, D, C> {
         springs: &Piece<D, C>,
         forces: &mut [SVector<f64, C>],
         multipliers: &mut [f64],
-    ) -> Option<SVector<f64, D>> {
+    ) -> Option<Vector<D>> {
+        let problem = &self.problem;
         let rows: Vec<_> = faces.binding.iter().map(|&r| &self.friction[r]).collect();
         let seen: Vec<_> = (0..forces.len()).map(|i| springs.seen(i)).collect();
-        let mut places = D..;
+        let size = problem.size();
+        let mut places = size.count()..;
         let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).collect();
         let mut columns = DMatrix::zeros(places.start, rows.len());
         if columns.nrows() < columns.ncols() {
             return None;
         }
         for (mut column, row) in columns.column_iter_mut().zip(&rows) {
-            column.fixed_rows_mut::<D>(0).copy_from(&(seen[row.contact] * row.normal));
+            let on_object = &seen[row.contact] * row.normal;
+            for k in 0..size.count() {
+                column[k] = on_object[k];
+            }
             if let Some(place) = place[row.contact] {
                 column[place] = row.normal[0];
             }
         }
         let (q, r) = columns.qr().unpack();
-        let mut travelled = SVector::zeros();
+        let mut travelled = Vector::zeros();
         // The second time removes what rounding left of the rows.
         for _ in 0..2 {
             let y = r.tr_solve_upper_triangular(&-values(rows.iter().copied(), forces))?;
             let lambda = r.solve_upper_triangular(&y)?;
             let change = &q * y;
-            let moved = change.fixed_rows::<D>(0);
-            travelled -= moved;
+            let moved = Vector::from_fn(size, |k| change[k]);
+            travelled -= &moved;
             for (i, force) in forces.iter_mut().enumerate() {
                 let mut x = seen[i].tr_mul(&moved);
                 if let Some(place) = place[i] {
                     x[0] = change[place];
                 }
-                *force += x.component_mul(&self.problem.sites[i].springs.root());
+                *force += x.component_mul(&problem.sites[i].springs.root());
             }
             for (&row, value) in faces.binding.iter().zip(lambda.iter()) {
                 multipliers[row] += value;

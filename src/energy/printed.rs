@@ -7,6 +7,7 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
 use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
+use crate::numerics::Size;
 
 /// What an equality row of the printed program says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -175,12 +176,14 @@ impl<const C: usize> PrintedQp<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
     pub(crate) fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
         self.refuse_hands("printed_qp")?;
         let problem = self.on_polygons(load, cone)?;
-        let columns = 3 * C * self.len() + D;
+        let size = self.size();
+        let count = size.count();
+        let columns = 3 * C * self.len() + count;
         let mut written = Written {
             g: DVector::zeros(columns),
             h: DMatrix::zeros(columns, columns),
@@ -194,15 +197,17 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             written.surfaces(i, &local, contact, &sides);
         }
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
-            let map = grasp_map::<D, C>(&contact.point, &site.frame);
+            let map = grasp_map(size, &contact.point, &site.frame);
             for axis in 0..C {
-                let moved = (0..D).map(|k| (columns - D + k, -map[(k, axis)]));
+                let moved = (0..count).map(|k| (columns - count + k, -map[(k, axis)]));
                 let terms = std::iter::once((column::<C>(i, BODY_CORE, axis), 1.0)).chain(moved);
                 written.equalities.push_terms(Equality::BodyMotion { contact: i, axis }, terms, 0.0);
             }
         }
         let Written { mut g, h, equalities, inequalities, constant } = written;
-        g.rows_mut(columns - D, D).copy_from(&-load.coordinates::<D>());
+        for (g, load) in g.iter_mut().skip(columns - count).zip(load.components()) {
+            *g = -load;
+        }
         let (equalities, a, c) = equalities.finish();
         let (inequalities, b, d) = inequalities.finish();
         let program = QuadraticProgram { g, h, a, c, b, d };

@@ -7,7 +7,7 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, grasp_map};
-use crate::numerics::unit;
+use crate::numerics::{Size, unit};
 
 /// Which unknowns a reduced program keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -71,7 +71,7 @@ pub struct ReducedQp<const C: usize> {
     pub constant: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp).
     pub(crate) fn reduced_qp(
         &self,
@@ -86,17 +86,22 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         };
         let gaps = problem.locals().enumerate().filter(|(_, local)| may_open(local));
         let gaps: Vec<usize> = gaps.map(|(i, _)| i).collect();
-        let n = D + gaps.len();
+        let (size, count) = (self.size(), self.size().count());
+        let n = count + gaps.len();
         let (mut g, mut h) = (DVector::zeros(n), DMatrix::zeros(n, n));
-        g.rows_mut(0, D).copy_from(&-load.coordinates::<D>());
+        for (g, load) in g.iter_mut().zip(load.components()) {
+            *g = -load;
+        }
         let mut rows = ProgramRows::new(n);
         let mut constant = 0.0;
         for (i, (local, drive)) in problem.locals().zip(&problem.drives).enumerate() {
             // Stretch of the springs: a - S x, with S = [G_iᵀ, -e_n at the gap].
             let mut s = DMatrix::zeros(C, n);
-            let map = grasp_map::<D, C>(&self.contacts()[i].point, &self.sites()[i].frame);
-            s.view_mut((0, 0), (C, D)).copy_from(&map.transpose());
-            let gap = gaps.iter().position(|j| *j == i).map(|place| D + place);
+            let map = grasp_map(size, &self.contacts()[i].point, &self.sites()[i].frame);
+            for k in 0..count {
+                s.set_column(k, &map.row(k));
+            }
+            let gap = gaps.iter().position(|j| *j == i).map(|place| count + place);
             if let Some(gap) = gap {
                 s[(0, gap)] = -1.0;
             }

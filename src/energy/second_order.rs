@@ -1,6 +1,6 @@
 //! Equilibrium with the second-order displacement of equation 4.1.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::stability::Stability;
 use crate::Settings;
@@ -8,7 +8,7 @@ use crate::contact::{LocalLaw, Mode, Polygon, State};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Site, Twist, Wrench, displacement_of};
-use crate::numerics::unit;
+use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::{Lists, Load, Problem};
 use crate::search::{Settled, settle};
 /// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
@@ -88,7 +88,7 @@ pub struct SecondOrder<const C: usize> {
     pub stability: Stability<C>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::second_order`](crate::ask::Energy::second_order).
     pub(crate) fn second_order_equilibrium(
         &self,
@@ -100,15 +100,15 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             Outcome::Equilibrium(equilibrium) => *equilibrium,
             other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
         };
-        let mut twist: SVector<f64, D> = first_order.twist.coordinates();
+        let mut twist: Vector<D> = first_order.twist.coordinates();
         let mut last = f64::INFINITY;
         for iterations in 1..=MOST_ITERATIONS {
             let Some(found) = self.iterate(&twist, load, settings) else {
                 return Ok(SecondOrderOutcome::GivesWay { iterations });
             };
-            let change = self.largest_displacement(&(found.twist - twist));
+            let change = self.largest_displacement(&(&found.twist - &twist));
             let size = self.largest_displacement(&found.twist);
-            twist = found.twist;
+            twist.clone_from(&found.twist);
             let relative = if change == 0.0 { 0.0 } else { change / size };
             let stuck = relative >= last && relative <= GOOD_ENOUGH;
             if relative <= SETTLED || stuck {
@@ -124,8 +124,9 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// The first-order problem about a twist, solved.
-    fn iterate(&self, twist: &SVector<f64, D>, load: &Wrench<C>, settings: &Settings) -> Option<Step<D, C>> {
-        let in_units = SVector::<f64, D>::from_fn(|k, _| if k < C { 1.0 } else { 1.0 / self.length() });
+    fn iterate(&self, twist: &Vector<D>, load: &Wrench<C>, settings: &Settings) -> Option<Step<D, C>> {
+        let size = self.size();
+        let in_units = Vector::from_fn(size, |k| if k < C { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
         let sites: Vec<Site<D, C>> = self
             .sites()
@@ -133,14 +134,14 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             .zip(self.contacts())
             .zip(&mut drives)
             .map(|((site, contact), drive)| {
-                let tangent = tangent::<D, C>(&contact.point, twist);
+                let tangent = tangent(size, &contact.point, twist);
                 let rest = second_order_displacement(&contact.point, twist) - tangent.tr_mul(twist);
                 *drive -= site.frame.tr_mul(&rest);
-                let map = SMatrix::<f64, D, D>::from_diagonal(&in_units) * tangent * site.frame;
-                site.with_map(map)
+                let in_units = Map::from_fn(size, |k, a| in_units[k] * tangent[(k, a)]);
+                site.with_map(in_units.times(&site.frame))
             })
             .collect();
-        let wrench = load.coordinates::<D>().component_mul(&in_units);
+        let wrench: Vector<D> = load.coordinates().component_mul(&in_units);
         let polygon = Polygon::shared(&settings.cone);
         let round = settings.is_round::<C>();
         let problem = Problem::at_rest(
@@ -161,7 +162,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     fn second_order(
         &self,
         first_order: Equilibrium<C>,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         step: Step<D, C>,
         iterations: usize,
     ) -> SecondOrder<C> {
@@ -172,11 +173,11 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             dropped = dropped.max(0.5 * turned(&turned(&contact.point, twist), twist).norm());
             displacement = displacement.max((u - first_order.contacts[i].body_core).norm());
             force = force.max((step.forces[i] - first_order.contacts[i].force).norm());
-            arms.push(contact.point + u - twist.fixed_rows::<C>(0));
+            arms.push(contact.point + u - SVector::<f64, C>::from_fn(|a, _| twist[a]));
             world.push(site.frame * step.forces[i]);
         }
         SecondOrder {
-            stability: self.stability_with(&arms, &world, &step.states, (SMatrix::zeros(), false)),
+            stability: self.stability_with(&arms, &world, &step.states, (Square::zeros(self.size()), false)),
             first_order,
             twist: Twist::among(twist),
             forces: step.forces,
@@ -188,21 +189,21 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         }
     }
 
-    fn largest_displacement(&self, twist: &SVector<f64, D>) -> f64 {
+    fn largest_displacement(&self, twist: &Vector<D>) -> f64 {
         let at = |point: &SVector<f64, C>| displacement_of::<D, C>(point, twist).norm();
         self.contacts().iter().map(|contact| at(&contact.point)).fold(0.0, f64::max)
     }
 }
 
 /// One outer iteration.
-struct Step<const D: usize, const C: usize> {
-    twist: SVector<f64, D>,
+struct Step<D: Size, const C: usize> {
+    twist: Vector<D>,
     forces: Vec<SVector<f64, C>>,
     states: Vec<ContactState<C>>,
 }
 
 /// What a contact does in a state, in coordinate axes.
-fn as_physics<const D: usize, const C: usize>(
+fn as_physics<D: Size, const C: usize>(
     ((local, site), state): ((LocalLaw<'_, C>, &Site<D, C>), &State<C>),
 ) -> ContactState<C> {
     match state {
@@ -217,29 +218,28 @@ fn as_physics<const D: usize, const C: usize>(
 }
 
 /// `θ × v`.
-fn turned<const D: usize, const C: usize>(v: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
-    let rotation = SVector::<f64, D>::from_fn(|k, _| if k < C { 0.0 } else { twist[k] });
+fn turned<D: Size, const C: usize>(v: &SVector<f64, C>, twist: &Vector<D>) -> SVector<f64, C> {
+    let mut rotation = twist.clone();
+    rotation.iter_mut().take(C).for_each(|x| *x = 0.0);
     displacement_of::<D, C>(v, &rotation)
 }
 
 /// `δ + θ × r + ½ θ × (θ × r)`.
-fn second_order_displacement<const D: usize, const C: usize>(
+fn second_order_displacement<D: Size, const C: usize>(
     point: &SVector<f64, C>,
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
 ) -> SVector<f64, C> {
     displacement_of::<D, C>(point, twist) + turned(&turned(point, twist), twist) * 0.5
 }
 
 /// Jᵀ: the columns are the derivatives of the components of the displacement.
-fn tangent<const D: usize, const C: usize>(
-    point: &SVector<f64, C>,
-    twist: &SVector<f64, D>,
-) -> SMatrix<f64, D, C> {
-    let column = |k: usize| {
-        let (unit, once) = (unit::<D>(k), turned(point, twist));
+fn tangent<D: Size, const C: usize>(size: D, point: &SVector<f64, C>, twist: &Vector<D>) -> Map<D, C> {
+    let once = turned(point, twist);
+    let mut tangent = Map::zeros(size);
+    for k in 0..size.count() {
+        let unit = Vector::unit(size, k);
         let twice = turned(&once, &unit) + turned(&turned(point, &unit), twist);
-        displacement_of::<D, C>(point, &unit) + twice * 0.5
-    };
-    let columns: [_; D] = std::array::from_fn(column);
-    SMatrix::<f64, C, D>::from_columns(&columns).transpose()
+        tangent.set_row(k, &(displacement_of::<D, C>(point, &unit) + twice * 0.5));
+    }
+    tangent
 }

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
+use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
-use crate::numerics::unit;
+use crate::numerics::{Size, Square, Vector};
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
 const ZERO: f64 = 1e-12;
@@ -76,7 +76,7 @@ impl<const C: usize> Stability<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::stability`](crate::ask::Energy::stability).
     pub(crate) fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
         let arms = self.contacts().iter().map(|contact| contact.point);
@@ -87,8 +87,8 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.
-    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (SMatrix<f64, D, D>, bool) {
-        let (mut elastic, mut slips) = (SMatrix::zeros(), false);
+    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (Square<D>, bool) {
+        let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
         for (state, site) in states {
@@ -98,7 +98,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             }
             for a in 0..site.springs.axes() {
                 let column = site.map.column(a).component_mul(&linkage.lengths);
-                elastic += column * column.transpose() * site.springs.force_along(a, 1.0);
+                add_spring(&mut elastic, &column, site.springs.force_along(a, 1.0));
             }
         }
         (elastic, slips)
@@ -110,9 +110,10 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         arms: &[SVector<f64, C>],
         forces: &[SVector<f64, C>],
         states: &[ContactState<C>],
-        (mut elastic, mut slides): (SMatrix<f64, D, D>, bool),
+        (mut elastic, mut slides): (Square<D>, bool),
     ) -> Stability<C> {
-        let mut geometric = SMatrix::zeros();
+        let size = self.size();
+        let mut geometric = Square::zeros(size);
         let contacts = arms.iter().zip(forces).zip(states);
         for (i, (site, ((arm, force), state))) in self.sites().iter().zip(contacts).enumerate() {
             let holds = match state {
@@ -123,20 +124,18 @@ impl<const D: usize, const C: usize> Engine<D, C> {
                 }
                 _ => site.springs.axes(),
             };
-            let mut map = grasp_map::<D, C>(arm, &site.frame);
+            let mut map = grasp_map(size, arm, &site.frame);
             for (k, motion) in self.linkage().map_or(&[][..], |linkage| &linkage.motions[i]) {
-                map.set_row(of_the_object::<C>() + k, &-motion.tr_mul(&site.frame));
+                map.set_row(of_the_object::<C>() + k, &-site.frame.tr_mul(motion));
             }
             for a in 0..holds {
-                let column = map.column(a);
-                elastic += column * column.transpose() * site.springs.force_along(a, 1.0);
+                add_spring(&mut elastic, &map.column(a), site.springs.force_along(a, 1.0));
             }
-            geometric += turning_arm(arm, force);
+            geometric += &turning_arm(size, arm, force);
         }
         // Columns: the twists about the origin that are unit twists in inside coordinates.
-        let units: [_; D] = std::array::from_fn(|k| self.outside_coordinates(&unit(k)));
-        let units = SMatrix::<f64, D, D>::from_columns(&units);
-        let hessian = units.transpose() * (elastic + geometric) * units;
+        let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));
+        let hessian = &(&units.transpose() * &(elastic.clone() + &geometric)) * &units;
         let (least, most, motion) = extremes(&hessian);
         let size = least.abs().max(most.abs());
         let verdict = if slides {
@@ -161,27 +160,37 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// The stiffness that the first coordinates feel while those behind them, which nobody asks for, go where they are at rest.
-fn condensed<const D: usize>(stiffness: &SMatrix<f64, D, D>, told: usize) -> DMatrix<f64> {
+fn condensed<D: Size>(stiffness: &Square<D>, told: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
         DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])
     };
-    let own = part(0..told, 0..told);
-    if told == D {
+    let (own, count) = (part(0..told, 0..told), stiffness.size().count());
+    if told == count {
         return own;
     }
-    let across = part(told..D, 0..told);
-    match part(told..D, told..D).lu().solve(&across) {
+    let across = part(told..count, 0..told);
+    match part(told..count, told..count).lu().solve(&across) {
         Some(moved) => own - across.transpose() * moved,
         None => own,
     }
 }
 
+/// Adds `k g gᵀ`.
+fn add_spring<D: Size>(stiffness: &mut Square<D>, g: &Vector<D>, k: f64) {
+    for i in 0..stiffness.size().count() {
+        for j in 0..stiffness.size().count() {
+            stiffness[(i, j)] += g[i] * g[j] * k;
+        }
+    }
+}
+
 /// `-F · ∂²u/∂q²` of one contact.
-fn turning_arm<const D: usize, const C: usize>(
+fn turning_arm<D: Size, const C: usize>(
+    size: D,
     arm: &SVector<f64, C>,
     force: &SVector<f64, C>,
-) -> SMatrix<f64, D, D> {
-    let mut part = SMatrix::<f64, D, D>::zeros();
+) -> Square<D> {
+    let mut part = Square::zeros(size);
     let along = arm.dot(force);
     if C == 2 {
         part[(2, 2)] = along;
@@ -197,10 +206,11 @@ fn turning_arm<const D: usize, const C: usize>(
 }
 
 /// Least and largest eigenvalue of a symmetric matrix, and a unit eigenvector of the least.
-fn extremes<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64, SVector<f64, D>) {
-    let dynamic = nalgebra::DMatrix::from_fn(D, D, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+fn extremes<D: Size>(matrix: &Square<D>) -> (f64, f64, Vector<D>) {
+    let count = matrix.size().count();
+    let dynamic = DMatrix::from_fn(count, count, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
     let eigen = SymmetricEigen::new(dynamic);
     let at = eigen.eigenvalues.imin();
-    let vector = SVector::from_fn(|k, _| eigen.eigenvectors[(k, at)]);
+    let vector = Vector::from_fn(matrix.size(), |k| eigen.eigenvectors[(k, at)]);
     (eigen.eigenvalues[at], eigen.eigenvalues.max(), vector)
 }

@@ -11,6 +11,7 @@ use crate::Settings;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Size;
 
 /// What Coulomb's law, the paper's minimum of energy and the associated law say of one load, in space all on the same polygonal cone. Printed, it is a
 /// table: forces in the contact frames, N, slips and gaps, m.
@@ -24,7 +25,7 @@ pub struct ThreeLaws<const C: usize> {
     labels: Vec<String>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Energy::three_laws`](crate::ask::Energy::three_laws).
     pub(crate) fn three_laws(&self, load: &Wrench<C>, settings: &Settings) -> Result<ThreeLaws<C>, Error> {
         self.refuse_hands("three_laws")?;

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::answer::{Cone, Equilibrium};
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Engine, Wrench, wrench_of};
-use crate::numerics::Draw;
+use crate::numerics::{Draw, Size, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
 
@@ -30,7 +30,7 @@ pub struct Accuracy {
     pub condition: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
@@ -40,7 +40,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             return None;
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
-        let twist = PreciseTwist::new(at.twist);
+        let twist = PreciseTwist::new(at.twist.clone());
         // Slides on the round cone belong to forces and slips as they are now.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
@@ -84,14 +84,14 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// What the conditions miss, to first order, if every number of the question changes by its own size, up or down as the pattern says.
-struct Variation<const D: usize, const C: usize> {
+struct Variation<D: Size, const C: usize> {
     stretches: Vec<SVector<f64, C>>,
-    load: SVector<f64, D>,
+    load: Vector<D>,
     /// Change of the forces by friction.
     dragged: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Variation<D, C> {
+impl<D: Size, const C: usize> Variation<D, C> {
     fn new(
         grasp: &Engine<D, C>,
         load: &Wrench<C>,
@@ -116,7 +116,7 @@ impl<const D: usize, const C: usize> Variation<D, C> {
                     variation.dragged[i][a] = force[a] * sign;
                 }
             }
-            variation.load += site.map * variation.dragged[i];
+            variation.load += &site.map * variation.dragged[i];
             // The digits of a point count from the origin it is given in, not from its neighbours.
             let point = grasp.contacts().get(i).map_or_else(SVector::zeros, |contact| {
                 contact.point.map(|x| x * signs.sign()) / grasp.length()
@@ -127,7 +127,7 @@ impl<const D: usize, const C: usize> Variation<D, C> {
                 let moved = wrench_of::<D, C>(&point, &axis);
                 let stretch = &mut variation.stretches[i][a];
                 *stretch = drive[a] * signs.sign() + give[a] * signs.sign();
-                for k in 0..D {
+                for k in 0..site.map.size().count() {
                     let turned = site.map[(k, a)] * signs.sign();
                     let entry = if k < C { turned } else { turned + moved[k] };
                     *stretch += entry * at.twist[k];

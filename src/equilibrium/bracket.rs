@@ -4,6 +4,7 @@ use super::answer::{Equilibrium, Outcome};
 use crate::contact::{Fit, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Size;
 use crate::search::Settings;
 
 /// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
@@ -46,7 +47,7 @@ pub struct Spread {
     pub displacement: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::bracket`](crate::ask::Grasp::bracket).
     pub(crate) fn bracket(&self, load: &Wrench<C>, settings: &Settings) -> Result<Bracket<C>, Error> {
         let on = |fit: Fit| {

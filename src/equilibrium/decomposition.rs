@@ -2,10 +2,11 @@
 
 use std::borrow::Cow;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::answer::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Site, object_alone};
+use crate::numerics::{Map, Size};
 use crate::object::least_forces;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
@@ -18,7 +19,7 @@ pub struct Decomposition<const C: usize> {
     pub interaction: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::decompose`](crate::ask::Grasp::decompose).
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
         let contact = |i: usize| equilibrium.contacts.get(i);
@@ -28,8 +29,11 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         // Forces on the object, whatever joints are behind them.
         let load = object_alone::<D, C>(&load);
         let on_object = |site: &Site<D, C>| {
-            let columns: [_; C] = std::array::from_fn(|a| object_alone::<D, C>(&site.map.column(a).into()));
-            site.with_map(SMatrix::from_columns(&columns))
+            let mut map = Map::zeros(site.map.size());
+            for a in 0..C {
+                map.set_column(a, &object_alone::<D, C>(&site.map.column(a)));
+            }
+            site.with_map(map)
         };
         let sites: Cow<'_, [Site<D, C>]> = match self.linkage() {
             None => self.sites().into(),

@@ -6,6 +6,7 @@
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
 use crate::grasp::Engine;
+use crate::numerics::Size;
 use crate::object::largest_force;
 
 /// A condition met by less than this part of the size of its terms may be rounding of the data. Normals, arms and products of
@@ -14,7 +15,7 @@ const ROUNDING_OF_DATA: f64 = 1e-12;
 /// A condition met by less than so many times the estimated error may be that error.
 const ERRORS: f64 = 10.0;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::distinct`](crate::ask::Grasp::distinct).
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Drive, Engine, Linkage, Named, Owner, Role, of_the_object};
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::Found;
 
@@ -63,7 +64,7 @@ struct Own {
     yielded: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// Joints and tendons of a solution of the local problem.
     pub(super) fn hand_answers(
         &self,
@@ -72,9 +73,9 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
         let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
         let own = |owner: Owner| self.own(linkage, problem, found, owner);
-        let mut exerted = linkage.held;
+        let mut exerted = linkage.held.clone();
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
-            exerted += site.map * force;
+            exerted += &site.map * force;
         }
         let object = of_the_object::<C>();
         let joint = |j: usize| {
@@ -127,7 +128,7 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
 }
 
 /// What a drive does, and how far it has given way, along its own axis.
-fn doing<const D: usize, const C: usize>(
+fn doing<D: Size, const C: usize>(
     drive: &Drive<D>,
     state: &State<C>,
     stretch: &SVector<f64, C>,

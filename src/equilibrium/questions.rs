@@ -1,11 +1,10 @@
 //! The questions for equilibria.
 
-use nalgebra::SVector;
-
 use super::answer::{Cone, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone};
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 use crate::object::Problem;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, combinations, search, settle};
 
@@ -17,7 +16,7 @@ const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
 /// Two answers whose forces and displacements differ by less than this part of the largest are one equilibrium.
 const SAME: f64 = 1e-9;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<C>, settings: &Settings) -> Result<Outcome<C>, Error> {
         let problem = self.problem_under(load, settings)?;
@@ -81,7 +80,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         cone: Cone,
     ) -> Outcome<C> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
-        let motion_and_work = |v: &SVector<f64, D>| (self.motion_outside(v), v.dot(&problem.wrench));
+        let motion_and_work = |v: &Vector<D>| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
                 let equilibrium = self.equilibrium(problem, load, found, rule, effort, cone);

@@ -6,6 +6,7 @@ use super::answer::{Cone, ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::Polygon;
 use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
+use crate::numerics::{Size, Vector};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::search::Found;
 
@@ -25,7 +26,7 @@ struct Told<'a, const C: usize> {
 }
 
 /// What a contact has to satisfy, and what its residuals are measured against, N and m.
-struct ContactLaw<'c, const D: usize, const C: usize> {
+struct ContactLaw<'c, D: Size, const C: usize> {
     site: &'c Site<D, C>,
     polygon: &'c Polygon<C>,
     cone: Cone,
@@ -35,7 +36,7 @@ struct ContactLaw<'c, const D: usize, const C: usize> {
 
 impl Residuals {
     /// Takes in those of one site.
-    fn note<const D: usize, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
+    fn note<D: Size, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
         let ContactLaw { site, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
         let friction = site.friction;
@@ -78,13 +79,13 @@ impl Residuals {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; of joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
         load: &Wrench<C>,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         (answers, found): (&[ContactAnswer<C>], &Found<D, C>),
         cone: Cone,
     ) -> Residuals {
@@ -149,7 +150,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// How far the joints of its finger move a contact, along the coordinate axes, and the size of the terms of that sum.
-    fn carried(&self, contact: usize, twist: &SVector<f64, D>) -> (SVector<f64, C>, f64) {
+    fn carried(&self, contact: usize, twist: &Vector<D>) -> (SVector<f64, C>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
@@ -164,7 +165,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     fn drives_told<'a>(
         &self,
         problem: &Problem<D, C>,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         found: &'a Found<D, C>,
     ) -> Vec<Told<'a, C>> {
         if self.linkage().is_none() {
@@ -191,10 +192,10 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
-        let object = of_the_object::<C>();
-        let from_outside = self.inside_unchecked(load) + linkage.pulled;
-        let mut sums = linkage.held + from_outside;
-        let mut sizes = linkage.held.abs() + from_outside.abs();
+        let (object, count) = (of_the_object::<C>(), self.size().count());
+        let from_outside = self.inside_unchecked(load) + &linkage.pulled;
+        let mut sums = &linkage.held + &from_outside;
+        let mut sizes = linkage.held.map(f64::abs) + from_outside.map(f64::abs);
         let mut add = |k: usize, term: f64| {
             sums[k] += term;
             sizes[k] += term.abs();
@@ -205,11 +206,11 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             }
         }
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
-            for k in object..D {
-                add(k, site.map.row(k).transpose().dot(force));
+            for k in object..count {
+                add(k, site.map.row(k).dot(force));
             }
         }
-        (object..D).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
+        (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
     /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
@@ -250,6 +251,7 @@ mod tests {
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
     use crate::grasp::{Contact, Engine, Wrench};
+    use crate::numerics::Fixed;
     use crate::object::Load;
     use crate::search::{Found, Settings};
 
@@ -262,7 +264,7 @@ mod tests {
                 .friction(0.5)
                 .command([0.01, 0.0])
         };
-        let grasp = Engine::<3, 2>::new(vec![jaw(-1.0), jaw(1.0)])?;
+        let grasp = Engine::<Fixed<3>, 2>::new(vec![jaw(-1.0), jaw(1.0)])?;
         let load = Wrench::<2>::force([0.0, -1.0]);
         let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
@@ -271,7 +273,7 @@ mod tests {
         let states = answer.local.states.clone();
         let found = Found::new(states, answer.site_forces(), answer.local.twist.to());
         let worst = |twist: &SVector<f64, 3>, contacts: &[_]| {
-            grasp.residuals(&problem, &load, twist, (contacts, &found), answer.cone).worst()
+            grasp.residuals(&problem, &load, &(*twist).into(), (contacts, &found), answer.cone).worst()
         };
         assert!(worst(&answer.twist.to_vector(), &answer.contacts) < 1e-14);
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Size;
 use crate::proofs::{self, Step};
 use crate::search::{self, Settings};
 
@@ -35,7 +36,7 @@ impl<const C: usize> Refutation<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::refutation`](crate::ask::Grasp::refutation).
     pub(crate) fn refutation(
         &self,

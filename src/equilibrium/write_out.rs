@@ -8,10 +8,11 @@ use crate::forms::{LeftOut, Why};
 use crate::grasp::{
     Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench, object_alone, of_the_object,
 };
+use crate::numerics::{Size, Vector};
 use crate::object::Problem;
 use crate::search::{Effort, Found, Rung};
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// Writes a solution of the local problem out as physics.
     pub(crate) fn equilibrium(
         &self,
@@ -25,8 +26,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         let solved = self.contacts().iter().zip(solved_sites(problem, &found));
         let contacts: Vec<_> = solved.map(|(contact, solved)| solved.answer(contact)).collect();
         let twist = self.outside_coordinates(&found.twist);
-        let motions =
-            |list: &[SVector<f64, D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
+        let motions = |list: &[Vector<D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
         let mut stored_energy: f64 = stored.sum();
@@ -96,21 +96,21 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// What every site does in a solution of the local problem, in order: contacts, then the drives of a hand.
-pub(crate) fn site_states<const D: usize, const C: usize>(
+pub(crate) fn site_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,
 ) -> Vec<ContactState<C>> {
     solved_sites(problem, found).map(|solved| solved.state().0).collect()
 }
 
-fn solved_sites<'s, const D: usize, const C: usize>(
+fn solved_sites<'s, D: Size, const C: usize>(
     problem: &'s Problem<'s, D, C>,
     found: &'s Found<D, C>,
 ) -> impl Iterator<Item = SolvedContact<'s, C>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.drives.iter().zip(&problem.slips);
-    let joints = found.twist - object_alone::<D, C>(&found.twist);
-    let any = D > of_the_object::<C>();
+    let joints = &found.twist - object_alone::<D, C>(&found.twist);
+    let any = problem.size().count() > of_the_object::<C>();
     solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
         local,
         frame: &site.frame,

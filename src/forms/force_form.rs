@@ -3,16 +3,17 @@
 //! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite
 //! friction) needs no row: its force is linear in q.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::{Basis, Lcp};
+use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::Problem;
 
 /// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and when a
 /// number overflows.
-pub(crate) fn force_form<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<Form> {
+pub(crate) fn force_form<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
@@ -21,18 +22,19 @@ pub(crate) fn force_form<const D: usize, const C: usize>(problem: &Problem<D, C>
         b.add_rows(contact);
     }
     let forces = b.rows.len();
-    let n = forces + 2 * D;
+    let size = problem.size().count();
+    let n = forces + 2 * size;
     let unit = twist_units(problem);
     let mut m = DMatrix::zeros(n, n);
     let mut q = DVector::zeros(n);
     for contact in 0..problem.len() {
         b.fill(contact, &mut m, &mut q, &unit);
     }
-    for axis in 0..D {
+    for axis in 0..size {
         for (half, sign) in [(0, 1.0), (1, -1.0)] {
             let row = forces + 2 * axis + half;
             q[row] = -sign * b.load[axis] * unit[axis];
-            for other in 0..D {
+            for other in 0..size {
                 let h = sign * b.stiffness[(axis, other)] * unit[axis] * unit[other];
                 m[(row, forces + 2 * other)] = h;
                 m[(row, forces + 2 * other + 1)] = -h;
@@ -46,7 +48,7 @@ pub(crate) fn force_form<const D: usize, const C: usize>(problem: &Problem<D, C>
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn force_states<const D: usize, const C: usize>(
+pub(crate) fn force_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     form: &Form,
     basis: &Basis,
@@ -81,15 +83,17 @@ pub(crate) fn force_states<const D: usize, const C: usize>(
 }
 
 /// Twist components in the unit that makes the stretched springs of a unit twist of order one.
-fn twist_units<const D: usize, const C: usize>(problem: &Problem<D, C>) -> SVector<f64, D> {
-    let mut sums = SVector::<f64, D>::zeros();
+fn twist_units<D: Size, const C: usize>(problem: &Problem<D, C>) -> Vector<D> {
+    let mut sums = Vector::repeat(problem.size(), 0.0);
     for site in problem.sites {
-        sums += site.map.component_mul(&site.map) * site.springs.force(&SVector::repeat(1.0));
+        let springs = site.springs.force(&SVector::repeat(1.0));
+        let squares = Map::from_fn(site.coordinates(), |k, a| site.map[(k, a)] * site.map[(k, a)]);
+        sums += &squares * springs;
     }
     sums.map(|sum| if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 })
 }
 
-struct Builder<'p, 'g, const D: usize, const C: usize> {
+struct Builder<'p, 'g, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     rows: Vec<Row>,
     z_unit: Vec<f64>,
@@ -97,11 +101,11 @@ struct Builder<'p, 'g, const D: usize, const C: usize> {
     /// First row of each contact.
     first: Vec<usize>,
     /// Σ G k Gᵀ of the springs that act both ways, and the load with their drives.
-    stiffness: SMatrix<f64, D, D>,
-    load: SVector<f64, D>,
+    stiffness: Square<D>,
+    load: Vector<D>,
 }
 
-impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
+impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
     fn new(problem: &'p Problem<'g, D, C>) -> Self {
         Self {
             problem,
@@ -109,8 +113,8 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
             z_unit: Vec::new(),
             w_unit: Vec::new(),
             first: Vec::new(),
-            stiffness: SMatrix::zeros(),
-            load: problem.wrench,
+            stiffness: Square::zeros(problem.size()),
+            load: problem.wrench.clone(),
         }
     }
 
@@ -136,7 +140,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         }
     }
 
-    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &SVector<f64, D>) {
+    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &Vector<D>) {
         let problem = self.problem;
         let local = problem.local(contact);
         if local.is_absent() {
@@ -152,7 +156,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
         });
         let facets = local.facets().len();
         // A wrench v multiplying the (split, scaled) twist in one row, and its negative in the balance rows.
-        let couple = |m: &mut DMatrix<f64>, row: usize, v: SVector<f64, D>, skew: bool| {
+        let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector<D>, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
                 m[(row, column)] += entry;
@@ -189,7 +193,7 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
                 let bent = (1..C).map(|axis| d[axis] * other[axis] * local.springs.ratio(1, axis));
                 m[(row, next + l)] = bent.sum();
             }
-            couple(m, row, site.map * d * root_t, true);
+            couple(m, row, &site.map * d * root_t, true);
         }
         let cone = local.cone();
         if let Some(row) = presses {
@@ -205,7 +209,8 @@ impl<'p, 'g, const D: usize, const C: usize> Builder<'p, 'g, D, C> {
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);
-        self.load += g * site.springs.force_along(axis, self.problem.drives[contact][axis]);
-        self.stiffness += g * site.springs.force_along(axis, 1.0) * g.transpose();
+        self.load += &g * site.springs.force_along(axis, self.problem.drives[contact][axis]);
+        let pushed = &g * site.springs.force_along(axis, 1.0);
+        self.stiffness.add_product(&pushed, &g);
     }
 }

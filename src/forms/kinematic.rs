@@ -11,32 +11,30 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 
 /// One row in energy coordinates: `ŵ = row · x`, `x` jumps by `column ẑ`, with x = K^{-1/2} F.
-struct Jump<const D: usize, const C: usize> {
+struct Jump<D: Size, const C: usize> {
     contact: usize,
     row: SVector<f64, C>,
     column: SVector<f64, C>,
     /// Qᵀ applied to both.
-    row_seen: SVector<f64, D>,
-    column_seen: SVector<f64, D>,
+    row_seen: Vector<D>,
+    column_seen: Vector<D>,
     w_unit: f64,
     z_unit: f64,
 }
 
 /// Every row that the contacts need, on the trial state in which every contact sticks.
-fn jumps<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    trial: &Piece<D, C>,
-) -> Vec<(Row, Jump<D, C>)> {
+fn jumps<D: Size, const C: usize>(problem: &Problem<D, C>, trial: &Piece<D, C>) -> Vec<(Row, Jump<D, C>)> {
     let mut jumps = Vec::new();
     for (contact, local) in problem.locals().enumerate() {
         let (root, seen) = (local.springs.root(), trial.seen(contact));
         let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
-            let (row_seen, column_seen) = (seen * row, seen * column);
+            let (row_seen, column_seen) = (&seen * row, &seen * column);
             jumps.push((meaning, Jump { contact, row, column, row_seen, column_seen, w_unit, z_unit }));
         };
         if local.may_open() {
@@ -53,7 +51,7 @@ fn jumps<const D: usize, const C: usize>(
 
 /// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
 /// overflows.
-pub(crate) fn kinematic_form<const D: usize, const C: usize>(
+pub(crate) fn kinematic_form<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
@@ -80,7 +78,7 @@ pub(crate) fn kinematic_form<const D: usize, const C: usize>(
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn kinematic_states<const D: usize, const C: usize>(
+pub(crate) fn kinematic_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     form: &Form,
     basis: &Basis,

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::rotation::of_the_object;
+use crate::numerics::{Size, Vector};
 
 /// Coordinates of the object and of the joints behind them. Without joints nothing is allocated.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -12,13 +13,14 @@ pub(crate) struct Coordinates<const C: usize> {
 }
 
 impl<const C: usize> Coordinates<C> {
-    pub(crate) fn of<const D: usize>(coordinates: &SVector<f64, D>) -> Self {
+    pub(crate) fn of<D: Size>(coordinates: &Vector<D>) -> Self {
         Self::of_in(coordinates, Vec::new())
     }
 
     /// [`Self::of`] in a list that is there.
-    pub(crate) fn of_in<const D: usize>(coordinates: &SVector<f64, D>, mut joints: Vec<f64>) -> Self {
-        let (of_object, of_joints) = coordinates.as_slice().split_at(of_the_object::<C>());
+    pub(crate) fn of_in<D: Size>(coordinates: &Vector<D>, mut joints: Vec<f64>) -> Self {
+        let all = coordinates.as_slice();
+        let (of_object, of_joints) = all.split_at(of_the_object::<C>().min(all.len()));
         joints.clear();
         joints.extend_from_slice(of_joints);
         let mut object = SVector::<f64, 6>::zeros();
@@ -26,12 +28,13 @@ impl<const C: usize> Coordinates<C> {
         Self { object, joints }
     }
 
-    /// As D coordinates; zeros behind those that there are.
-    pub(crate) fn to<const D: usize>(&self) -> SVector<f64, D> {
-        let mut coordinates = SVector::<f64, D>::zeros();
-        let (of_object, of_joints) = coordinates.as_mut_slice().split_at_mut(of_the_object::<C>());
-        of_object.copy_from_slice(&self.object.as_slice()[..of_the_object::<C>()]);
-        of_joints.iter_mut().zip(&self.joints).for_each(|(to, from)| *to = *from);
+    /// As coordinates of this size; zeros behind those that there are.
+    pub(crate) fn to<D: Size>(&self) -> Vector<D> {
+        let mut coordinates = Vector::<D>::zeros();
+        let of_object = self.object.iter().take(of_the_object::<C>());
+        for (k, x) in of_object.chain(&self.joints).enumerate() {
+            coordinates[k] = *x;
+        }
         coordinates
     }
 

@@ -5,14 +5,15 @@ use nalgebra::{SMatrix, SVector};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
-use super::rotation::{assert_plane_or_space, assert_room_for_joints, of_the_object};
+use super::rotation::{assert_plane_or_space, of_the_object};
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use crate::numerics::anew;
+use crate::numerics::{Fixed, Size, anew};
 
 /// A checked list of contacts in D coordinates: those of the object, 3 in the plane and 6 in space, and those of joints behind them.
 #[derive(Debug, Clone)]
-pub(crate) struct Engine<const D: usize, const C: usize> {
+pub(crate) struct Engine<D: Size, const C: usize> {
+    size: D,
     contacts: Vec<Contact<C>>,
     sites: Vec<Site<D, C>>,
     /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a
@@ -28,21 +29,22 @@ pub(crate) struct Engine<const D: usize, const C: usize> {
     trial: Remembered,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     /// [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn new(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
-        Self::of(contacts)
+        Self::of(Fixed, contacts)
     }
+}
 
-    /// A grasp by contacts that joints move.
-    pub(super) fn by_hand(contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
-        const { assert_room_for_joints::<D, C>() };
-        let mut grasp = Self::of(contacts)?;
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// A grasp by contacts that joints move, in so many coordinates.
+    pub(super) fn by_hand(size: D, contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
+        let mut grasp = Self::of(size, contacts)?;
         for (site, motions) in grasp.sites.iter_mut().zip(&linkage.motions) {
             site.move_with(motions, &linkage.lengths);
         }
-        grasp.sites.extend(linkage.drives.iter().map(Drive::site));
+        grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(size)));
         grasp.linkage = Some(Box::new(linkage));
         Ok(grasp)
     }
@@ -54,8 +56,8 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         stiffer: impl Fn(usize) -> f64,
     ) -> Result<Self, Error> {
         match &self.linkage {
-            None => Self::of(contacts),
-            Some(linkage) => Self::by_hand(contacts, linkage.stiffened(stiffer)),
+            None => Self::of(self.size, contacts),
+            Some(linkage) => Self::by_hand(self.size, contacts, linkage.stiffened(stiffer)),
         }
     }
 
@@ -75,7 +77,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    fn of(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
+    fn of(size: D, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
@@ -88,9 +90,15 @@ impl<const D: usize, const C: usize> Engine<D, C> {
         let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
         // A single point has no size of its own; then any unit of length does.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
-        let site = |(index, contact)| Site::new(contact, index, &origin, length);
+        let site = |(index, contact)| Site::new(size, (contact, index), (&origin, length));
         let sites = contacts.iter().enumerate().map(site).collect::<Result<_, Error>>()?;
-        Ok(Self { contacts, sites, origin, length, linkage: None, trial: Remembered::default() })
+        Ok(Self { size, contacts, sites, origin, length, linkage: None, trial: Remembered::default() })
+    }
+
+    /// How many coordinates it has.
+    #[inline]
+    pub(crate) fn size(&self) -> D {
+        self.size
     }
 
     /// [`Grasp::len`](crate::ask::Grasp::len).

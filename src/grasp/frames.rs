@@ -16,6 +16,7 @@ use nalgebra::{AbstractRotation, Isometry, SVector};
 use super::contact::{Axes, Contact};
 use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
+use crate::numerics::{Fixed, Size, Vector};
 
 impl<const C: usize> Contact<C> {
     /// This contact in other coordinates: `pose` is the frame in which it was given – of a finger's
@@ -70,19 +71,19 @@ impl<const C: usize> Contact<C> {
 }
 
 /// Linear and angular part of `v`, each turned.
-fn turned<R: AbstractRotation<f64, C>, const D: usize, const C: usize>(
-    rotation: &R,
-    v: &SVector<f64, D>,
-) -> SVector<f64, D> {
+fn turned<R: AbstractRotation<f64, C>, D: Size, const C: usize>(rotation: &R, v: &Vector<D>) -> Vector<D> {
     let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
     let linear = part(0);
     // A rotation about the one axis of the plane is the same in all frames, and so is what joints do.
     let angular = (C == 3).then(|| part(C));
-    SVector::from_fn(|k, _| match angular {
-        _ if k < C => linear[k],
-        Some(angular) if k < 2 * C => angular[k - C],
-        _ => v[k],
-    })
+    let mut turned = v.clone();
+    for a in 0..C {
+        turned[a] = linear[a];
+        if let Some(angular) = angular {
+            turned[C + a] = angular[a];
+        }
+    }
+    turned
 }
 
 macro_rules! in_other_frames {
@@ -92,7 +93,7 @@ macro_rules! in_other_frames {
             /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_wrench::<6, $c>(&-SVector::from(point.into()), &self.coordinates()))
+                Self::among(&moved_wrench::<Fixed<6>, $c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This load in other coordinates: `pose` is the frame in which it was given as seen
@@ -100,8 +101,8 @@ macro_rules! in_other_frames {
             /// p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, 6, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_wrench::<6, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, Fixed<6>, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_wrench::<Fixed<6>, $c>(&pose.translation.vector, &turned))
             }
         }
 
@@ -111,7 +112,7 @@ macro_rules! in_other_frames {
             /// result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_twist::<6, $c>(&-SVector::from(point.into()), &self.coordinates()))
+                Self::among(&moved_twist::<Fixed<6>, $c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This motion in other coordinates: `pose` is the frame in which it was given as seen
@@ -119,8 +120,8 @@ macro_rules! in_other_frames {
             /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, 6, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_twist::<6, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, Fixed<6>, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_twist::<Fixed<6>, $c>(&pose.translation.vector, &turned))
             }
         }
     };

@@ -4,7 +4,7 @@
 //! Wrenches and twists of a question are moved there and those of an answer are moved back, so that
 //! neither a far away reference point nor the unit of the user costs digits.
 
-use nalgebra::SVector;
+use crate::numerics::{Size, Vector};
 
 use super::engine::Engine;
 use super::motion::Motion;
@@ -13,22 +13,22 @@ use super::wrench::{Twist, Wrench};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside(&self, wrench: &Wrench<C>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+    pub(crate) fn inside(&self, wrench: &Wrench<C>, what: &'static str) -> Result<Vector<D>, Error> {
         wrench.check(what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
     /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<C>) -> Vector<D> {
         self.per_length(moved_wrench::<D, C>(&-self.origin, &wrench.coordinates()))
     }
 
     /// What rounding takes from a wrench moved inside.
-    pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> Vector<D> {
         let (w, inside) = (wrench.coordinates::<D>(), self.inside_unchecked(wrench));
-        let mut rest = SVector::zeros();
+        let mut rest = Vector::zeros();
         for (k, &(i, j)) in planes::<C>().iter().enumerate() {
             let mut moment = DoubleDouble::new(w[C + k]);
             moment.add_product(-self.origin[i], w[j]);
@@ -45,35 +45,35 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// A wrench as the user sees it, from inside coordinates.
-    pub(crate) fn wrench_outside(&self, w: &SVector<f64, D>) -> Wrench<C> {
-        Wrench::among(&moved_wrench::<D, C>(&self.origin, &self.times_length(*w)))
+    pub(crate) fn wrench_outside(&self, w: &Vector<D>) -> Wrench<C> {
+        Wrench::among(&moved_wrench::<D, C>(&self.origin, &self.times_length(w.clone())))
     }
 
     /// All coordinates of a motion inside, from those that the user sees.
-    pub(crate) fn inside_motion(&self, outside: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(crate) fn inside_motion(&self, outside: &Vector<D>) -> Vector<D> {
         self.times_length(moved_twist::<D, C>(&-self.origin, outside))
     }
 
     /// A motion of the object as the user sees it, from inside coordinates.
-    pub(crate) fn outside(&self, q: &SVector<f64, D>) -> Twist<C> {
+    pub(crate) fn outside(&self, q: &Vector<D>) -> Twist<C> {
         Twist::among(&self.outside_coordinates(q))
     }
 
     /// A motion of object and joints as the user sees it, from inside coordinates.
-    pub(crate) fn motion_outside(&self, q: &SVector<f64, D>) -> Motion<C> {
+    pub(crate) fn motion_outside(&self, q: &Vector<D>) -> Motion<C> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
-        let joints = outside.iter().skip(of_the_object::<C>()).take(joints).copied().collect();
+        let joints = (0..joints).map(|joint| outside[of_the_object::<C>() + joint]).collect();
         Motion { object: Twist::among(&outside), joints }
     }
 
     /// All coordinates as the user sees them, those of drives that saturate behind the joints.
-    pub(crate) fn outside_coordinates(&self, q: &SVector<f64, D>) -> SVector<f64, D> {
-        moved_twist::<D, C>(&self.origin, &self.per_length(*q))
+    pub(crate) fn outside_coordinates(&self, q: &Vector<D>) -> Vector<D> {
+        moved_twist::<D, C>(&self.origin, &self.per_length(q.clone()))
     }
 
     /// Angular components divided by the inside unit of length, those of joints by the lengths that measure them.
-    fn per_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+    fn per_length(&self, mut v: Vector<D>) -> Vector<D> {
         v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_div_assign(&linkage.lengths);
@@ -82,7 +82,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// Angular components times the inside unit of length, those of joints times the lengths that measure them.
-    fn times_length(&self, mut v: SVector<f64, D>) -> SVector<f64, D> {
+    fn times_length(&self, mut v: Vector<D>) -> Vector<D> {
         v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_mul_assign(&linkage.lengths);

@@ -1,7 +1,7 @@
 //! The question: contacts, soft fingertips, stiffness, friction, wrench and twist, grasp.
 //!
-//! Written once for the plane and for space: `D` is the number of degrees of freedom of the object
-//! and `C` the number of axes of a contact, 3 and 2 in the plane, 6 and 3 in space. Use the names
+//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane
+//! and 3 in space. Use the names
 //! in [`crate::planar`] and [`crate::spatial`].
 //!
 //! # Vectors of other libraries
@@ -59,6 +59,6 @@ pub(crate) use rotation::{
     assert_plane_or_space, displacement_of, grasp_map, moved_twist, moved_wrench, object_alone,
     of_the_object, wrench_of,
 };
-pub(crate) use site::Site;
+pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
 pub use wrench::{Twist, Wrench};

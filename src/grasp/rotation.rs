@@ -12,7 +12,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::numerics::DoubleDouble;
+use crate::numerics::{DoubleDouble, Map, Size, Vector};
 
 /// Refuses other dimensions where the program is compiled.
 pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
@@ -23,22 +23,16 @@ pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
     );
 }
 
-/// Refuses fewer coordinates than those of the object where the program is compiled.
-pub(crate) const fn assert_room_for_joints<const D: usize, const C: usize>() {
-    assert!(
-        (D >= 3 && C == 2) || (D >= 6 && C == 3),
-        "D coordinates are those of the object, 3 in the plane and 6 in space, and those of the joints"
-    );
-}
-
 /// Coordinates of the object: its translations and rotations. Those of joints come behind them.
 pub(crate) const fn of_the_object<const C: usize>() -> usize {
     C + planes::<C>().len()
 }
 
 /// A vector over all coordinates without its joint components.
-pub(crate) fn object_alone<const D: usize, const C: usize>(v: &SVector<f64, D>) -> SVector<f64, D> {
-    SVector::from_fn(|k, _| if k < of_the_object::<C>() { v[k] } else { 0.0 })
+pub(crate) fn object_alone<D: Size, const C: usize>(v: &Vector<D>) -> Vector<D> {
+    let mut alone = v.clone();
+    alone.iter_mut().skip(of_the_object::<C>()).for_each(|x| *x = 0.0);
+    alone
 }
 
 /// The planes of rotation of a space with `C` axes.
@@ -51,11 +45,8 @@ pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
 }
 
 /// Wrench (force, moment about the origin of `arm`) of the force `f` at the end of `arm`.
-pub(crate) fn wrench_of<const D: usize, const C: usize>(
-    arm: &SVector<f64, C>,
-    f: &SVector<f64, C>,
-) -> SVector<f64, D> {
-    let mut w = SVector::zeros();
+pub(crate) fn wrench_of<D: Size, const C: usize>(arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector<D> {
+    let mut w = Vector::zeros();
     for a in 0..C {
         w[a] = f[a];
     }
@@ -67,9 +58,9 @@ pub(crate) fn wrench_of<const D: usize, const C: usize>(
 
 /// Displacement, to first order, of the point at the end of `arm` under the twist (translation,
 /// rotation).
-pub(crate) fn displacement_of<const D: usize, const C: usize>(
+pub(crate) fn displacement_of<D: Size, const C: usize>(
     arm: &SVector<f64, C>,
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
 ) -> SVector<f64, C> {
     let mut u = SVector::zeros();
     for a in 0..C {
@@ -83,30 +74,33 @@ pub(crate) fn displacement_of<const D: usize, const C: usize>(
 }
 
 /// A wrench whose origin lies at `p`, about the origin.
-pub(crate) fn moved_wrench<const D: usize, const C: usize>(
-    p: &SVector<f64, C>,
-    w: &SVector<f64, D>,
-) -> SVector<f64, D> {
+pub(crate) fn moved_wrench<D: Size, const C: usize>(p: &SVector<f64, C>, w: &Vector<D>) -> Vector<D> {
     let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
-    SVector::from_fn(|k, _| if k < C { w[k] } else { w[k] + moments[k] })
+    let mut moved = w.clone();
+    for k in C..of_the_object::<C>() {
+        moved[k] = w[k] + moments[k];
+    }
+    moved
 }
 
 /// A twist whose origin lies at `p`, about the origin.
-pub(crate) fn moved_twist<const D: usize, const C: usize>(
-    p: &SVector<f64, C>,
-    q: &SVector<f64, D>,
-) -> SVector<f64, D> {
+pub(crate) fn moved_twist<D: Size, const C: usize>(p: &SVector<f64, C>, q: &Vector<D>) -> Vector<D> {
     let translation = displacement_of::<D, C>(&-p, q);
-    SVector::from_fn(|k, _| if k < C { translation[k] } else { q[k] })
+    let mut moved = q.clone();
+    for k in 0..C {
+        moved[k] = translation[k];
+    }
+    moved
 }
 
 /// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the
 /// axes of its frame.
-pub(crate) fn grasp_map<const D: usize, const C: usize>(
+pub(crate) fn grasp_map<D: Size, const C: usize>(
+    size: D,
     arm: &SVector<f64, C>,
     frame: &SMatrix<f64, C, C>,
-) -> SMatrix<f64, D, C> {
-    let mut map: SMatrix<f64, D, C> = SMatrix::zeros();
+) -> Map<D, C> {
+    let mut map = Map::zeros(size);
     for a in 0..C {
         map.set_column(a, &wrench_of::<D, C>(arm, &frame.column(a).into_owned()));
     }
@@ -115,21 +109,22 @@ pub(crate) fn grasp_map<const D: usize, const C: usize>(
 
 /// The grasp map about `origin` in the unit `length`, and what rounding took from it: the second is
 /// the difference from the exact map of this point and this frame, rounded.
-pub(super) fn grasp_map_in_twice<const D: usize, const C: usize>(
+pub(super) fn grasp_map_in_twice<D: Size, const C: usize>(
+    size: D,
     point: &SVector<f64, C>,
     origin: &SVector<f64, C>,
     length: f64,
     frame: &SMatrix<f64, C, C>,
-) -> (SMatrix<f64, D, C>, SMatrix<f64, D, C>) {
+) -> (Map<D, C>, Map<D, C>) {
     let arm = (point - origin) / length;
-    let map = grasp_map::<D, C>(&arm, frame);
+    let map = grasp_map(size, &arm, frame);
     let arm_rest = SVector::<f64, C>::from_fn(|a, _| {
         let mut exact = DoubleDouble::new(point[a]);
         exact.add(-origin[a]);
         exact.add_product(-arm[a], length);
         exact.value() / length
     });
-    let mut rest = SMatrix::zeros();
+    let mut rest = Map::zeros(size);
     for (k, &(i, j)) in planes::<C>().iter().enumerate() {
         for a in 0..C {
             let mut moment = DoubleDouble::new(-map[(C + k, a)]);

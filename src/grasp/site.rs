@@ -1,5 +1,6 @@
 //! One contact as the arithmetic sees it.
 
+use crate::numerics::{Map, Size, Vector};
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
@@ -13,11 +14,11 @@ use crate::numerics::DoubleDouble;
 
 /// What the arithmetic needs of one contact, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Site<const D: usize, const C: usize> {
+pub(crate) struct Site<D: Size, const C: usize> {
     /// Grasp map G_i.
-    pub(crate) map: SMatrix<f64, D, C>,
+    pub(crate) map: Map<D, C>,
     /// What rounding took from G_i, given the points and the frame.
-    pub(crate) map_rest: SMatrix<f64, D, C>,
+    pub(crate) map_rest: Map<D, C>,
     /// Norm of G_i.
     size: f64,
     /// Where G_i has entries.
@@ -31,26 +32,25 @@ pub(crate) struct Site<const D: usize, const C: usize> {
     pub(crate) polygon: Option<Arc<Polygon<C>>>,
 }
 
-impl<const D: usize, const C: usize> Site<D, C> {
+impl<D: Size, const C: usize> Site<D, C> {
     /// The contact with this index, about the centroid `origin` and in the inside unit of `length`.
     ///
     /// # Errors
     /// [`Error::Contact`] if the contact has no frame.
     pub(super) fn new(
-        contact: &Contact<C>,
-        index: usize,
-        origin: &SVector<f64, C>,
-        length: f64,
+        size: D,
+        (contact, index): (&Contact<C>, usize),
+        (origin, length): (&SVector<f64, C>, f64),
     ) -> Result<Self, Error> {
         let frame = contact.frame(index)?;
         let axes = contact.springs();
         let series = contact.stiffness.series();
-        let (map, map_rest) = grasp_map_in_twice(&contact.point, origin, length, &frame);
+        let (map, map_rest) = grasp_map_in_twice(size, &contact.point, origin, length, &frame);
         Ok(Self {
-            map,
-            map_rest,
             size: map.norm(),
             support: Support::of(&map, &map_rest),
+            map,
+            map_rest,
             frame,
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
@@ -60,20 +60,25 @@ impl<const D: usize, const C: usize> Site<D, C> {
     }
 
     /// This site with another map, exactly.
-    pub(crate) fn with_map(&self, map: SMatrix<f64, D, C>) -> Self {
-        let map_rest = SMatrix::zeros();
-        Self { map, map_rest, size: map.norm(), support: Support::of(&map, &map_rest), ..self.clone() }
+    pub(crate) fn with_map(&self, map: Map<D, C>) -> Self {
+        let map_rest = Map::zeros(map.size());
+        Self { size: map.norm(), support: Support::of(&map, &map_rest), map, map_rest, ..self.clone() }
     }
 
     /// A site whose only force acts along one axis of its own: a drive of a hand.
-    pub(super) fn of_axis(axis: usize, along: &SVector<f64, D>, springs: Compliance<C>, hold: Hold) -> Self {
-        let mut map = SMatrix::<f64, D, C>::zeros();
+    pub(super) fn of_axis(
+        size: D,
+        (axis, along): (usize, &Vector<D>),
+        springs: Compliance<C>,
+        hold: Hold,
+    ) -> Self {
+        let (mut map, map_rest) = (Map::zeros(size), Map::zeros(size));
         map.set_column(axis, along);
         Self {
-            map,
-            map_rest: SMatrix::zeros(),
             size: map.norm(),
-            support: Support::of(&map, &SMatrix::zeros()),
+            support: Support::of(&map, &map_rest),
+            map,
+            map_rest,
             frame: SMatrix::identity(),
             springs,
             friction: Coulomb::new(0.0),
@@ -83,7 +88,7 @@ impl<const D: usize, const C: usize> Site<D, C> {
     }
 
     /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements.
-    pub(super) fn move_with(&mut self, motions: &[(usize, SVector<f64, C>)], lengths: &SVector<f64, D>) {
+    pub(super) fn move_with(&mut self, motions: &[(usize, SVector<f64, C>)], lengths: &Vector<D>) {
         let object = of_the_object::<C>();
         for (coordinate, motion) in motions {
             let k = object + coordinate;
@@ -101,6 +106,12 @@ impl<const D: usize, const C: usize> Site<D, C> {
         self.support = Support::of(&self.map, &self.map_rest);
     }
 
+    /// How many coordinates there are.
+    #[inline]
+    pub(crate) fn coordinates(&self) -> D {
+        self.map.size()
+    }
+
     /// The law of the contact at rest.
     pub(crate) fn whole_law(&self) -> Law<C> {
         match self.hold {
@@ -112,13 +123,19 @@ impl<const D: usize, const C: usize> Site<D, C> {
 
     /// `a - G_iᵀq`.
     #[inline(always)]
-    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &SVector<f64, D>) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> SVector<f64, C> {
         drive - self.map.tr_mul(twist)
     }
 
     /// Size of the displacements at the contact: translation and rotation may cancel there, their rounding does not.
     #[inline(always)]
-    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &SVector<f64, D>) -> f64 {
+    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> f64 {
         drive.norm() + self.size * twist.norm()
     }
+}
+
+/// How many coordinates these sites move in: a grasp has one site at least.
+#[inline]
+pub(crate) fn size_of<D: Size, const C: usize>(sites: &[Site<D, C>]) -> D {
+    sites.first().map_or(D::default(), Site::coordinates)
 }

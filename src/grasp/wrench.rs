@@ -1,5 +1,6 @@
 //! Wrenches and twists: loads on the object, and its small motions.
 
+use crate::numerics::{Fixed, Size, Vector};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -81,14 +82,14 @@ macro_rules! vector_like {
             }
 
             /// The components of the object among coordinates.
-            pub(crate) fn among<const D: usize>(coordinates: &SVector<f64, D>) -> Self {
+            pub(crate) fn among<D: Size>(coordinates: &Vector<D>) -> Self {
                 Self::from_components(coordinates.as_slice())
             }
 
-            /// As the first of D coordinates, zeros behind them.
-            pub(crate) fn coordinates<const D: usize>(&self) -> SVector<f64, D> {
-                let mut coordinates = SVector::<f64, D>::zeros();
-                coordinates.as_mut_slice()[..of_the_object::<C>()].copy_from_slice(self.components());
+            /// As the first coordinates, zeros behind them.
+            pub(crate) fn coordinates<D: Size>(&self) -> Vector<D> {
+                let mut coordinates = Vector::<D>::zeros();
+                self.components().iter().enumerate().for_each(|(k, x)| coordinates[k] = *x);
                 coordinates
             }
         }
@@ -136,7 +137,7 @@ macro_rules! vector_like {
             /// Its components as a vector: linear ones first, then angular ones.
             #[must_use]
             pub fn to_vector(&self) -> SVector<f64, $size> {
-                self.coordinates()
+                self.coordinates::<Fixed<$size>>().to_svector()
             }
         }
     };
@@ -187,7 +188,7 @@ impl Wrench<2> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
-        Self::among(&wrench_of::<6, 2>(&point.into().into(), &force.into().into()))
+        Self::among(&wrench_of::<Fixed<6>, 2>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -227,7 +228,7 @@ impl Wrench<3> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
-        Self::among(&wrench_of::<6, 3>(&point.into().into(), &force.into().into()))
+        Self::among(&wrench_of::<Fixed<6>, 3>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -274,7 +275,7 @@ impl Twist<2> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 2]>) -> [f64; 2] {
-        displacement_of::<6, 2>(&point.into().into(), &self.0).into()
+        displacement_of::<Fixed<6>, 2>(&point.into().into(), &self.0.into()).into()
     }
 }
 
@@ -309,6 +310,6 @@ impl Twist<3> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 3]>) -> [f64; 3] {
-        displacement_of::<6, 3>(&point.into().into(), &self.0).into()
+        displacement_of::<Fixed<6>, 3>(&point.into().into(), &self.0.into()).into()
     }
 }

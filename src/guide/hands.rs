@@ -39,9 +39,9 @@
 //! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
 //! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
 //!
-//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp) of D coordinates, the object's and [the hand's](crate::grasp::Hand::coordinates).
-//! All questions are asked of it as of any other grasp. Loads are [`Wrench`](crate::grasp::Wrench)es of D components; those behind the object's are
-//! [torques on joints](crate::ask::Grasp::with_joint_torques), zero unless said. Answers tell
+//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), however many joints there are.
+//! Questions are asked of it as of any other grasp. Loads are those on the object; [torques on joints](crate::ask::Grasp::with_joint_torques)
+//! from outside are zero unless said. Answers tell
 //! [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts, events and onsets their
 //! [drives](crate::load_path::Event::drives).
 //!

@@ -11,13 +11,13 @@
 //! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. With a row across the path below it
 //! the matrix is regular there, too.
 
-use nalgebra::{Matrix, SMatrix, SVector};
+use nalgebra::{Matrix, SVector};
 
 use super::segment::{Here, Segment};
 use crate::contact::{Slide, State, Tangent, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
-use crate::numerics::Bordered;
+use crate::numerics::{Bordered, Map, Size, Square, Vector};
 use crate::object::{Piece, PieceState};
 
 /// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
@@ -36,7 +36,7 @@ const SINGULAR: f64 = 1e-13;
 const CORRECTED: f64 = 1e-6;
 
 /// Contacts in states that stay.
-pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
+pub(super) struct Arc<'s, 'g, D: Size, const C: usize> {
     pub(super) segment: &'s Segment<'g, D, C>,
     pub(super) states: &'s [State<C>],
     /// The contacts that slide.
@@ -44,48 +44,49 @@ pub(super) struct Arc<'s, 'g, const D: usize, const C: usize> {
     /// u, the displacement that counts as much as the whole leg, m.
     unit: f64,
     /// T of what does not slide; motions that nothing resists are held.
-    fixed: SMatrix<f64, D, D>,
+    fixed: Square<D>,
     /// b of what does not slide, but for the rate of the load.
-    push: SVector<f64, D>,
+    push: Vector<D>,
     /// Whether commands change.
     pub(super) driven: bool,
 }
 
 /// A direction in which the path goes on.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Direction<const D: usize> {
+#[derive(Debug, Clone)]
+pub(super) struct Direction<D: Size> {
     /// q'.
-    pub(super) twist: SVector<f64, D>,
+    pub(super) twist: Vector<D>,
     /// λ'.
     pub(super) factor: f64,
 }
 
-impl<const D: usize> Direction<D> {
+impl<D: Size> Direction<D> {
     /// To a larger factor, wherever the object goes: a row across it keeps the factor as it is.
     pub(super) fn onward() -> Self {
-        Self { twist: SVector::zeros(), factor: 1.0 }
+        Self { twist: Vector::zeros(), factor: 1.0 }
     }
 }
 
-impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
+impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     pub(super) fn new(
         segment: &'s Segment<'g, D, C>,
         states: &'s [State<C>],
-        free_motions: &[SVector<f64, D>],
+        free_motions: &[Vector<D>],
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
-        let (mut fixed, mut push, mut stiffest) = (SMatrix::zeros(), SVector::zeros(), 0.0_f64);
+        let size = segment.grasp.size();
+        let (mut fixed, mut push, mut stiffest) = (Square::zeros(size), Vector::zeros(), 0.0_f64);
         for (i, site) in sites.iter().enumerate() {
             stiffest = stiffest.max(site.springs.stiffest());
             if !states[i].slides() {
-                let pushed = site.map * segment.problem.local(i).tangent(&states[i]).matrix();
-                fixed += pushed * site.map.transpose();
-                push += pushed * segment.change[i];
+                let pushed = site.map.times(&segment.problem.local(i).tangent(&states[i]).matrix());
+                add_product(&mut fixed, &pushed, &site.map);
+                push += &pushed * segment.change[i];
             }
         }
         for v in free_motions {
-            fixed += v * (v * stiffest).transpose();
+            fixed.add_product(v, &(v * stiffest));
         }
         let sliding = (0..sites.len()).filter(|&i| states[i].slides()).collect();
         let driven = segment.change.iter().any(|a| a.norm() > 0.0);
@@ -97,8 +98,8 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     /// b of what does not slide, at a factor.
-    fn push_at(&self, factor: f64) -> SVector<f64, D> {
-        self.segment.course.rate_at(factor) + self.push
+    fn push_at(&self, factor: f64) -> Vector<D> {
+        self.segment.course.rate_at(factor) + &self.push
     }
 
     /// `|b|` of what does not slide, N.
@@ -132,17 +133,13 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     /// T and b at a factor.
-    pub(super) fn balance(
-        &self,
-        tangents: &[Tangent<C>],
-        factor: f64,
-    ) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
-        let (mut t, mut push) = (self.fixed, self.push_at(factor));
+    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (Square<D>, Vector<D>) {
+        let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
                 let (dragged, held) = (map * drag, map * across);
-                t += dragged * map.column(0).transpose() + held * (held * *stiffness).transpose();
+                add_products(&mut t, [&dragged, &map.column(0)], [&held, &(&held * *stiffness)]);
                 if self.driven {
                     let change = &self.segment.change[i];
                     push += dragged * change[0] + held * (stiffness * across.dot(change));
@@ -155,19 +152,19 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     /// The factors of such a matrix, and the size of its entries. `None` if more than one direction is open.
     pub(super) fn factored(
         &self,
-        mut t: SMatrix<f64, D, D>,
-        push: &SVector<f64, D>,
+        mut t: Square<D>,
+        push: &Vector<D>,
         across: &Direction<D>,
     ) -> Option<(Bordered<D>, f64)> {
-        t *= self.unit;
+        t.as_mut_slice().iter_mut().for_each(|x| *x *= self.unit);
         let scale = t.amax().max(push.amax());
-        let row = across.twist * (scale / self.unit);
+        let row = &across.twist * (scale / self.unit);
         let bordered = Bordered::new(&t, &-push, &row, across.factor * scale)?;
         (bordered.least_pivot() > SINGULAR).then_some((bordered, scale))
     }
 
     /// Twist and factor of a solution.
-    pub(super) fn unscaled(&self, (x, factor): (SVector<f64, D>, f64)) -> Direction<D> {
+    pub(super) fn unscaled(&self, (x, factor): (Vector<D>, f64)) -> Direction<D> {
         Direction { twist: x * self.unit, factor }
     }
 
@@ -179,7 +176,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
         along: &Direction<D>,
     ) -> Option<Direction<D>> {
         let (bordered, scale) = self.bordered(tangents, factor, along)?;
-        let (x, factor) = bordered.solve(&SVector::zeros(), scale);
+        let (x, factor) = bordered.solve(&Vector::zeros(), scale);
         let length = (x.norm_squared() + factor * factor).sqrt();
         let turned = 1.0 / length >= LEAST_COSINE;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
@@ -211,7 +208,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     /// Onto the cones with friction in these directions and into balance, along what the row `across` is across. The state and its factor.
     pub(super) fn balanced(
         &self,
-        mut twist: SVector<f64, D>,
+        mut twist: Vector<D>,
         mut factor: f64,
         across: &Direction<D>,
         frictions: &[SVector<f64, C>],
@@ -225,9 +222,9 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
             let mut ended = None;
             for _ in 0..CORRECTIONS {
                 let load = self.segment.course.at(factor);
-                let (mut left, mut carried) = (load, 0.0);
+                let (mut left, mut carried) = (load.clone(), 0.0);
                 for (site, force) in self.sites().iter().zip(&forces) {
-                    left += site.map * force;
+                    left += &site.map * force;
                     carried += force.norm();
                 }
                 if left.norm() <= rounding * (load.norm() + carried) {
@@ -235,7 +232,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
                     break;
                 }
                 let change = self.unscaled(bordered.solve(&left, 0.0));
-                twist += change.twist;
+                twist += &change.twist;
                 factor += change.factor;
                 let rates = self.force_rates(&tangents, &change);
                 forces.iter_mut().zip(&rates).for_each(|(force, rate)| *force += rate);
@@ -250,7 +247,7 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     /// Forces at a twist and a factor, with friction on the cones in these directions.
     fn forces_at(
         &self,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         factor: f64,
         frictions: &[SVector<f64, C>],
     ) -> Vec<SVector<f64, C>> {
@@ -274,7 +271,31 @@ impl<'s, 'g, const D: usize, const C: usize> Arc<'s, 'g, D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Segment<'_, D, C> {
+/// Adds `A Bᵀ`.
+fn add_product<D: Size, const C: usize>(t: &mut Square<D>, a: &Map<D, C>, b: &Map<D, C>) {
+    let count = t.size().count();
+    for j in 0..count {
+        for i in 0..count {
+            let mut sum = a[(i, 0)] * b[(j, 0)];
+            for k in 1..C {
+                sum += a[(i, k)] * b[(j, k)];
+            }
+            t[(i, j)] += sum;
+        }
+    }
+}
+
+/// Adds `a bᵀ + c dᵀ`.
+fn add_products<D: Size>(t: &mut Square<D>, [a, b]: [&Vector<D>; 2], [c, d]: [&Vector<D>; 2]) {
+    let count = t.size().count();
+    for j in 0..count {
+        for i in 0..count {
+            t[(i, j)] += a[i] * b[j] + c[i] * d[j];
+        }
+    }
+}
+
+impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
     /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share.
     pub(super) fn tangent(
@@ -293,7 +314,8 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
         let is_near = |(there, _): &(PieceState<D, C>, f64)| {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
         };
-        let balanced = arc.balanced(at.twist, factor, &Direction::onward(), &frictions).filter(is_near);
+        let balanced =
+            arc.balanced(at.twist.clone(), factor, &Direction::onward(), &frictions).filter(is_near);
         let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
         Ok(self.here(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }

@@ -13,6 +13,7 @@ use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
 use crate::grasp::{Engine, Motion};
 use crate::lcp;
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
@@ -68,7 +69,7 @@ pub struct Continuation<const C: usize> {
 }
 
 /// How an equilibrium goes on where its rates have a solution.
-pub(super) fn continuation<const D: usize, const C: usize>(
+pub(super) fn continuation<D: Size, const C: usize>(
     grasp: &Engine<D, C>,
     rates: &Problem<D, C>,
     found: Found<D, C>,
@@ -86,15 +87,15 @@ pub(super) fn continuation<const D: usize, const C: usize>(
 }
 
 /// Where an equilibrium ends.
-pub(super) struct End<'f, const D: usize, const C: usize> {
+pub(super) struct End<'f, D: Size, const C: usize> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, C>],
     /// The motion with which the object leaves, inside coordinates.
-    pub(super) motion: Option<SVector<f64, D>>,
+    pub(super) motion: Option<Vector<D>>,
 }
 
 /// What lies beyond an end where the rates have no solution.
-pub(super) fn beyond_end<const D: usize, const C: usize>(
+pub(super) fn beyond_end<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
@@ -104,7 +105,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
     let here = segment.problem_at(end.factor);
     // A little further on, for what takes a finite distance to be seen.
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
-    let separates = |v: &SVector<f64, D>| separates_from_here_on(&here, v, &rates.wrench);
+    let separates = |v: &Vector<D>| separates_from_here_on(&here, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
         || separating_motion(&past(A_LITTLE)).as_ref().is_some_and(separates)
     {
@@ -137,7 +138,7 @@ pub(super) fn beyond_end<const D: usize, const C: usize>(
 
 /// Whether Farkas' lemma says that no slips and gaps make the rates possible: then there are no rates at all. The form is computed, and its proof
 /// good to the rounding of that. It is sought by linear programs of two rows for each of the form.
-pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+pub(super) fn no_rates<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
     }
@@ -148,7 +149,7 @@ pub(super) fn no_rates<const D: usize, const C: usize>(rates: &Problem<D, C>) ->
 }
 
 /// What a solution from scratch says a little further on, with the slip so far.
-fn from_scratch<'g, const D: usize, const C: usize>(
+fn from_scratch<'g, D: Size, const C: usize>(
     past: impl Fn(f64) -> Problem<'g, D, C>,
     forces: &[SVector<f64, C>],
     settings: &Settings,
@@ -184,13 +185,13 @@ fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>]
 
 /// The way that parts beyond the end are parts of: [`whole_way`], or the whole leg where there is no load yet. Parts of nothing would lead
 /// no further than the end itself.
-fn way_beyond<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+fn way_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
 /// A step of the load factor that makes up the whole load, or all the commands; zero if there is neither.
-fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+fn whole_way<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
     let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
     let load_way = here.wrench.norm() / rates.wrench.norm();
     let command_way = total(&here.drives) / total(&rates.drives);
@@ -198,12 +199,12 @@ fn whole_way<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Probl
     if way.is_finite() { way } else { 0.0 }
 }
 
-fn search_beyond<const D: usize, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> Beyond<C> {
+fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> Beyond<C> {
     // The whole laws, driven at the rates.
     let rates = &Problem {
         drives: rates.drives.clone(),
-        wrench: rates.wrench,
-        wrench_rest: rates.wrench_rest,
+        wrench: rates.wrench.clone(),
+        wrench_rest: rates.wrench_rest.clone(),
         ..here.clone()
     };
     let way = whole_way(here, rates);

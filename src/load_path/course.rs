@@ -19,11 +19,11 @@ pub(super) enum Course<X> {
     },
 }
 
-impl<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Course<X> {
+impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Course<X> {
     /// The load at a factor.
     pub(super) fn at(&self, factor: f64) -> X {
         match self {
-            Self::Straight { from, rate } => *from + *rate * factor,
+            Self::Straight { from, rate } => from.clone() + rate.clone() * factor,
             Self::Turn { load, angle } => load.at(angle * factor),
         }
     }
@@ -31,7 +31,7 @@ impl<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Course<
     /// Its rate there, for one unit of the factor.
     pub(super) fn rate_at(&self, factor: f64) -> X {
         match self {
-            Self::Straight { rate, .. } => *rate,
+            Self::Straight { rate, .. } => rate.clone(),
             Self::Turn { load, angle } => load.rate_at(angle * factor) * *angle,
         }
     }

@@ -6,12 +6,13 @@ use super::flow::{Flow, Goal, Reached, Rule};
 use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watch, watch};
+use crate::numerics::Size;
 
 /// Evaluations on the way to an event: bisection alone would need 50.
 const MOST_TRIALS: usize = 80;
 
 /// Where a step ends.
-pub(super) struct End<const D: usize, const C: usize> {
+pub(super) struct End<D: Size, const C: usize> {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: Reached<D, C>,
@@ -20,7 +21,7 @@ pub(super) struct End<const D: usize, const C: usize> {
     pub(super) located: Option<usize>,
 }
 
-impl<const D: usize, const C: usize> Pieces<'_, D, C> {
+impl<D: Size, const C: usize> Pieces<'_, D, C> {
     /// A step of a length, with what comes next there.
     pub(super) fn step(
         &self,

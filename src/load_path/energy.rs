@@ -6,7 +6,7 @@ use super::segment::{Here, Segment};
 use super::turned::Turned;
 use crate::contact::State;
 use crate::grasp::Site;
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, Size};
 
 /// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and with a load that turns they turn, so that every integral is exact; where contacts
 /// slide on the round cone works are integrated along with the slips.
@@ -36,7 +36,7 @@ impl Energy {
     }
 
     /// Adds what the springs take up between two states.
-    pub(super) fn store<const D: usize, const C: usize>(
+    pub(super) fn store<D: Size, const C: usize>(
         &mut self,
         sites: &[Site<D, C>],
         from: &[SVector<f64, C>],
@@ -59,7 +59,7 @@ impl Energy {
     }
 
     /// Adds a piece from a factor on, along which states stay and nothing slides on a round cone.
-    pub(super) fn add<const D: usize, const C: usize>(
+    pub(super) fn add<D: Size, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,
         states: &[State<C>],
@@ -74,7 +74,7 @@ impl Energy {
         let middle = segment.course.at(factor + 0.5 * step);
         let works = middle.component_mul(&here.twist_rate) * step;
         self.load_work += works.sum();
-        self.turnover += works.abs().sum();
+        self.turnover += works.map(f64::abs).sum();
         for (i, (line, site)) in here.lines.iter().zip(segment.grasp.sites()).enumerate() {
             let force = line.force + line.rate * (0.5 * step);
             let (give, moving) =
@@ -95,7 +95,7 @@ impl Energy {
     }
 
     /// Adds a piece along which everything turns with the load: works of one harmonic on another.
-    fn add_turned<const D: usize, const C: usize>(
+    fn add_turned<D: Size, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,
         states: &[State<C>],
@@ -103,7 +103,7 @@ impl Energy {
         step: f64,
     ) {
         let angle = turned.angle * step;
-        for k in 0..D {
+        for k in 0..segment.grasp.size().count() {
             let work = turned.load.map(|load| load[k]).work_on(&turned.twist.map(|twist| twist[k]), angle);
             self.load_work += work;
             self.turnover += work.abs();

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::drive_change::DriveChange;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::grasp::{Coordinates, Engine, HandPart, Motion, Wrench};
+use crate::numerics::{Size, Vector};
 use crate::search::Doubt;
 
 /// Something changes: one or more contacts, at one load.
@@ -142,11 +143,7 @@ pub struct Loss<const C: usize> {
 
 impl<const C: usize> Loss<C> {
     /// This loss with the motion with which the object leaves, in inside coordinates.
-    pub(super) fn leaving<const D: usize>(
-        mut self,
-        grasp: &Engine<D, C>,
-        motion: Option<&SVector<f64, D>>,
-    ) -> Self {
+    pub(super) fn leaving<D: Size>(mut self, grasp: &Engine<D, C>, motion: Option<&Vector<D>>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.inside = motion.map(Coordinates::of);
         self

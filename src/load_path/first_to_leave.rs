@@ -12,7 +12,7 @@ use super::turn::Turn;
 use crate::contact::{At, Exit, Line, LocalLaw, Stand};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
-use crate::numerics::{Harmonic, anew};
+use crate::numerics::{Harmonic, Size, Vector, anew};
 use crate::object::PieceState;
 use crate::search::{Found, Rung};
 
@@ -27,7 +27,7 @@ const ROUGHLY: f64 = 1e-6;
 const FAR: f64 = 1e6;
 
 /// Which contact leaves rolling first, and the state there.
-pub(super) struct FirstToLeave<const D: usize, const C: usize> {
+pub(super) struct FirstToLeave<D: Size, const C: usize> {
     pub(super) factor: f64,
     contact: usize,
     exit: Exit<C>,
@@ -35,7 +35,7 @@ pub(super) struct FirstToLeave<const D: usize, const C: usize> {
 }
 
 /// The first to leave along a ramp, or `None` where the case is another one.
-pub(super) fn first_to_leave<const D: usize, const C: usize>(
+pub(super) fn first_to_leave<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     memory: &mut OnsetMemory<D, C>,
 ) -> Option<FirstToLeave<D, C>> {
@@ -59,13 +59,13 @@ pub(super) fn first_to_leave<const D: usize, const C: usize>(
         return None;
     }
     factor += more;
-    there.twist += rate.twist * more;
+    there.twist += &rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
     Some(FirstToLeave { factor, contact, exit, there: std::mem::take(there) })
 }
 
 /// What happens while a load turns.
-pub(super) enum WhileTurning<const D: usize, const C: usize> {
+pub(super) enum WhileTurning<D: Size, const C: usize> {
     /// One contact leaves before all others.
     First(FirstToLeave<D, C>),
     /// Everything keeps rolling.
@@ -73,10 +73,10 @@ pub(super) enum WhileTurning<const D: usize, const C: usize> {
 }
 
 /// The first to leave while a load turns, or that there is none. `None` where the case is another one.
-pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
+pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     turn: &Turn<C>,
-    inside: &Harmonic<SVector<f64, D>>,
+    inside: &Harmonic<Vector<D>>,
 ) -> Option<WhileTurning<D, C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -90,7 +90,7 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
         cosine: piece.solve_roughly(&at_rest, &inside.cosine),
         sine: piece.solve_roughly(&at_rest, &inside.sine),
     };
-    let twist = parts.constant.twist + parts.cosine.twist;
+    let twist = &parts.constant.twist + &parts.cosine.twist;
     let forces: Vec<_> =
         parts.constant.forces.iter().zip(&parts.cosine.forces).map(|(f, more)| f + more).collect();
     let base = PieceState { forces, twist };
@@ -131,7 +131,7 @@ pub(super) fn first_to_leave_on_turn<const D: usize, const C: usize>(
     Some(WhileTurning::First(FirstToLeave { factor: angle, contact: *contact, exit, there }))
 }
 
-impl<const D: usize, const C: usize> FirstToLeave<D, C> {
+impl<D: Size, const C: usize> FirstToLeave<D, C> {
     /// The onset on this segment, under the load there.
     pub(super) fn onset(
         self,
@@ -176,10 +176,10 @@ struct First<const C: usize> {
 }
 
 /// The first way out, if everything clearly rolls at the base and no other comes near it.
-fn first_exit<const D: usize, const C: usize>(
+fn first_exit<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     base: &PieceState<D, C>,
-    (direction, rate): (&SVector<f64, D>, &PieceState<D, C>),
+    (direction, rate): (&Vector<D>, &PieceState<D, C>),
 ) -> Option<First<C>> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);
@@ -215,14 +215,14 @@ fn first_exit<const D: usize, const C: usize>(
 }
 
 /// Whether forces balance a load as well as those of an answer have to.
-fn is_balanced<const D: usize, const C: usize>(
+fn is_balanced<D: Size, const C: usize>(
     sites: &[Site<D, C>],
-    load: &SVector<f64, D>,
+    load: &Vector<D>,
     forces: &[SVector<f64, C>],
 ) -> bool {
-    let (mut left, mut size) = (*load, load.norm());
+    let (mut left, mut size) = (load.clone(), load.norm());
     for (site, force) in sites.iter().zip(forces) {
-        left += site.map * force;
+        left += &site.map * force;
         size += force.norm();
     }
     left.norm() <= ACCURATE * size

@@ -17,7 +17,7 @@ use super::energy::Energy;
 use super::relaxation::Relaxation;
 use super::segment::{Here, Segment};
 use crate::contact::{State, Tangent, tangential, tangential_norm};
-use crate::numerics::{Stepped, explicit_step, implicit_step};
+use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
 
 /// A goal within this part of the leg is where the step ends.
@@ -73,7 +73,7 @@ impl Goal {
 }
 
 /// States that stay, from a point of the path on.
-pub(super) struct Flow<'s, 'g, const D: usize, const C: usize> {
+pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
     arc: Arc<'s, 'g, D, C>,
     from: f64,
     /// The start, with rates for one unit of arclength.
@@ -86,7 +86,7 @@ pub(super) struct Flow<'s, 'g, const D: usize, const C: usize> {
 
 /// A point further on.
 #[derive(Debug, Clone)]
-pub(super) struct Reached<const D: usize, const C: usize> {
+pub(super) struct Reached<D: Size, const C: usize> {
     pub(super) to: f64,
     /// With rates for one unit of arclength.
     pub(super) here: Here<D, C>,
@@ -97,13 +97,16 @@ pub(super) struct Reached<const D: usize, const C: usize> {
     pub(super) backwards: bool,
 }
 
-impl<const D: usize, const C: usize> Reached<D, C> {
+impl<D: Size, const C: usize> Reached<D, C> {
     pub(super) fn at(&self) -> PieceState<D, C> {
-        PieceState { forces: self.here.lines.iter().map(|line| line.force).collect(), twist: self.here.twist }
+        PieceState {
+            forces: self.here.lines.iter().map(|line| line.force).collect(),
+            twist: self.here.twist.clone(),
+        }
     }
 }
 
-impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
+impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
     /// From where a state has rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
         segment: &'s Segment<'g, D, C>,
@@ -131,7 +134,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
 
     /// The direction of the path at the start.
     fn onward(&self) -> Direction<D> {
-        Direction { twist: self.here.twist_rate, factor: self.here.factor_rate }
+        Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
     }
 
     /// How fast friction forces turn towards their slips at the start, for one unit of arclength: the fastest.
@@ -159,7 +162,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let [load, works] = self.places();
         let mut first = vec![0.0; works + WORKS];
         rate(&first.clone(), &mut first)?;
-        let size = |error: &[f64]| self.size(error, length);
+        let size = |error: &[f64]| self.error_size(error, length);
         let Stepped { change: y, error } = match rule {
             Rule::Straight => {
                 Stepped { change: first.iter().map(|rate| rate * length).collect(), error: 0.0 }
@@ -175,7 +178,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
                 implicit_step(length, &first, rate, damped, size, tolerance)?
             }
         };
-        let twist = self.here.twist + SVector::<f64, D>::from_column_slice(&y[load - D..load]);
+        let twist = &self.here.twist + self.moved(&y);
         let factor = self.from + y[load];
         let mut frictions: Vec<_> = self.frictions(&y).collect();
         let tangents = self.arc.tangents(frictions.iter().copied());
@@ -187,7 +190,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
             for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                 *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
             }
-            self.arc.balanced(twist + way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
+            self.arc.balanced(twist + &way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
         } else {
             self.arc.balanced(twist, factor, &way, &frictions)?
         };
@@ -202,8 +205,18 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
 
     /// Where among the variables the load factor and the works are: after friction forces and twist.
     fn places(&self) -> [usize; 2] {
-        let load = self.begin.len() * (C - 1) + D;
+        let load = self.begin.len() * (C - 1) + self.size().count();
         [load, load + 1]
+    }
+
+    fn size(&self) -> D {
+        self.arc.segment.grasp.size()
+    }
+
+    /// The change of the twist among the variables.
+    fn moved(&self, y: &[f64]) -> Vector<D> {
+        let first = self.begin.len() * (C - 1);
+        Vector::from_fn(self.size(), |k| y[first + k])
     }
 
     /// Rates of the variables, which count from the start, and whether a contact slips against its friction force.
@@ -212,7 +225,8 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         let segment = self.arc.segment;
         let tangents = self.arc.tangents(self.frictions(y));
         let way = self.arc.direction(&tangents, self.from + y[load], &self.onward())?;
-        out[load - D..load].copy_from_slice(way.twist.as_slice());
+        let count = self.size().count();
+        out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = way.twist[k]);
         out[load] = way.factor;
         let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
         let own = out.chunks_exact_mut(C - 1).zip(&self.arc.sliding).zip(&tangents);
@@ -229,7 +243,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
         }
         let fingers = if self.arc.driven { self.power_of_fingers(y) * way.factor } else { 0.0 };
         let worked = segment.course.at(self.from + y[load]).component_mul(&way.twist);
-        turnover += fingers.abs() + worked.abs().sum();
+        turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         Some(backwards > 0.0)
     }
@@ -246,7 +260,7 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
     /// `Σ F·a'` after these changes of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
-        let (moved, further) = (SVector::<f64, D>::from_column_slice(&y[load - D..load]), y[load]);
+        let (moved, further) = (self.moved(y), y[load]);
         let mut frictions = self.frictions(y);
         let mut sum = 0.0;
         for (i, (state, site)) in self.arc.states.iter().zip(self.arc.sites()).enumerate() {
@@ -266,14 +280,15 @@ impl<'s, 'g, const D: usize, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// An error of the variables: of forces over the largest, of the twist over the largest displacement.
-    fn size(&self, error: &[f64], length: f64) -> f64 {
+    fn error_size(&self, error: &[f64], length: f64) -> f64 {
+        let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
         let [force, travel] = [0, 1].map(size);
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (C - 1));
         let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
         let of_forces = of_frictions.chunks_exact(C - 1).map(norm).fold(0.0, f64::max);
-        let of_load = others[D].abs() * self.arc.load_rate(self.from);
-        (norm(&others[..D]) / travel).max(of_forces / force).max(of_load / force)
+        let of_load = others[count].abs() * self.arc.load_rate(self.from);
+        (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force)
     }
 
     /// The step from the start to a factor on the way, which is as long as `most` at most.

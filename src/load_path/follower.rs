@@ -9,6 +9,7 @@ use super::event::PathEnd;
 use super::journey::Journey;
 use super::segment::Segment;
 use crate::equilibrium::Equilibrium;
+use crate::numerics::Size;
 use crate::object::Problem;
 
 /// How far a follower has come.
@@ -24,7 +25,7 @@ pub(crate) enum Came<T> {
 
 /// Contacts at the place where they stand, and the rates of what stands on an edge there.
 #[derive(Debug)]
-pub(crate) struct Edge<'g, const D: usize, const C: usize> {
+pub(crate) struct Edge<'g, D: Size, const C: usize> {
     pub(super) segment: Segment<'g, D, C>,
     pub(super) rates: Problem<'g, D, C>,
     pub(super) forces: Vec<SVector<f64, C>>,
@@ -32,7 +33,7 @@ pub(crate) struct Edge<'g, const D: usize, const C: usize> {
 
 /// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, in steps. It stands on a leg, and keeps the slip so
 /// far; which leg, and what comes after it, is for the path to say.
-pub(crate) trait Follower<'g, const D: usize, const C: usize>: Debug {
+pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     /// What there is to tell on the way.
     type Told;
 

@@ -13,19 +13,20 @@ use super::leg::Leg;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Wrench};
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::{Settings, settle};
 
 /// A journey, and who follows it.
 #[derive(Debug)]
-pub(crate) struct Following<'g, const D: usize, const C: usize, F> {
+pub(crate) struct Following<'g, D: Size, const C: usize, F> {
     pub(super) journey: Journey<'g, D, C>,
     /// `None` if there is no equilibrium to start from.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<C>>,
 }
 
-impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> {
+impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> {
     /// A path from rest under a load, where a follower begins at the equilibrium if there is one, with the first leg before it.
     pub(super) fn start(
         grasp: &'g Engine<D, C>,
@@ -86,9 +87,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn contacts_looked_at(&self) -> usize;
 }
 
-impl<'g, const D: usize, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Told>
-    for Following<'g, D, C, F>
-{
+impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Told> for Following<'g, D, C, F> {
     fn next(&mut self) -> Option<F::Told> {
         while self.end.is_none() {
             if let told @ Some(_) = self.go(F::go_on) {

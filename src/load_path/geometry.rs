@@ -12,27 +12,25 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::grasp::{Site, grasp_map};
+use crate::numerics::{Map, Size};
 
 /// dG for a point that moves along a coordinate axis, in inside coordinates whose unit of length is `length`, 1/m.
-pub(super) fn map_by_point<const D: usize, const C: usize>(
+pub(super) fn map_by_point<D: Size, const C: usize>(
     site: &Site<D, C>,
     axis: usize,
     length: f64,
-) -> SMatrix<f64, D, C> {
+) -> Map<D, C> {
     let mut arm = SVector::<f64, C>::zeros();
     arm[axis] = 1.0 / length;
-    let mut map = grasp_map(&arm, &site.frame);
+    let mut map = grasp_map(site.map.size(), &arm, &site.frame);
     // The force itself stays: only its moment changes.
-    map.fixed_rows_mut::<C>(0).fill(0.0);
+    (0..C).for_each(|k| map.set_row(k, &SVector::zeros()));
     map
 }
 
 /// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, in space alone), or so that the normal tilts towards the
 /// tangent with this axis. `None` for an axis that there is not.
-pub(super) fn map_by_normal<const D: usize, const C: usize>(
-    site: &Site<D, C>,
-    axis: usize,
-) -> Option<SMatrix<f64, D, C>> {
+pub(super) fn map_by_normal<D: Size, const C: usize>(site: &Site<D, C>, axis: usize) -> Option<Map<D, C>> {
     let (from, to) = match axis {
         0 if C == 3 => (1, 2),
         1.. if axis < C => (0, axis),
@@ -40,5 +38,5 @@ pub(super) fn map_by_normal<const D: usize, const C: usize>(
     };
     let mut turn = SMatrix::<f64, C, C>::zeros();
     (turn[(to, from)], turn[(from, to)]) = (1.0, -1.0);
-    Some(site.map * turn)
+    Some(site.map.times(&turn))
 }

@@ -7,6 +7,7 @@ use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::error::Error;
 use crate::grasp::Engine;
+use crate::numerics::Size;
 
 /// Derivatives of the load factor (without unit) at which one contact leaves rolling, by the geometry of every contact. Commands,
 /// clearances and stiffnesses stay along the axes of the contact frames, changes of commands along a ramp too.
@@ -31,7 +32,7 @@ pub struct GeometryGradient<const C: usize> {
     pub normal: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
     pub(crate) fn onset_gradients_by_geometry(
         &self,

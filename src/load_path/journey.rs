@@ -11,19 +11,20 @@ use crate::contact::Polygon;
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 use crate::object::{Load, Problem};
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
 /// A program of legs on its way.
 #[derive(Debug)]
-pub(crate) struct Journey<'g, const D: usize, const C: usize> {
+pub(crate) struct Journey<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon<C>>,
     pub(super) program: Program<C>,
 }
 
-impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
+impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     /// A journey that has not begun yet, from rest under a load.
     pub(super) fn new(
         grasp: &'g Engine<D, C>,
@@ -36,7 +37,7 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
     }
 
     /// The question of one equilibrium with these drives, for the cone of the journey.
-    pub(super) fn problem(&self, drives: Vec<SVector<f64, C>>, load: &SVector<f64, D>) -> Problem<'g, D, C> {
+    pub(super) fn problem(&self, drives: Vec<SVector<f64, C>>, load: &Vector<D>) -> Problem<'g, D, C> {
         let round = self.settings.is_round::<C>();
         self.grasp.problem(self.polygon.clone(), round, drives, &Load::from(load))
     }
@@ -90,12 +91,12 @@ impl<'g, const D: usize, const C: usize> Journey<'g, D, C> {
         fraction: f64,
         kind: LossKind,
         sites: Vec<usize>,
-        motion: Option<SVector<f64, D>>,
+        motion: Option<&Vector<D>>,
     ) -> Loss<C> {
         let (contacts, drives) = self.grasp.sites_apart(sites);
         let (leg, load) = (self.program.leg, self.program.load_at(fraction));
         let loss = Loss { leg, fraction, load, kind, contacts, drives, motion: None, inside: None };
-        loss.leaving(self.grasp, motion.as_ref())
+        loss.leaving(self.grasp, motion)
     }
 
     /// Where a path stands and cannot be followed further.

@@ -9,6 +9,7 @@ use super::ramp::{Ramp, vectors};
 use super::turn::{Turn, inside};
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 
 /// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
 ///
@@ -184,7 +185,7 @@ impl<const C: usize> Leg<C> {
         }
     }
 
-    fn check<const D: usize>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match &self.load {
             LoadGoal::Straight(Goal::Stay) => {}
             LoadGoal::Straight(Goal::By(load) | Goal::To(load)) => {
@@ -266,7 +267,7 @@ pub(super) struct Program<const C: usize> {
 
 impl<const C: usize> Program<C> {
     /// Without legs, at rest under a load and the commands of a grasp.
-    pub(super) fn new<const D: usize>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
+    pub(super) fn new<D: Size>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         let joints = grasp.joint_commands().to_vec();
         Self {
@@ -281,7 +282,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
-    pub(super) fn extend<const D: usize>(
+    pub(super) fn extend<D: Size>(
         &mut self,
         grasp: &Engine<D, C>,
         legs: &[Leg<C>],
@@ -321,14 +322,14 @@ impl<const C: usize> Program<C> {
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
-    pub(super) fn drives<const D: usize>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+    pub(super) fn drives<D: Size>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
         let mut drives = [Vec::new(), Vec::new()];
         self.drives_into(grasp, &mut drives);
         drives
     }
 
     /// [`Self::drives`] in memory that is there.
-    pub(super) fn drives_into<const D: usize>(
+    pub(super) fn drives_into<D: Size>(
         &self,
         grasp: &Engine<D, C>,
         [base, change]: &mut [Vec<SVector<f64, C>>; 2],
@@ -340,11 +341,12 @@ impl<const C: usize> Program<C> {
     }
 
     /// How the load goes along the present leg, in inside coordinates.
-    pub(super) fn inside_course<const D: usize>(&self, grasp: &Engine<D, C>) -> Course<SVector<f64, D>> {
+    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Course<Vector<D>> {
         match &self.course {
             Course::Straight { from, .. } => {
                 let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
-                Course::Straight { from, rate: to - from }
+                let rate = to - &from;
+                Course::Straight { from, rate }
             }
             Course::Turn { load, angle } => Course::Turn { load: inside(grasp, load), angle: *angle },
         }

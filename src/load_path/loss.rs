@@ -1,11 +1,10 @@
 //! How a path ends where the rates have no solution: what can be said of the place alone.
 
-use nalgebra::SVector;
-
 use super::beyond::{Beyond, End, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
 use super::follower::Edge;
 use crate::contact::State;
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
 use crate::search::{Effort, Settings, Settled};
 
@@ -13,7 +12,7 @@ use crate::search::{Effort, Settings, Settled};
 ///
 /// The object gives way where a motion meets no resistance. Else it stands at a corner: no combination of the states of what stands on
 /// an edge has rates. Where that is not known, the proof that nothing holds beyond will do.
-pub(super) fn end_of_path<const D: usize, const C: usize>(
+pub(super) fn end_of_path<D: Size, const C: usize>(
     edge: &Edge<'_, D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
     loss: Loss<C>,
@@ -41,18 +40,18 @@ pub(super) fn end_of_path<const D: usize, const C: usize>(
 ///
 /// It is a motion that nothing resists then and on which the load works. Where there is none it is the motion of the rates in these
 /// states. Their forces balance the load, but their slips are against friction: the motion taken the other way is along it.
-pub(super) fn leaving_motion<const D: usize, const C: usize>(
+pub(super) fn leaving_motion<D: Size, const C: usize>(
     rates: &Problem<D, C>,
-    load: &SVector<f64, D>,
+    load: &Vector<D>,
     states: &[State<C>],
-) -> Option<SVector<f64, D>> {
+) -> Option<Vector<D>> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {
             // Where friction is exhausted no spring resists, but the friction forces feel the motion. Where only commands
             // change it is the load itself that drives the object out.
-            let along = |wrench: &SVector<f64, D>| {
-                let v = piece.free_motions().iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
+            let along = |wrench: &Vector<D>| {
+                let v = piece.free_motions().iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())
             };
             return unbalanced.motion.or_else(|| along(&rates.wrench)).or_else(|| along(load));

@@ -11,6 +11,7 @@ use super::segment::{Here, Segment};
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
+use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
@@ -25,7 +26,7 @@ const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
 const ANGLE_KNOWN: f64 = 1e-12;
 
 /// What the rates at a node say.
-struct Decided<'g, const D: usize, const C: usize> {
+struct Decided<'g, D: Size, const C: usize> {
     /// The factor whose rates they are.
     ahead: f64,
     rates: Problem<'g, D, C>,
@@ -35,7 +36,7 @@ struct Decided<'g, const D: usize, const C: usize> {
 
 /// Where the path stands, contact by contact.
 #[derive(Debug)]
-pub(super) struct Node<const D: usize, const C: usize> {
+pub(super) struct Node<D: Size, const C: usize> {
     /// Those of contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
     /// Directions in which contacts slide, coordinate axes.
@@ -51,13 +52,13 @@ pub(super) struct Node<const D: usize, const C: usize> {
 }
 
 /// How the path goes on from a node.
-pub(super) struct Onward<const D: usize, const C: usize> {
+pub(super) struct Onward<D: Size, const C: usize> {
     pub(super) here: Here<D, C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
     pub(super) other_continuations: Option<usize>,
 }
 
-impl<const D: usize, const C: usize> Node<D, C> {
+impl<D: Size, const C: usize> Node<D, C> {
     /// Decides the states of everything that stands on an edge, from the rates.
     pub(super) fn go_on(
         &mut self,
@@ -86,7 +87,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
-            return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion))));
+            return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion.as_ref()))));
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
@@ -219,7 +220,7 @@ impl<const D: usize, const C: usize> Node<D, C> {
 }
 
 /// A contact that rolls along a tangent of the round cone slides, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
-fn slide_where_they_graze<const D: usize, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
+fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
         let (local, rate) = (rates.local(i), &found.forces[i]);
@@ -231,7 +232,7 @@ fn slide_where_they_graze<const D: usize, const C: usize>(rates: &Problem<D, C>,
 }
 
 /// In which directions contacts slide.
-pub(super) fn directions<const D: usize, const C: usize>(
+pub(super) fn directions<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,
 ) -> Vec<Option<SVector<f64, C>>> {

@@ -7,6 +7,7 @@ use super::segment::Segment;
 use crate::contact::Stand;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::grasp::{Coordinates, HandPart, Wrench};
+use crate::numerics::Size;
 use crate::search::{Found, Kept, Rung};
 
 /// The answer to "at which load factor τ >= 0 does the first contact leave rolling?", or at which angle of a load that turns.
@@ -96,7 +97,7 @@ pub(super) struct RollingState<const C: usize> {
 
 impl<const C: usize> OnsetEvent<C> {
     /// The event at a factor, with the load and the rolling state there and what contacts stand on, in lists that are there.
-    pub(super) fn new<const D: usize>(
+    pub(super) fn new<D: Size>(
         segment: Segment<'_, D, C>,
         (factor, load): (f64, Wrench<C>),
         (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),

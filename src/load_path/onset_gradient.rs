@@ -6,6 +6,7 @@ use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::grasp::{Engine, of_the_object};
+use crate::numerics::Size;
 
 /// Derivatives of the load factor (without unit) at which one contact leaves rolling. Those by positions and normals of contacts are a
 /// question of their own, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
@@ -35,7 +36,7 @@ pub struct OnsetGradient<const C: usize> {
     pub load_scale: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients).
     pub(crate) fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
         let Some(margins) = OnsetMargins::new(self, event) else { return Vec::new() };

@@ -7,6 +7,7 @@ use super::sensitivity::{Local, Parameter};
 use crate::contact::tangential;
 use crate::equilibrium::Cone;
 use crate::grasp::{Engine, HandPart, Wrench};
+use crate::numerics::Size;
 
 /// What leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -19,7 +20,7 @@ pub enum Leaver {
 }
 
 /// The margins that vanish at one onset, with the equilibrium there.
-pub(crate) struct OnsetMargins<'g, const D: usize, const C: usize> {
+pub(crate) struct OnsetMargins<'g, D: Size, const C: usize> {
     local: Local<'g, D, C>,
     margins: Vec<Margin<C>>,
 }
@@ -33,7 +34,7 @@ struct Margin<const C: usize> {
     slope: f64,
 }
 
-impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
+impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
     pub(crate) fn new(grasp: &'g Engine<D, C>, event: &OnsetEvent<C>) -> Option<Self> {
@@ -93,7 +94,7 @@ impl<'g, const D: usize, const C: usize> OnsetMargins<'g, D, C> {
 }
 
 impl<const C: usize> Margin<C> {
-    fn of<const D: usize>(&self, local: &Local<D, C>, force: &SVector<f64, C>) -> f64 {
+    fn of<D: Size>(&self, local: &Local<D, C>, force: &SVector<f64, C>) -> f64 {
         let cone = local.problem.local(self.site).cone();
         self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
     }
@@ -101,7 +102,7 @@ impl<const C: usize> Margin<C> {
 
 /// The facet that is reached; inside `None` where the normal force alone counts.
 #[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
-fn facet<const D: usize, const C: usize>(
+fn facet<D: Size, const C: usize>(
     local: &Local<D, C>,
     cone: Cone,
     site: usize,

@@ -20,11 +20,11 @@ use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Memory;
+use crate::numerics::{Memory, Size};
 use crate::object::{Load, Problem};
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle};
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::onset`](crate::ask::Grasp::onset).
     pub(crate) fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())

@@ -10,12 +10,13 @@ use super::segment::Segment;
 use crate::contact::{Polygon, PolygonCone, Stand, State};
 use crate::equilibrium::Cone;
 use crate::grasp::{Coordinates, Engine};
+use crate::numerics::{Size, Vector};
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::search::Settings;
 
 /// The lists that an onset is made of.
 #[derive(Debug, Clone)]
-pub(super) struct OnsetMemory<const D: usize, const C: usize> {
+pub(super) struct OnsetMemory<D: Size, const C: usize> {
     pub(super) lists: Lists<C>,
     pub(super) change: Vec<SVector<f64, C>>,
     polygon: Option<(PolygonCone, Arc<Polygon<C>>)>,
@@ -35,7 +36,7 @@ pub(super) struct OnsetMemory<const D: usize, const C: usize> {
     place: Option<Box<OnsetEvent<C>>>,
 }
 
-impl<const D: usize, const C: usize> Default for OnsetMemory<D, C> {
+impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
     fn default() -> Self {
         Self {
             lists: Lists::default(),
@@ -56,13 +57,13 @@ impl<const D: usize, const C: usize> Default for OnsetMemory<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> OnsetMemory<D, C> {
+impl<D: Size, const C: usize> OnsetMemory<D, C> {
     /// The stretch from a base load on, along which drives change as noted in this memory, all contacts at rest.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine<D, C>,
         settings: &Settings,
-        course: Course<SVector<f64, D>>,
+        course: Course<Vector<D>>,
     ) -> Segment<'g, D, C> {
         let cone = Cone::of::<C>(settings);
         let mut lists = std::mem::take(&mut self.lists);

@@ -25,12 +25,13 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::search::{Doubt, Settings};
 
 /// The follower of a [`LoadPath`]: it keeps the pieces behind it.
 #[derive(Debug)]
-pub(crate) struct Pieces<'g, const D: usize, const C: usize> {
+pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g, D, C>,
     pub(super) node: Node<D, C>,
@@ -46,7 +47,7 @@ pub(crate) struct Pieces<'g, const D: usize, const C: usize> {
     step_error: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
@@ -58,7 +59,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 }
 
-impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
+impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     type Told = Event<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
@@ -117,13 +118,13 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C>
     }
 }
 
-impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Stands at the equilibrium to start from, if there is one.
     fn at_start(journey: &Journey<'g, D, C>, problem: &Problem<'g, D, C>) -> Result<Self, PathEnd<C>> {
         let found = journey.start(problem)?;
         // At rest: nothing changes yet.
         let change = journey.grasp.drive_changes(None, None);
-        let course = Course::Straight { from: problem.wrench, rate: SVector::zeros() };
+        let course = Course::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, cone, problem) = (journey.grasp, journey.cone(), problem.clone());
         let mut segment = Segment { grasp, cone, problem, change, course, largest: 0.0 };
         Ok(Self {
@@ -204,7 +205,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
             to,
             problem: self.segment.problem.clone(),
             change: self.segment.change.clone(),
-            course: self.segment.course,
+            course: self.segment.course.clone(),
             load: journey.program.course,
             states: self.node.states.clone(),
             here,

@@ -6,6 +6,7 @@ use super::onset::Onset;
 use super::ramp::Ramp;
 use crate::error::{Error, is_moderate};
 use crate::grasp::Engine;
+use crate::numerics::Size;
 use crate::search::Settings;
 
 /// Onset of sliding and limit load along one ramp, side by side; see [`Grasp::reserve`](crate::ask::Grasp::reserve).
@@ -46,7 +47,7 @@ impl RollingRange {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,

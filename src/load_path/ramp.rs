@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Size;
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
 /// change. τ has no unit; with a direction of 1 N it counts newtons.
@@ -90,17 +91,14 @@ impl<const C: usize> Ramp<C> {
     }
 
     /// What the drives of a grasp change by for each unit of the factor.
-    pub(crate) fn drive_changes<const D: usize>(
-        &self,
-        grasp: &Engine<D, C>,
-    ) -> Result<Vec<SVector<f64, C>>, Error> {
+    pub(crate) fn drive_changes<D: Size>(&self, grasp: &Engine<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
         let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
     /// [`Self::drive_changes`] in memory that is there.
-    pub(super) fn drive_changes_into<const D: usize>(
+    pub(super) fn drive_changes_into<D: Size>(
         &self,
         grasp: &Engine<D, C>,
         changes: &mut Vec<SVector<f64, C>>,

@@ -15,17 +15,17 @@
 //! T' δq - b' δλ = Σ G_i v_i (d_i·g_i) / e_i,     T' = T + h Σ G_i v_i (G_i c_i)ᵀ / e_i,     b' = b + h Σ G_i v_i (c_i·a_i') / e_i
 //! ```
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::arc::{Arc, Direction};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::Bordered;
+use crate::numerics::{Bordered, Size, Square, Vector};
 
 /// A direction that is turned by this angle to both sides, rad, for the derivative of a tangent: two thirds of the digits stay.
 const TURNED: f64 = 6e-6;
 
 /// A sliding contact at the start of a step.
-struct Turning<const D: usize, const C: usize> {
+struct Turning<D: Size, const C: usize> {
     contact: usize,
     tangent: Tangent<C>,
     /// |F_t|, N.
@@ -35,25 +35,25 @@ struct Turning<const D: usize, const C: usize> {
     /// v, N for one radian and one unit of arclength.
     change: SVector<f64, C>,
     /// G v.
-    push: SVector<f64, D>,
+    push: Vector<D>,
     /// c = Cᵀ d, N/m.
     felt: SVector<f64, C>,
     /// G c.
-    pull: SVector<f64, D>,
+    pull: Vector<D>,
 }
 
 /// J at the start of a step.
-pub(super) struct Relaxation<'f, 's, 'g, const D: usize, const C: usize> {
+pub(super) struct Relaxation<'f, 's, 'g, D: Size, const C: usize> {
     arc: &'f Arc<'s, 'g, D, C>,
     contacts: Vec<Turning<D, C>>,
     /// T and b.
-    stiffness: SMatrix<f64, D, D>,
-    load: SVector<f64, D>,
+    stiffness: Square<D>,
+    load: Vector<D>,
     way: Direction<D>,
 }
 
 /// The factors of 1 - hJ.
-pub(super) struct Damped<const D: usize> {
+pub(super) struct Damped<D: Size> {
     length: f64,
     /// Of `[T' | -b']` with the row of the path below.
     bordered: Bordered<D>,
@@ -61,7 +61,7 @@ pub(super) struct Damped<const D: usize> {
     sizes: Vec<f64>,
 }
 
-impl<'f, 's, 'g, const D: usize, const C: usize> Relaxation<'f, 's, 'g, D, C> {
+impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
     /// Of these friction forces, on the way of the path there.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g, D, C>,
@@ -91,14 +91,14 @@ impl<'f, 's, 'g, const D: usize, const C: usize> Relaxation<'f, 's, 'g, D, C> {
 
     /// Factors of 1 - hJ for steps of length h. `None` where it is singular.
     pub(super) fn damped(&self, length: f64) -> Option<Damped<D>> {
-        let (mut stiffness, mut load) = (self.stiffness, self.load);
+        let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
         for turning in &self.contacts {
             let size = turning.size - length * turning.across.dot(&turning.change);
             sizes.push(size);
             if turning.size > 0.0 {
-                let push = turning.push * (length / size);
-                stiffness += push * turning.pull.transpose();
+                let push = &turning.push * (length / size);
+                stiffness.add_product(&push, &turning.pull);
                 load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
             }
         }
@@ -110,13 +110,13 @@ impl<'f, 's, 'g, const D: usize, const C: usize> Relaxation<'f, 's, 'g, D, C> {
     /// from the places that a step goes through.
     pub(super) fn solve(&self, damped: &Damped<D>, side: &mut [f64]) {
         let length = damped.length;
-        let mut left = SVector::zeros();
+        let mut left = Vector::zeros();
         let mut angles = Vec::with_capacity(self.contacts.len());
         let entries = side.chunks_exact(C - 1).zip(&self.contacts).zip(&damped.sizes);
         for ((given, turning), size) in entries {
             let along = (1..C).map(|a| turning.across[a] * given[a - 1]).sum::<f64>();
             let angle = if turning.size > 0.0 { along / size } else { 0.0 };
-            left += turning.push * angle;
+            left += &turning.push * angle;
             angles.push(angle);
         }
         let way = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
@@ -128,8 +128,9 @@ impl<'f, 's, 'g, const D: usize, const C: usize> Relaxation<'f, 's, 'g, D, C> {
             let change = (turning.change * (angle + more) + force) * length;
             (1..C).for_each(|a| entry[a - 1] += change[a]);
         }
-        (0..D).for_each(|k| others[k] += length * way.twist[k]);
-        others[D] += length * way.factor;
+        let count = self.stiffness.size().count();
+        (0..count).for_each(|k| others[k] += length * way.twist[k]);
+        others[count] += length * way.factor;
     }
 }
 
@@ -144,11 +145,12 @@ mod tests {
     use crate::contact::{Polygon, Slide, State};
     use crate::equilibrium::Cone;
     use crate::grasp::Engine;
+    use crate::numerics::Fixed;
     use crate::object::Load;
     use crate::spatial::Contact;
 
     /// Fingers round a ball, softer one way than the other, all sliding but one; commands change with the factor.
-    fn fingers(ratio: f64) -> Engine<6, 3> {
+    fn fingers(ratio: f64) -> Engine<Fixed<6>, 3> {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
             let stiffness = [1.0, 0.8, 0.8 * ratio];
@@ -164,11 +166,11 @@ mod tests {
         for ratio in [1.0, 1.7] {
             let grasp = fingers(ratio);
             let polygon = Polygon::shared(&PolygonCone::default());
-            let load = Load::from(&SVector::zeros());
+            let load = Load::from(&Vector::zeros());
             let problem = grasp.problem(polygon, true, grasp.drives(), &load);
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
-            let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]);
-            let course = Course::Straight { from: SVector::zeros(), rate };
+            let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]).into();
+            let course = Course::Straight { from: Vector::zeros(), rate };
             let segment = Segment { grasp: &grasp, cone: Cone::Round, problem, change, course, largest: 0.0 };
             let angle = |i: u8| 0.7 * f64::from(i) + 0.4;
             let frictions: Vec<_> = (1..5)

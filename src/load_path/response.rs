@@ -1,10 +1,11 @@
 //! How an equilibrium answers to commands: the matrices of position control.
 
-use nalgebra::{DMatrix, DVector, DVectorView, SVector};
+use nalgebra::{DMatrix, DVector, DVectorView};
 
 use super::sensitivity::{Local, Parameter};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Engine, Twist, of_the_object};
+use crate::numerics::{Fixed, Size, Vector};
 use crate::object::least_combination;
 
 /// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
@@ -19,7 +20,7 @@ pub struct Response {
     pub forces: DMatrix<f64>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Sensitivity::response`](crate::ask::Sensitivity::response).
     pub(crate) fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
         let commands = (0..self.len() * C).map(|k| Parameter::Command { contact: k / C, axis: k % C });
@@ -69,16 +70,16 @@ impl Response {
             return None;
         }
         let command = DVector::from_vec(match wanted.len() {
-            3 => self.least_combination::<3>(wanted),
-            _ => self.least_combination::<6>(wanted),
+            3 => self.least_combination(Fixed::<3>, wanted),
+            _ => self.least_combination(Fixed::<6>, wanted),
         });
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
         (missed <= 1e-9 * wanted.norm()).then_some(command)
     }
 
-    fn least_combination<const D: usize>(&self, wanted: &[f64]) -> Vec<f64> {
-        let columns = self.twist.column_iter().map(|column| SVector::<f64, D>::from_fn(|k, _| column[k]));
-        least_combination(columns.collect(), &SVector::<f64, D>::from_column_slice(wanted))
+    fn least_combination<D: Size>(&self, size: D, wanted: &[f64]) -> Vec<f64> {
+        let columns = self.twist.column_iter().map(|column| Vector::from_fn(size, |k| column[k]));
+        least_combination(size, columns.collect(), &Vector::from_fn(size, |k| wanted[k]))
     }
 }

@@ -9,12 +9,12 @@ use super::turned::Turned;
 use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::anew;
+use crate::numerics::{Size, Vector, anew};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 #[derive(Debug, Clone)]
-pub(super) struct Segment<'g, const D: usize, const C: usize> {
+pub(super) struct Segment<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     pub(super) cone: Cone,
     /// At factor 0; its drives count from the slip so far.
@@ -22,22 +22,22 @@ pub(super) struct Segment<'g, const D: usize, const C: usize> {
     /// Rates of the drives; zero while the load turns.
     pub(super) change: Vec<SVector<f64, C>>,
     /// The load.
-    pub(super) course: Course<SVector<f64, D>>,
+    pub(super) course: Course<Vector<D>>,
     /// The largest force on the way so far, N. Where all forces vanish together none of them is a yardstick for the others.
     pub(super) largest: f64,
 }
 
 /// The state at a factor and its rates.
 #[derive(Debug, Clone)]
-pub(super) struct Here<const D: usize, const C: usize> {
+pub(super) struct Here<D: Size, const C: usize> {
     pub(super) lines: Vec<Line<C>>,
-    pub(super) twist: SVector<f64, D>,
-    pub(super) twist_rate: SVector<f64, D>,
+    pub(super) twist: Vector<D>,
+    pub(super) twist_rate: Vector<D>,
     /// Of the factor: one on a straight piece, where rates are those for one unit of it, and less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
-    pub(super) free_motions: Vec<SVector<f64, D>>,
-    pub(super) neutral_motions: Vec<SVector<f64, D>>,
+    pub(super) free_motions: Vec<Vector<D>>,
+    pub(super) neutral_motions: Vec<Vector<D>>,
     /// The linear piece of these states.
     pub(super) piece: std::sync::Arc<Piece<D, C>>,
     pub(super) gaps: Vec<GapLine>,
@@ -48,15 +48,15 @@ pub(super) struct Here<const D: usize, const C: usize> {
     pub(super) turned: Option<std::sync::Arc<Turned<D, C>>>,
 }
 
-impl<const D: usize, const C: usize> Here<D, C> {
+impl<D: Size, const C: usize> Here<D, C> {
     /// Forces and twist after a step, as far as can be told from here.
     pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
-            return PieceState { forces, twist: self.twist + twist };
+            return PieceState { forces, twist: &self.twist + twist };
         }
         let forces = self.lines.iter().map(|line| line.force + line.rate * step).collect();
-        PieceState { forces, twist: self.twist + self.twist_rate * step }
+        PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
     /// The same state with rates for this part of the way.
@@ -75,14 +75,14 @@ impl<const D: usize, const C: usize> Here<D, C> {
     }
 }
 
-impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
+impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is that nearest to
     /// `near`: nothing drives the object along them.
     pub(super) fn look(
         &self,
         states: &[State<C>],
         factor: f64,
-        near: Option<&SVector<f64, D>>,
+        near: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
@@ -97,7 +97,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
-            twist: base.twist + rate.twist * factor,
+            twist: &base.twist + &rate.twist * factor,
         });
         Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
@@ -115,8 +115,8 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     }
 
     /// From a factor on nothing resists this motion.
-    pub(super) fn unbalanced(&self, factor: f64, motion: Option<SVector<f64, D>>) -> NoEquilibrium<C> {
-        let v = motion.unwrap_or_else(SVector::zeros);
+    pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector<D>>) -> NoEquilibrium<C> {
+        let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
         let proof = Proof::FreeMotion { motion: self.grasp.motion_outside(&v), work };
         NoEquilibrium { proof }
@@ -138,12 +138,10 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
-        let sizes =
-            |drives: &[SVector<f64, C>], twist: &SVector<f64, D>, load: f64, forces: &[SVector<f64, C>]| {
-                let travel =
-                    sites.iter().zip(drives).map(|(site, a)| site.span(a, twist)).fold(0.0, f64::max);
-                [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
-            };
+        let sizes = |drives: &[SVector<f64, C>], twist: &Vector<D>, load: f64, forces: &[SVector<f64, C>]| {
+            let travel = sites.iter().zip(drives).map(|(site, a)| site.span(a, twist)).fold(0.0, f64::max);
+            [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
+        };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
         let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
@@ -170,7 +168,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         Here {
             lines,
             twist,
-            twist_rate: rate.twist,
+            twist_rate: rate.twist.clone(),
             factor_rate,
             free_motions: piece.free_motions().to_vec(),
             neutral_motions: piece.neutral_motions(),
@@ -188,18 +186,18 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         &self,
         piece: &Piece<D, C>,
         factor: f64,
-        near: Option<&SVector<f64, D>>,
+        near: Option<&Vector<D>>,
     ) -> Option<PieceState<D, C>> {
         let wrench = self.course.at(factor);
         let PieceState { mut forces, mut twist } =
             piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
         if let Some(near) = near {
             for v in piece.free_motions() {
-                twist += v * v.dot(&(near - twist));
+                twist += v * v.dot(&(near - &twist));
             }
             for v in &piece.neutral_motions() {
-                let shift = v * v.dot(&(near - twist));
-                twist += shift;
+                let shift = v * v.dot(&(near - &twist));
+                twist += &shift;
                 for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
                     *f += change;
                 }
@@ -242,7 +240,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
     /// The local problem at a factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, D, C> {
         let wrench = self.course.at(factor);
-        Problem { drives: self.drives(factor), wrench, wrench_rest: SVector::zeros(), ..self.problem.clone() }
+        Problem { drives: self.drives(factor), wrench, wrench_rest: Vector::zeros(), ..self.problem.clone() }
     }
 
     /// The slip of a contact so far becomes memory: its springs count from there.
@@ -250,7 +248,7 @@ impl<'g, const D: usize, const C: usize> Segment<'g, D, C> {
         &mut self,
         contact: usize,
         factor: f64,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         force: &SVector<f64, C>,
     ) {
         let site = &self.grasp.sites()[contact];

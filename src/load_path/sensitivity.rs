@@ -14,12 +14,13 @@
 
 use std::sync::Arc;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Motion, Twist, Wrench, of_the_object};
+use crate::numerics::{Map, Size, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
@@ -98,7 +99,7 @@ pub struct Derivative<const C: usize> {
     pub forces: Vec<SVector<f64, C>>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
         let local = Local::new(self, equilibrium)?;
@@ -110,20 +111,20 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// An equilibrium with its piece.
-pub(super) struct Local<'g, const D: usize, const C: usize> {
+pub(super) struct Local<'g, D: Size, const C: usize> {
     grasp: &'g Engine<D, C>,
     pub(super) problem: Problem<'g, D, C>,
     pub(super) states: Vec<State<C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) piece: Piece<D, C>,
     /// In inside coordinates.
-    twist: SVector<f64, D>,
+    twist: Vector<D>,
 }
 
 /// What of a force is less than this part of the stiffest spring's, were the whole motion its stretch, is rounding.
 const FREE: f64 = 1e-9;
 
-impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
+impl<'g, D: Size, const C: usize> Local<'g, D, C> {
     pub(super) fn new(grasp: &'g Engine<D, C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
         if equilibrium.contacts.len() != grasp.len() {
             return None;
@@ -132,7 +133,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             Cone::Polygon(cone) => Polygon::new(&cone),
             _ => Polygon::new(&Settings::default().cone),
         };
-        let nothing = Load::from(&SVector::zeros());
+        let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(Arc::new(polygon), false, grasp.drives(), &nothing);
         let states = equilibrium.local.states.clone();
         let piece = Piece::new(&problem, &states);
@@ -140,10 +141,10 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
         Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist.to() })
     }
 
-    pub(super) fn derivative(&self, by: Parameter) -> Option<(SVector<f64, D>, Vec<SVector<f64, C>>)> {
+    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector<D>, Vec<SVector<f64, C>>)> {
         let n = self.problem.len();
         let mut drives = vec![SVector::zeros(); n];
-        let mut wrench = SVector::zeros();
+        let mut wrench = Vector::zeros();
         let mut direct: Vec<(usize, SVector<f64, C>)> = Vec::new();
         let (contacts, actuators) = (self.grasp.len(), self.grasp.joint_commands().len());
         match by {
@@ -178,17 +179,17 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             Parameter::Point { contact, .. } | Parameter::Normal { contact, .. } if contact < contacts => {
                 let change = self.map_change(contact, by)?;
                 drives[contact] = -change.tr_mul(&self.twist);
-                wrench = change * self.forces[contact];
+                wrench = &change * self.forces[contact];
             }
             Parameter::Load { component } if component < of_the_object::<C>() => {
-                let mut unit = SVector::<f64, D>::zeros();
+                let mut unit = Vector::<D>::zeros();
                 unit[component] = 1.0;
                 wrench = self.grasp.inside_unchecked(&Wrench::among(&unit));
             }
             _ => return None,
         }
         for (site, f) in &direct {
-            wrench += self.problem.sites[*site].map * f;
+            wrench += &self.problem.sites[*site].map * f;
         }
         let mut solved = self.piece.solve(self.grasp.sites(), &drives, &wrench).ok()?;
         for (site, f) in direct {
@@ -199,7 +200,7 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
 
     /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` as well where a motion that is
     /// free would be held in another geometry: how far it goes then is not said by small changes.
-    fn map_change(&self, contact: usize, by: Parameter) -> Option<SMatrix<f64, D, C>> {
+    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map<D, C>> {
         let site = &self.problem.sites[contact];
         let change = match by {
             Parameter::Point { axis, .. } if axis < C && self.grasp.linkage().is_none() => {
@@ -208,11 +209,11 @@ impl<'g, const D: usize, const C: usize> Local<'g, D, C> {
             Parameter::Normal { axis, .. } => map_by_normal(site, axis)?,
             _ => return None,
         };
-        let stays_free = |motion: &SVector<f64, D>| {
+        let stays_free = |motion: &Vector<D>| {
             let mut drives = vec![SVector::zeros(); self.problem.len()];
             drives[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
-            let felt = self.piece.solve(self.grasp.sites(), &drives, &SVector::zeros()).ok();
+            let felt = self.piece.solve(self.grasp.sites(), &drives, &Vector::zeros()).ok();
             felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= FREE * alone))
         };
         self.piece.free_motions().iter().all(stays_free).then_some(change)

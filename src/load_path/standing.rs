@@ -9,6 +9,7 @@ use super::segment::{Here, Segment};
 use super::watch::is_vanishing;
 use crate::contact::{Line, Stand, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
+use crate::numerics::Size;
 use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
 
@@ -17,17 +18,14 @@ const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are the rounding of what the softest spring would do from these displacements. Which contacts press is then a matter of
 /// that rounding, and none of them does.
-fn carries_nothing<const D: usize, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    at: &PieceState<D, C>,
-) -> bool {
+fn carries_nothing<D: Size, const C: usize>(segment: &Segment<'_, D, C>, at: &PieceState<D, C>) -> bool {
     let problem = &segment.problem;
     let largest = at.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, &at.twist));
     largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
 }
 
-impl<const D: usize, const C: usize> Node<D, C> {
+impl<D: Size, const C: usize> Node<D, C> {
     /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
     /// say. What slipped from rest to here becomes memory.
     pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Found<D, C>) -> Self {

@@ -6,6 +6,7 @@ use super::first_exits::Standing;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
+use crate::numerics::Size;
 use crate::object::PieceState;
 use crate::search::Doubt;
 
@@ -15,7 +16,7 @@ const MOST_STALLS: usize = 64;
 /// A step is known to this part at least; a larger correction says that there is something else wrong with it.
 const ROUGHLY: f64 = 1e-6;
 
-impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Goes along the present piece to its end: the next edge, or the end of the leg. Whether that is done.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.clone() else {

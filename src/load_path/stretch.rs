@@ -9,19 +9,20 @@ use super::segment::{Here, Segment};
 use crate::contact::{Line, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::search::{Effort, Found, Rung};
 
 /// What is needed to tell the state at any fraction on the way.
 #[derive(Debug)]
-pub(super) struct Stretch<'g, const D: usize, const C: usize> {
+pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
     /// The local problem at fraction 0 of the leg, with the slip so far, the rates of its drives, and how its load goes.
     pub(super) problem: Problem<'g, D, C>,
     pub(super) change: Vec<SVector<f64, C>>,
-    pub(super) course: Course<SVector<f64, D>>,
+    pub(super) course: Course<Vector<D>>,
     /// How the load of the question goes.
     pub(super) load: Course<Wrench<C>>,
     pub(super) states: Vec<State<C>>,
@@ -43,7 +44,7 @@ pub(super) struct Bend {
     pub(super) rule: Rule,
 }
 
-impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
+impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     /// The equilibrium at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
     pub(super) fn state_at(
         &self,
@@ -66,7 +67,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             }
             _ => (
                 self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect(),
-                self.here.twist * (1.0 - part) + self.there.twist * part,
+                &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
         // Those of what turns are the largest on its way.
@@ -92,7 +93,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
             self.there.clone()
         } else if fraction <= self.from {
             let forces = self.here.lines.iter().map(|line| line.force).collect();
-            PieceState { forces, twist: self.here.twist }
+            PieceState { forces, twist: self.here.twist.clone() }
         } else {
             let flow = Flow::new(&segment, &self.states, self.from, &self.here, bend.unit);
             let r = flow.reach_factor(fraction, bend.length, bend.rule);
@@ -122,7 +123,7 @@ impl<'g, const D: usize, const C: usize> Stretch<'g, D, C> {
 
     fn segment(&self, grasp: &'g Engine<D, C>, cone: Cone) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
-        Segment { grasp, cone, problem, change, course: self.course, largest: 0.0 }
+        Segment { grasp, cone, problem, change, course: self.course.clone(), largest: 0.0 }
     }
 
     fn equilibrium(

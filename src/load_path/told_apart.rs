@@ -5,8 +5,9 @@ use super::event::Change;
 use super::onset::{Departure, Leaving};
 use super::onset_margins::Leaver;
 use crate::grasp::{Engine, HandPart, Role};
+use crate::numerics::Size;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// Changes of contacts, and those of drives by the names of their owners.
     pub(super) fn told_apart(&self, changes: Vec<(usize, Change<C>)>) -> Told<(usize, Change<C>)> {
         let (contacts, drives): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(i, _)| *i < self.len());

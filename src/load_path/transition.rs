@@ -6,6 +6,7 @@ use super::event::Change;
 use crate::contact::{Mode, State};
 use crate::forms::kinematic_form;
 use crate::lcp::MatrixClass;
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::{Found, combinations, search};
 
@@ -16,7 +17,7 @@ const FEW_COMBINATIONS: f64 = 256.0;
 const MOST_ROWS: usize = 64;
 
 /// Nothing changes: the states so far in terms of the laws of the rates, if these have them.
-pub(super) fn nothing_changes<const D: usize, const C: usize>(
+pub(super) fn nothing_changes<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     rates: &Problem<D, C>,
     states: &[State<C>],
@@ -46,10 +47,7 @@ pub(super) fn change<const C: usize>(
 
 /// How many other solutions the rates have: other forces, or other motions than one along what is free anyway. None if a P-matrix says
 /// that there is only one; else all combinations of states are tried if they are few.
-pub(super) fn others<const D: usize, const C: usize>(
-    rates: &Problem<D, C>,
-    found: &Found<D, C>,
-) -> Option<usize> {
+pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> Option<usize> {
     // What polygons say of an apex is not true of the round cone.
     if rates.round {
         return None;
@@ -64,7 +62,7 @@ pub(super) fn others<const D: usize, const C: usize>(
     let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
     for other in search(rates, false).found {
         let same = |known: &Found<D, C>| {
-            let mut apart = known.twist - other.twist;
+            let mut apart = &known.twist - &other.twist;
             for v in known.free_motions.iter().chain(&other.free_motions) {
                 apart -= v * v.dot(&apart);
             }
@@ -80,7 +78,7 @@ pub(super) fn others<const D: usize, const C: usize>(
 }
 
 /// Whether the kinematic form of the rates has a P-matrix: one solution whatever the load does.
-fn has_one_solution<const D: usize, const C: usize>(rates: &Problem<D, C>) -> bool {
+fn has_one_solution<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
     let rows: usize = rates.locals().map(|local| local.pairs()).sum();
     if rows == 0 || rows > MOST_ROWS {
         return rows == 0;

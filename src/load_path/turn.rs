@@ -8,7 +8,7 @@ use super::course::Course;
 use super::onset_margins::Leaver;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, Size, Vector};
 
 /// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
 ///
@@ -79,7 +79,7 @@ impl<const C: usize> Turn<C> {
     }
 
     /// In inside coordinates, once checked; what acts on joints whatever they do belongs to the constant part.
-    pub(crate) fn inside<const D: usize>(&self, grasp: &Engine<D, C>) -> Harmonic<SVector<f64, D>> {
+    pub(crate) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Harmonic<Vector<D>> {
         inside(grasp, &self.load)
     }
 
@@ -184,10 +184,10 @@ impl Turn<3> {
 }
 
 /// A load that turns in inside coordinates, once checked.
-pub(super) fn inside<const D: usize, const C: usize>(
+pub(super) fn inside<D: Size, const C: usize>(
     grasp: &Engine<D, C>,
     load: &Harmonic<Wrench<C>>,
-) -> Harmonic<SVector<f64, D>> {
+) -> Harmonic<Vector<D>> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
         cosine: grasp.inside_unchecked(&load.cosine),

@@ -10,6 +10,7 @@ use super::onset_workspace::OnsetMemory;
 use super::turn::{Touch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
+use crate::numerics::Size;
 use crate::search::Settings;
 
 /// The answer to "at which angle does the first contact leave rolling?"
@@ -23,14 +24,14 @@ pub struct TurnOnset<const C: usize> {
     pub touches: Vec<Touch>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     pub(crate) fn onset_of_turn(&self, turn: &Turn<C>, settings: &Settings) -> Result<TurnOnset<C>, Error> {
         turn.check()?;
         let inside = turn.inside(self);
         let mut memory = OnsetMemory::default();
         memory.change = self.drive_changes(None, None);
-        let segment = memory.segment(self, settings, Course::Turn { load: inside, angle: 1.0 });
+        let segment = memory.segment(self, settings, Course::Turn { load: inside.clone(), angle: 1.0 });
         if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
             let onset = match happens {
                 WhileTurning::Never => Onset::Never,

@@ -1,24 +1,22 @@
 //! While states last, forces and motions turn with the load, and the first way out is a root of a trigonometric polynomial.
 
-use nalgebra::SVector;
-
 use super::first_exits::FirstExits;
 use crate::contact::{Exit, State, TurningExit, Wave};
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{PieceState, Problem};
 
 /// How everything turns from a place on, while contacts keep their states.
 #[derive(Debug)]
-pub(super) struct Turned<const D: usize, const C: usize> {
+pub(super) struct Turned<D: Size, const C: usize> {
     /// Force and stretch of every contact.
     pub(super) waves: Vec<[Wave<C>; 2]>,
-    pub(super) twist: Harmonic<SVector<f64, D>>,
-    pub(super) load: Harmonic<SVector<f64, D>>,
+    pub(super) twist: Harmonic<Vector<D>>,
+    pub(super) load: Harmonic<Vector<D>>,
     /// For one unit of the factor, rad.
     pub(super) angle: f64,
 }
 
-impl<const D: usize, const C: usize> Turned<D, C> {
+impl<D: Size, const C: usize> Turned<D, C> {
     /// Forces after a step of the factor, and what the twist changes by.
     pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
         let angle = self.angle * step;

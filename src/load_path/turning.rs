@@ -25,6 +25,7 @@ use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watched, watch};
 use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
+use crate::numerics::Size;
 use crate::search::Doubt;
 
 /// The first step turns the fastest contact by this angle, as far as can be told from the rate there.
@@ -47,7 +48,7 @@ const APPROACH: f64 = 0.5;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
-impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.take() else {
@@ -59,7 +60,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
         } else {
             let unit = self.displacement_rate(&here);
             self.pace.unit = Some(unit);
-            here.slowed(1.0 / (here.twist_rate / unit).norm().hypot(1.0))
+            here.slowed(1.0 / (&here.twist_rate / unit).norm().hypot(1.0))
         };
         self.here = Some(here.clone());
         if self.slides_away(&here) {
@@ -257,7 +258,7 @@ impl<'g, const D: usize, const C: usize> Pieces<'g, D, C> {
     fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<C> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
-        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(motion))))
+        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(&motion))))
     }
 }
 

@@ -9,13 +9,13 @@ use super::segment::{Here, Segment};
 use super::turned::Turned;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{Piece, PieceState};
 
 /// A rate below this part of the fastest is none: its angle is known to the rounding of a full turn.
 const TURNS_BACK: f64 = 1e-12;
 
-impl<const D: usize, const C: usize> Segment<'_, D, C> {
+impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// Whether the load turns back at a factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Course::Turn { load, angle } = &self.course else { return false };
@@ -26,13 +26,13 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
     pub(super) fn look_round(
         &self,
         piece: &Arc<Piece<D, C>>,
-        (load, angle): (&Harmonic<SVector<f64, D>>, f64),
+        (load, angle): (&Harmonic<Vector<D>>, f64),
         factor: f64,
-        near: Option<&SVector<f64, D>>,
+        near: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
-        let solved = |drives: &[SVector<f64, C>], load: &SVector<f64, D>| {
+        let solved = |drives: &[SVector<f64, C>], load: &Vector<D>| {
             piece.solve(self.problem.sites, drives, load).map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
@@ -42,7 +42,7 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
         };
         let rate = PieceState {
             forces: parts.sine.forces.iter().map(|force| force * angle).collect(),
-            twist: parts.sine.twist * angle,
+            twist: &parts.sine.twist * angle,
         };
         let at = self.state(piece, factor, near).unwrap_or_else(|| PieceState {
             forces: parts
@@ -52,7 +52,7 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
                 .zip(&parts.cosine.forces)
                 .map(|(f, more)| f + more)
                 .collect(),
-            twist: parts.constant.twist + parts.cosine.twist,
+            twist: &parts.constant.twist + &parts.cosine.twist,
         });
         let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.turned(&onward, angle, &parts);
@@ -79,7 +79,7 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
     /// How everything turns. The parts are the states under the parts of the load, the first with the drives.
     pub(super) fn turned(
         &self,
-        load: &Harmonic<SVector<f64, D>>,
+        load: &Harmonic<Vector<D>>,
         angle: f64,
         parts: &Harmonic<PieceState<D, C>>,
     ) -> Turned<D, C> {
@@ -106,6 +106,6 @@ impl<const D: usize, const C: usize> Segment<'_, D, C> {
             [force, Wave { of, size, turning_size }]
         };
         let waves = (0..sites.len()).map(wave).collect();
-        Turned { waves, twist: parts.map(|part| part.twist), load: *load, angle }
+        Turned { waves, twist: parts.map(|part| part.twist.clone()), load: load.clone(), angle }
     }
 }

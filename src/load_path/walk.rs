@@ -9,11 +9,12 @@ use super::segment::{Here, Segment};
 use crate::contact::{Stand, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
-pub(super) struct Walk<'a, const D: usize, const C: usize> {
+pub(super) struct Walk<'a, D: Size, const C: usize> {
     pub(super) segment: Segment<'a, D, C>,
     /// The load as the question has it.
     pub(super) course: Course<Wrench<C>>,
@@ -26,7 +27,7 @@ pub(super) struct Walk<'a, const D: usize, const C: usize> {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-impl<const D: usize, const C: usize> Walk<'_, D, C> {
+impl<D: Size, const C: usize> Walk<'_, D, C> {
     pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
         let mut reached: Option<Standing<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
@@ -125,7 +126,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
         let found = Found {
             free_motions: here.free_motions.clone(),
             sizes: here.sizes,
-            ..Found::new(states, forces, here.twist)
+            ..Found::new(states, forces, here.twist.clone())
         };
         let place = (self.factor, self.course.at(self.factor));
         let event = OnsetEvent::new(
@@ -146,7 +147,7 @@ impl<const D: usize, const C: usize> Walk<'_, D, C> {
 }
 
 /// Where these ways out lead to. A contact without one touches without force.
-fn stands<const D: usize, const C: usize>(
+fn stands<D: Size, const C: usize>(
     states: &[State<C>],
     here: &Here<D, C>,
     standing: &Standing<C>,

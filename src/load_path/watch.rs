@@ -2,6 +2,7 @@
 
 use super::segment::{Here, Segment};
 use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
+use crate::numerics::Size;
 
 /// On an arc a value carries the error of the steps besides rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;
@@ -62,7 +63,7 @@ pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
 }
 
 /// The conditions in these states.
-pub(super) fn watch<const D: usize, const C: usize>(
+pub(super) fn watch<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     states: &[State<C>],
     (factor, here): (f64, &Here<D, C>),

@@ -7,40 +7,44 @@
 //!
 //! T alone may be singular on the way, the bordered matrix of an exact basis is not.
 
-use nalgebra::{SMatrix, SVector};
-
-/// One row of a bordered matrix.
-#[derive(Debug, Clone, Copy)]
-struct Row<const D: usize> {
-    body: [f64; D],
-    last: f64,
-}
+use super::coordinates::{Size, Square, Vector};
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
-pub(crate) struct Bordered<const D: usize> {
-    rows: [Row<D>; D],
+pub(crate) struct Bordered<D: Size> {
+    /// Row by row: a row is a column of this.
+    rows: Square<D>,
+    /// What of these rows is in the last column.
+    last: Vector<D>,
     /// The row below them.
-    border: Row<D>,
-    /// Where the rows come from, the border being D.
-    order: [usize; D],
+    border: Vector<D>,
+    corner: f64,
+    /// Where the rows come from, the border being d.
+    order: D::Indices,
     order_of_border: usize,
 }
 
-impl<const D: usize> Default for Bordered<D> {
+impl<D: Size> Default for Bordered<D> {
     /// Those of no matrix yet.
     fn default() -> Self {
-        let row = Row { body: [0.0; D], last: 0.0 };
-        Self { rows: [row; D], border: row, order: [0; D], order_of_border: 0 }
+        let size = D::default();
+        Self {
+            rows: Square::zeros(size),
+            last: Vector::zeros(),
+            border: Vector::zeros(),
+            corner: 0.0,
+            order: size.in_order(),
+            order_of_border: 0,
+        }
     }
 }
 
-impl<const D: usize> Bordered<D> {
+impl<D: Size> Bordered<D> {
     /// `None` if the matrix is singular.
     pub(crate) fn new(
-        stiffness: &SMatrix<f64, D, D>,
-        cover: &SVector<f64, D>,
-        gradient: &SVector<f64, D>,
+        stiffness: &Square<D>,
+        cover: &Vector<D>,
+        gradient: &Vector<D>,
         corner: f64,
     ) -> Option<Self> {
         let mut factors = Self::default();
@@ -51,107 +55,121 @@ impl<const D: usize> Bordered<D> {
     /// The factors of another matrix, in the same memory. `None` if it is singular: then they are those of none.
     pub(crate) fn assign(
         &mut self,
-        stiffness: &SMatrix<f64, D, D>,
-        cover: &SVector<f64, D>,
-        gradient: &SVector<f64, D>,
+        stiffness: &Square<D>,
+        cover: &Vector<D>,
+        gradient: &Vector<D>,
         corner: f64,
     ) -> Option<()> {
-        for (i, row) in self.rows.iter_mut().enumerate() {
-            *row = Row { body: std::array::from_fn(|j| stiffness[(i, j)]), last: cover[i] };
+        let size = stiffness.size();
+        let d = size.count();
+        if self.rows.size() != size {
+            (self.rows, self.order) = (Square::zeros(size), size.in_order());
         }
-        self.border = Row { body: std::array::from_fn(|j| gradient[j]), last: corner };
-        (self.order, self.order_of_border) = (std::array::from_fn(|i| i), D);
-        for k in 0..D {
+        for i in 0..d {
+            let row = self.rows.column_slice_mut(i);
+            for j in 0..d {
+                row[j] = stiffness[(i, j)];
+            }
+        }
+        self.last = Vector::from_fn(size, |i| cover[i]);
+        self.border = Vector::from_fn(size, |j| gradient[j]);
+        self.corner = corner;
+        self.order.as_mut().iter_mut().enumerate().for_each(|(i, order)| *order = i);
+        self.order_of_border = d;
+        for k in 0..d {
             self.eliminate(k)?;
         }
-        self.border.last = inverse(self.border.last)?;
+        self.corner = inverse(self.corner)?;
         Some(())
     }
 
     /// Makes column k zero below its pivot, which is the largest entry there.
     fn eliminate(&mut self, k: usize) -> Option<()> {
-        let Self { rows, border, order, order_of_border } = self;
-        let (mut pivot, mut most) = (k, rows[k].body[k].abs());
-        for i in k + 1..D {
-            if rows[i].body[k].abs() > most {
-                (pivot, most) = (i, rows[i].body[k].abs());
+        let d = self.rows.size().count();
+        let Self { rows, last, border, corner, order, order_of_border } = self;
+        let (last, border, order) = (last.as_mut_slice(), border.as_mut_slice(), order.as_mut());
+        let (before, behind) = rows.as_mut_slice().split_at_mut((k + 1) * d);
+        let top = &mut before[k * d..];
+        let (mut pivot, mut most) = (k, top[k].abs());
+        for (i, row) in (k + 1..d).zip(behind.chunks_exact(d)) {
+            if row[k].abs() > most {
+                (pivot, most) = (i, row[k].abs());
             }
         }
-        if border.body[k].abs() > most {
-            std::mem::swap(&mut rows[k], border);
+        if border[k].abs() > most {
+            top.swap_with_slice(border);
+            std::mem::swap(&mut last[k], corner);
             std::mem::swap(&mut order[k], order_of_border);
         } else if pivot != k {
-            rows.swap(k, pivot);
+            top.swap_with_slice(&mut behind[(pivot - k - 1) * d..][..d]);
+            last.swap(k, pivot);
             order.swap(k, pivot);
         }
-        let inverse = inverse(rows[k].body[k])?;
+        let inverse = inverse(top[k])?;
         // Only needed to divide by.
-        rows[k].body[k] = inverse;
+        top[k] = inverse;
         // With zeros up to the pivot every row is one loop of fixed length, which is faster.
-        let row = std::array::from_fn::<_, D, _>(|j| if j > k { rows[k].body[j] } else { 0.0 });
-        let last = rows[k].last;
-        for below in rows[k + 1..].iter_mut().chain(std::iter::once(border)) {
-            let factor = below.body[k] * inverse;
-            for j in 0..D {
-                below.body[j] -= factor * row[j];
+        let row = Vector::<D>::from_fn(D::of(d), |j| if j > k { top[j] } else { 0.0 });
+        let top_last = last[k];
+        let below = behind.chunks_exact_mut(d).zip(&mut last[k + 1..]);
+        for (below, below_last) in below.chain(std::iter::once((border, corner))) {
+            let factor = below[k] * inverse;
+            for (x, top) in below.iter_mut().zip(row.iter()) {
+                *x -= factor * top;
             }
-            below.body[k] = factor;
-            below.last -= factor * last;
+            below[k] = factor;
+            *below_last -= factor * top_last;
         }
         Some(())
     }
 
     /// The least pivot over the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
-        let inverses = (0..D).map(|k| self.rows[k].body[k]).chain(std::iter::once(self.border.last));
+        let inverses =
+            (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(std::iter::once(self.corner));
         let pivots = inverses.map(|inverse| 1.0 / inverse.abs());
         let [least, largest] = [f64::min, f64::max].map(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
         least / largest
     }
 
-    pub(crate) fn solve(&self, balance: &SVector<f64, D>, last: f64) -> (SVector<f64, D>, f64) {
-        self.solve_each([(balance, last)])[0]
+    pub(crate) fn solve(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+        let [solution] = self.solve_each([(balance, last)]);
+        solution
     }
 
     /// Solutions for several right-hand sides.
-    pub(crate) fn solve_each<const R: usize>(
-        &self,
-        sides: [(&SVector<f64, D>, f64); R],
-    ) -> [(SVector<f64, D>, f64); R] {
-        let given = |from: usize| sides.map(|(balance, last)| if from == D { last } else { balance[from] });
-        let mut x: [[f64; R]; D] = std::array::from_fn(|i| given(self.order[i]));
+    pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector<D>, f64); R]) -> [(Vector<D>, f64); R] {
+        sides.map(|(balance, last)| self.solved(balance, last))
+    }
+
+    fn solved(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+        let size = self.rows.size();
+        let d = size.count();
+        let given = |from: usize| if from == d { last } else { balance[from] };
+        let order = self.order.as_ref();
+        let mut solution = Vector::<D>::from_fn(size, |i| given(order[i]));
         let mut z = given(self.order_of_border);
-        for j in 0..D {
+        let (x, border, lasts) = (solution.as_mut_slice(), self.border.as_slice(), self.last.as_slice());
+        let rows = self.rows.as_slice();
+        for j in 0..d {
             let known = x[j];
-            for i in j + 1..D {
-                for r in 0..R {
-                    x[i][r] -= self.rows[i].body[j] * known[r];
-                }
+            for i in j + 1..d {
+                x[i] -= rows[i * d + j] * known;
             }
-            for r in 0..R {
-                z[r] -= self.border.body[j] * known[r];
-            }
+            z -= border[j] * known;
         }
-        for r in 0..R {
-            z[r] *= self.border.last;
+        z *= self.corner;
+        for i in 0..d {
+            x[i] -= lasts[i] * z;
         }
-        for i in 0..D {
-            for r in 0..R {
-                x[i][r] -= self.rows[i].last * z[r];
-            }
-        }
-        for j in (0..D).rev() {
-            for r in 0..R {
-                x[j][r] *= self.rows[j].body[j];
-            }
+        for j in (0..d).rev() {
+            x[j] *= rows[j * d + j];
             let known = x[j];
             for i in 0..j {
-                for r in 0..R {
-                    x[i][r] -= self.rows[i].body[j] * known[r];
-                }
+                x[i] -= rows[i * d + j] * known;
             }
         }
-        std::array::from_fn(|r| (SVector::from_fn(|i, _| x[i][r]), z[r]))
+        (solution, z)
     }
 }
 

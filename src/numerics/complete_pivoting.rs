@@ -1,6 +1,6 @@
 //! A small linear system with complete pivoting that says what it could not resolve.
 
-use nalgebra::{SMatrix, SVector};
+use crate::numerics::{Size, Square, Vector};
 
 /// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors
 /// (entries at most one, noise near 1e-16), so anything smaller is a singular state, not a stiff one.
@@ -8,19 +8,19 @@ const SINGULAR: f64 = 1e-13;
 
 /// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
 #[derive(Debug, Clone)]
-pub(crate) struct CompletePivoting<const D: usize> {
-    lu: SMatrix<f64, D, D>,
-    row_order: [usize; D],
-    col_order: [usize; D],
+pub(crate) struct CompletePivoting<D: Size> {
+    lu: Square<D>,
+    row_order: D::Indices,
+    col_order: D::Indices,
     rows: usize,
     cols: usize,
     rank: usize,
 }
 
-impl<const D: usize> CompletePivoting<D> {
-    pub(crate) fn new(mut a: SMatrix<f64, D, D>, rows: usize, cols: usize) -> Self {
-        let mut row_order: [usize; D] = std::array::from_fn(|i| i);
-        let mut col_order = row_order;
+impl<D: Size> CompletePivoting<D> {
+    pub(crate) fn new(mut a: Square<D>, rows: usize, cols: usize) -> Self {
+        let mut row_order = a.size().in_order();
+        let mut col_order = row_order.clone();
         let mut rank = 0;
         let mut largest = 0.0_f64;
         while rank < rows.min(cols) {
@@ -41,8 +41,8 @@ impl<const D: usize> CompletePivoting<D> {
             }
             a.swap_rows(k, pi);
             a.swap_columns(k, pj);
-            row_order.swap(k, pi);
-            col_order.swap(k, pj);
+            row_order.as_mut().swap(k, pi);
+            col_order.as_mut().swap(k, pj);
             let pivot = a[(k, k)];
             for i in k + 1..rows {
                 a[(i, k)] /= pivot;
@@ -59,44 +59,44 @@ impl<const D: usize> CompletePivoting<D> {
     }
 
     /// A solution of `A x = b` with zeros in the free columns, and how much of b no x can reach.
-    pub(crate) fn solve(&self, b: &SVector<f64, D>) -> (SVector<f64, D>, f64) {
-        let mut y = SVector::<f64, D>::zeros();
+    pub(crate) fn solve(&self, b: &Vector<D>) -> (Vector<D>, f64) {
+        let mut y = Vector::<D>::zeros();
         for i in 0..self.rows {
             let known: f64 = (0..i.min(self.rank)).map(|j| self.lu[(i, j)] * y[j]).sum();
-            y[i] = b[self.row_order[i]] - known;
+            y[i] = b[self.row_order.as_ref()[i]] - known;
         }
         let unreached = (self.rank..self.rows).map(|i| y[i].abs()).fold(0.0, f64::max);
         (self.back(&y), unreached)
     }
 
     /// A basis of {x : A x = 0}.
-    pub(crate) fn kernel(&self) -> Vec<SVector<f64, D>> {
+    pub(crate) fn kernel(&self) -> Vec<Vector<D>> {
         (self.rank..self.cols)
             .map(|free| {
-                let mut y = SVector::<f64, D>::zeros();
+                let mut y = Vector::<D>::zeros();
                 for i in 0..self.rank {
                     y[i] = -self.lu[(i, free)];
                 }
                 let mut x = self.back(&y);
-                x[self.col_order[free]] = 1.0;
+                x[self.col_order.as_ref()[free]] = 1.0;
                 x
             })
             .collect()
     }
 
     /// A basis of {z : Aᵀ z = 0}.
-    pub(crate) fn left_kernel(&self) -> Vec<SVector<f64, D>> {
+    pub(crate) fn left_kernel(&self) -> Vec<Vector<D>> {
         // With P A Q = L U the columns of Aᵀ z = 0 ask for `(P z)ᵀ L = 0` in the first places, from the last row of L up.
         (self.rank..self.rows)
             .map(|free| {
-                let mut y = SVector::<f64, D>::zeros();
+                let mut y = Vector::<D>::zeros();
                 y[free] = 1.0;
                 for j in (0..self.rank).rev() {
                     y[j] = -(j + 1..self.rows).map(|i| y[i] * self.lu[(i, j)]).sum::<f64>();
                 }
-                let mut z = SVector::zeros();
+                let mut z = Vector::zeros();
                 for i in 0..self.rows {
-                    z[self.row_order[i]] = y[i];
+                    z[self.row_order.as_ref()[i]] = y[i];
                 }
                 z
             })
@@ -105,27 +105,27 @@ impl<const D: usize> CompletePivoting<D> {
 
     /// Largest row sum of the inverse: how much an error of the right-hand side can grow. 1 for an empty system.
     pub(crate) fn growth(&self) -> f64 {
-        let mut sums = [0.0; D];
+        let mut sums = Vector::<D>::zeros();
         for e in 0..self.rank {
-            let mut unit = SVector::zeros();
-            unit[self.row_order[e]] = 1.0;
+            let mut unit = Vector::zeros();
+            unit[self.row_order.as_ref()[e]] = 1.0;
             let (x, _) = self.solve(&unit);
-            for i in 0..D {
+            for i in 0..self.lu.size().count() {
                 sums[i] += x[i].abs();
             }
         }
-        sums.into_iter().fold(1.0, f64::max)
+        sums.iter().copied().fold(1.0, f64::max)
     }
 
-    fn back(&self, y: &SVector<f64, D>) -> SVector<f64, D> {
-        let mut s = [0.0; D];
+    fn back(&self, y: &Vector<D>) -> Vector<D> {
+        let mut s = Vector::<D>::zeros();
         for i in (0..self.rank).rev() {
             let known: f64 = (i + 1..self.rank).map(|j| self.lu[(i, j)] * s[j]).sum();
             s[i] = (y[i] - known) / self.lu[(i, i)];
         }
-        let mut x = SVector::zeros();
+        let mut x = Vector::zeros();
         for i in 0..self.rank {
-            x[self.col_order[i]] = s[i];
+            x[self.col_order.as_ref()[i]] = s[i];
         }
         x
     }

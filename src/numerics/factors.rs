@@ -1,6 +1,6 @@
 //! The factors that a small square matrix needs: partial pivoting where it is far from singular, complete pivoting where not.
 
-use nalgebra::{SMatrix, SVector};
+use crate::numerics::{Size, Square, Vector};
 
 use super::complete_pivoting::CompletePivoting;
 use super::partial_pivoting::PartialPivoting;
@@ -11,22 +11,23 @@ const OUT_OF_REACH: f64 = 1e-12;
 /// Factors of a `D x D` matrix A.
 #[derive(Debug, Clone)]
 #[allow(clippy::large_enum_variant)] // a box would be memory to ask for at every step of Newton's method
-pub(crate) enum Factors<const D: usize> {
+pub(crate) enum Factors<D: Size> {
     Regular(PartialPivoting<D>),
     /// Singular or nearly so: complete pivoting tells what is singular from what is only soft.
     Singular(CompletePivoting<D>),
 }
 
-impl<const D: usize> Factors<D> {
-    pub(crate) fn new(matrix: &SMatrix<f64, D, D>) -> Self {
-        match PartialPivoting::new(matrix) {
-            Some(regular) => Self::Regular(regular),
-            None => Self::Singular(CompletePivoting::new(*matrix, D, D)),
+impl<D: Size> Factors<D> {
+    pub(crate) fn new(matrix: &Square<D>) -> Self {
+        if let Some(regular) = PartialPivoting::new(matrix) {
+            return Self::Regular(regular);
         }
+        let d = matrix.size().count();
+        Self::Singular(CompletePivoting::new(matrix.clone(), d, d))
     }
 
     /// A solution of `A y = b`, as far as there is one.
-    pub(crate) fn solve(&self, b: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
         match self {
             Self::Regular(regular) => regular.solve(b),
             Self::Singular(full) => full.solve(b).0,
@@ -34,7 +35,7 @@ impl<const D: usize> Factors<D> {
     }
 
     /// A solution of `A y = b`, if there is one; `size` is that of the terms that b is a sum of.
-    pub(crate) fn solve_exactly(&self, b: &SVector<f64, D>, size: f64) -> Option<SVector<f64, D>> {
+    pub(crate) fn solve_exactly(&self, b: &Vector<D>, size: f64) -> Option<Vector<D>> {
         match self {
             Self::Regular(regular) => Some(regular.solve(b)),
             Self::Singular(full) => {
@@ -45,7 +46,7 @@ impl<const D: usize> Factors<D> {
     }
 
     /// A basis of {y : A y = 0}.
-    pub(crate) fn kernel(&self) -> Vec<SVector<f64, D>> {
+    pub(crate) fn kernel(&self) -> Vec<Vector<D>> {
         match self {
             Self::Regular(_) => Vec::new(),
             Self::Singular(full) => full.kernel(),
@@ -56,8 +57,9 @@ impl<const D: usize> Factors<D> {
     pub(crate) fn growth(&self) -> f64 {
         match self {
             Self::Regular(regular) => {
-                let unit = |k: usize| SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 });
-                (0..D).map(|k| regular.solve(&unit(k)).amax()).fold(1.0, f64::max)
+                let size = regular.size();
+                let solved = |k: usize| regular.solve(&Vector::unit(size, k));
+                (0..size.count()).map(|k| solved(k).amax()).fold(1.0, f64::max)
             }
             Self::Singular(full) => full.growth(),
         }

@@ -27,26 +27,26 @@ impl<X> Harmonic<X> {
     }
 }
 
-impl<X: Copy + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmonic<X> {
+impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmonic<X> {
     /// At an angle.
     pub(crate) fn at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
-        self.constant + self.cosine * cos + self.sine * sin
+        self.constant.clone() + self.cosine.clone() * cos + self.sine.clone() * sin
     }
 
     /// Its rate there, for one radian.
     pub(crate) fn rate_at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
-        self.sine * cos - self.cosine * sin
+        self.sine.clone() * cos - self.cosine.clone() * sin
     }
 
     /// The same as it goes on from an angle.
     pub(crate) fn from(&self, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
-            constant: self.constant,
-            cosine: self.cosine * cos + self.sine * sin,
-            sine: self.sine * cos - self.cosine * sin,
+            constant: self.constant.clone(),
+            cosine: self.cosine.clone() * cos + self.sine.clone() * sin,
+            sine: self.sine.clone() * cos - self.cosine.clone() * sin,
         }
     }
 }

@@ -12,6 +12,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::coordinates::Square;
 use nalgebra::{SMatrix, SVector};
 
 use super::partial_pivoting::PartialPivoting;
@@ -95,8 +96,8 @@ impl<const D: usize> Polytope<D> {
         let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
             self.points[vertices[row]][column] - self.middle[column]
         });
-        let Some(solver) = PartialPivoting::new(&rows) else { return };
-        let normal = solver.solve(&SVector::repeat(1.0));
+        let Some(solver) = PartialPivoting::new(&Square::from(rows)) else { return };
+        let normal = solver.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector();
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
         self.queue.push(Waiting { distance, face: self.faces.len() });
         self.alive.push(self.faces.len());

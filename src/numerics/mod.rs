@@ -29,6 +29,7 @@
 mod anew;
 mod bordered;
 mod complete_pivoting;
+mod coordinates;
 mod cores;
 mod dormand_prince;
 mod double_double;
@@ -54,6 +55,7 @@ mod waiting_line;
 pub(crate) use anew::anew;
 pub(crate) use bordered::Bordered;
 pub(crate) use complete_pivoting::CompletePivoting;
+pub(crate) use coordinates::{Any, Fixed, Map, Seen, Size, Square, Vector};
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};

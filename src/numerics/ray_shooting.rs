@@ -6,6 +6,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::coordinates::Square;
 use super::partial_pivoting::PartialPivoting;
 use super::support::{Vertex, middle};
 use super::unit_vector::unit;
@@ -48,9 +49,9 @@ pub(crate) fn shoot<const D: usize>(
     for _ in 0..MOST_PIVOTS {
         let points = matrix(&vertices, &origin);
         // Where the set is smooth, points come so close that rounding hides the plane through them: the last one is as good.
-        let solvers = [points, points.transpose()].map(|matrix| PartialPivoting::new(&matrix));
+        let solvers = [points, points.transpose()].map(|matrix| PartialPivoting::new(&Square::from(matrix)));
         let [Some(solver), Some(transposed)] = solvers else { break };
-        let normal = transposed.solve(&SVector::repeat(1.0));
+        let normal = transposed.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector();
         let next = Vertex::of(support, normal);
         let reach = normal.dot(&(next.at - origin)).max(1.0);
         let stretch = normal.dot(&ray);
@@ -58,7 +59,7 @@ pub(crate) fn shoot<const D: usize>(
         if reach <= 1.0 + BEYOND {
             break;
         }
-        let change = solver.solve(&(next.at - origin));
+        let change = solver.solve(&(next.at - origin).into()).to_svector();
         let leaving = (0..D).filter(|&k| change[k] > BEYOND * change.amax()).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
             // Of ties the largest pivot.
@@ -86,7 +87,9 @@ fn first_face<const D: usize>(
 ) -> Option<(Vec<Vertex<D>>, Vec<f64>)> {
     let face = |without: usize| {
         let vertices: Vec<_> = (0..=D).filter(|&k| k != without).map(|k| simplex[k]).collect();
-        let shares = PartialPivoting::new(&matrix(&vertices, origin))?.solve(ray);
+        let shares = PartialPivoting::new(&Square::from(matrix(&vertices, origin)))?
+            .solve(&(*ray).into())
+            .to_svector();
         Some((vertices, shares))
     };
     let best = (0..=D).filter_map(face).max_by(|(_, a), (_, b)| a.min().total_cmp(&b.min()));

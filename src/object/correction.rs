@@ -16,20 +16,20 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::solution::{MOST_CORRECTIONS, NEARLY};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, without};
+use crate::numerics::{DoubleDouble, Size, Vector, without};
 
 /// What is missing of a solution.
 #[derive(Debug, Clone)]
-pub(crate) struct Correction<const D: usize, const C: usize> {
+pub(crate) struct Correction<D: Size, const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// Without free motions.
-    pub(crate) twist: SVector<f64, D>,
+    pub(crate) twist: Vector<D>,
     /// How well the forces are known, N: what the last solution changed, unless the next would change nothing, and rounding of the stiffest
     /// springs in twice the working precision. Where the piece is singular at working precision this is large.
     pub(crate) doubt: f64,
 }
 
-impl<const D: usize, const C: usize> Piece<D, C> {
+impl<D: Size, const C: usize> Piece<D, C> {
     /// What these forces and this twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
     /// force of the scene.
     pub(crate) fn correction(
@@ -41,7 +41,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
     ) -> Correction<D, C> {
         let mut forces: Vec<[DoubleDouble; C]> =
             at.iter().map(|f| std::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
-        let mut twist = *from;
+        let mut twist = from.clone();
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
@@ -84,7 +84,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         forces: &mut [[DoubleDouble; C]],
         twist: &PreciseTwist<D>,
         e: &mut [f64],
-    ) -> SVector<f64, D> {
+    ) -> Vector<D> {
         let mut balance = PreciseBalance::new(&problem.load());
         for (contact, springs, range) in self.of_each_contact() {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);

@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::Orthogonal;
+use crate::numerics::{Orthogonal, Seen, Size, Vector};
 
 /// Facets whose normals enclose an angle with a sine below this leave no independent slips.
 const PARALLEL: f64 = 1e-6;
@@ -44,10 +44,10 @@ impl<const C: usize> Facet<C> {
 }
 
 /// A contact in energy coordinates.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct EnergyContact<const D: usize, const C: usize> {
+#[derive(Debug, Clone)]
+pub(crate) struct EnergyContact<D: Size, const C: usize> {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
-    pub(crate) seen: SMatrix<f64, C, D>,
+    pub(crate) seen: Seen<D, C>,
     /// Where its facets start, after the normal force if it may open.
     first: u32,
     pub(crate) facet_count: u16,
@@ -55,7 +55,7 @@ pub(crate) struct EnergyContact<const D: usize, const C: usize> {
     pub(crate) gap: bool,
 }
 
-impl<const D: usize, const C: usize> EnergyContact<D, C> {
+impl<D: Size, const C: usize> EnergyContact<D, C> {
     /// How many conditions the contact has: for its gap, and for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.gap) + usize::from(self.facet_count)
@@ -75,7 +75,7 @@ pub(crate) struct EnergyCoordinates<const C: usize> {
 impl<const C: usize> EnergyCoordinates<C> {
     /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
     /// order.
-    pub(crate) fn lay_out<const D: usize>(
+    pub(crate) fn lay_out<D: Size>(
         &mut self,
         problem: &Problem<'_, D, C>,
         factor: &Orthogonal<D>,
@@ -90,7 +90,7 @@ impl<const C: usize> EnergyCoordinates<C> {
         let mut spring = 0;
         let mut before: Option<(LocalLaw<'_, C>, (u32, u16))> = None;
         for law in problem.locals() {
-            let mut seen = SMatrix::<f64, C, D>::zeros();
+            let mut seen = Seen::zeros(factor.size());
             if !law.is_absent() {
                 for axis in 0..law.springs.axes() {
                     for (k, entry) in factor.row(spring).iter().enumerate() {
@@ -130,13 +130,13 @@ impl<const C: usize> EnergyCoordinates<C> {
 
     /// The facets of a contact.
     #[inline]
-    pub(crate) fn facets<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+    pub(crate) fn facets<D: Size>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
         &self.pairs(contact)[usize::from(contact.gap)..]
     }
 
     /// The normal force of a contact if it may open, and its facets.
     #[inline]
-    pub(crate) fn pairs<const D: usize>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+    pub(crate) fn pairs<D: Size>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
         let first = contact.first as usize;
         &self.facets[first..first + contact.pairs()]
     }
@@ -217,16 +217,14 @@ pub(crate) fn normal<const C: usize>() -> SVector<f64, C> {
 }
 
 /// The rows of K^{1/2}Gᵀ, spring by spring.
-pub(crate) fn spring_rows<const D: usize, const C: usize>(
-    sites: &[Site<D, C>],
-) -> impl Iterator<Item = SVector<f64, D>> {
+pub(crate) fn spring_rows<D: Size, const C: usize>(sites: &[Site<D, C>]) -> impl Iterator<Item = Vector<D>> {
     sites.iter().flat_map(|site| {
         (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis))
     })
 }
 
 /// K^{1/2}v for these stretches of the contacts, spring by spring, in memory that is asked for once.
-pub(crate) fn stretched_into<const D: usize, const C: usize>(
+pub(crate) fn stretched_into<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     stretch: impl Fn(usize) -> SVector<f64, C>,
     x: &mut Vec<f64>,

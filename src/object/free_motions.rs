@@ -1,6 +1,6 @@
 //! Motions of the object that no spring resists.
 
-use nalgebra::SVector;
+use crate::numerics::{Size, Vector};
 
 /// A load that does less work than this part of its size on a unit free motion does none. Loads
 /// that were computed to balance carry rounding of about 1e-16; a larger value would let the object
@@ -8,11 +8,8 @@ use nalgebra::SVector;
 pub(super) const NO_WORK: f64 = 1e-13;
 
 /// The unit motion, among orthonormal ones that nothing resists, on which a load works.
-pub(crate) fn worked_on<const D: usize>(
-    free: &[SVector<f64, D>],
-    wrench: &SVector<f64, D>,
-) -> Option<SVector<f64, D>> {
-    let along = free.iter().fold(SVector::zeros(), |sum, v| sum + v * v.dot(wrench));
+pub(crate) fn worked_on<D: Size>(free: &[Vector<D>], wrench: &Vector<D>) -> Option<Vector<D>> {
+    let along = free.iter().fold(Vector::zeros(), |sum: Vector<D>, v| sum + v * v.dot(wrench));
     let work = along.norm();
     (work > NO_WORK * wrench.norm()).then(|| along / work)
 }

@@ -15,7 +15,7 @@
 //! turned away from e, so that the clock runs fast, all of them are put in line again for its new
 //! direction.
 
-use nalgebra::SVector;
+use crate::numerics::{Size, Vector};
 
 use crate::numerics::WaitingLine;
 
@@ -31,34 +31,34 @@ pub(crate) const MARGIN: f64 = 1e-13;
 const AGAIN: usize = 16;
 
 /// A point of a path, or a direction in which it goes.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Point<const D: usize> {
+#[derive(Debug, Clone)]
+pub(crate) struct Point<D: Size> {
     /// Motion of the object in energy coordinates.
-    pub(crate) y: SVector<f64, D>,
+    pub(crate) y: Vector<D>,
     /// What drives the path, in a unit that weighs as much as one of y.
     pub(crate) s: f64,
 }
 
-impl<const D: usize> Default for Point<D> {
+impl<D: Size> Default for Point<D> {
     fn default() -> Self {
-        Self { y: SVector::zeros(), s: 0.0 }
+        Self { y: Vector::zeros(), s: 0.0 }
     }
 }
 
-impl<const D: usize> Point<D> {
+impl<D: Size> Point<D> {
     pub(crate) fn size(&self) -> f64 {
         (self.y.norm_squared() + self.s * self.s).sqrt()
     }
 
     /// `self + times direction`.
     pub(crate) fn plus(&self, times: f64, direction: &Self) -> Self {
-        Self { y: self.y + direction.y * times, s: self.s + direction.s * times }
+        Self { y: &self.y + &direction.y * times, s: self.s + direction.s * times }
     }
 
     /// The direction of length one, or zero.
     pub(crate) fn direction(&self) -> Self {
         let size = self.size();
-        if size > 0.0 { Self { y: self.y / size, s: self.s / size } } else { *self }
+        if size > 0.0 { Self { y: &self.y / size, s: self.s / size } } else { self.clone() }
     }
 }
 
@@ -72,7 +72,7 @@ pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
 
 /// Contacts in line for their conditions.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct LazyPricing<const D: usize> {
+pub(crate) struct LazyPricing<D: Size> {
     pub(crate) line: WaitingLine,
     /// e.
     pub(crate) towards: Point<D>,
@@ -84,7 +84,7 @@ pub(crate) struct LazyPricing<const D: usize> {
     pub(crate) looked: Vec<u32>,
 }
 
-impl<const D: usize> LazyPricing<D> {
+impl<D: Size> LazyPricing<D> {
     /// Puts all contacts in line for a path that goes this way; `slack` gives stamp and time of
     /// each for e.
     pub(crate) fn line_up(

@@ -1,18 +1,18 @@
 //! A load on the object to twice the working precision.
 
-use nalgebra::SVector;
+use crate::numerics::{Size, Vector};
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
 /// A load in inside coordinates, and what rounding took from it when it was moved to the centroid.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Load<const D: usize> {
-    pub(crate) wrench: SVector<f64, D>,
-    pub(crate) rest: SVector<f64, D>,
+#[derive(Debug, Clone)]
+pub(crate) struct Load<D: Size> {
+    pub(crate) wrench: Vector<D>,
+    pub(crate) rest: Vector<D>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// A load of the caller's with what acts on joints whatever they do, in inside coordinates.
     ///
     /// # Errors
@@ -22,20 +22,23 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// [`Self::load`] without what rounding takes from it.
-    pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<SVector<f64, D>, Error> {
+    pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<Vector<D>, Error> {
         load.check(what)?;
         Ok(self.load_unchecked(load))
     }
 
     /// [`Self::load_alone`] of a wrench that was checked before.
-    pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> SVector<f64, D> {
+    pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector<D> {
         let inside = self.inside_unchecked(load);
-        self.linkage().map_or(inside, |linkage| inside + linkage.held + linkage.pulled)
+        match self.linkage() {
+            None => inside,
+            Some(linkage) => inside + &linkage.held + &linkage.pulled,
+        }
     }
 }
 
-impl<const D: usize> From<&SVector<f64, D>> for Load<D> {
-    fn from(wrench: &SVector<f64, D>) -> Self {
-        Self { wrench: *wrench, rest: SVector::zeros() }
+impl<D: Size> From<&Vector<D>> for Load<D> {
+    fn from(wrench: &Vector<D>) -> Self {
+        Self { wrench: wrench.clone(), rest: Vector::zeros() }
     }
 }

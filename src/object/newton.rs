@@ -9,7 +9,7 @@
 //! with the tangent stiffness C_i of each contact. A few steps do at any number of contacts, but the method may go round in circles, most often
 //! with few contacts, where Lemke's method does not.
 
-use nalgebra::SVector;
+use crate::numerics::{Size, Vector};
 
 use crate::numerics::Factors;
 
@@ -21,13 +21,13 @@ const GAIN: f64 = 0.1;
 const SHORTEST: f64 = 1e-3;
 
 /// R and the sizes of its terms.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Imbalance<const D: usize> {
-    pub(crate) left: SVector<f64, D>,
+#[derive(Debug, Clone)]
+pub(crate) struct Imbalance<D: Size> {
+    pub(crate) left: Vector<D>,
     pub(crate) size: f64,
 }
 
-impl<const D: usize> Imbalance<D> {
+impl<D: Size> Imbalance<D> {
     /// That of both together.
     pub(super) fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
@@ -35,9 +35,9 @@ impl<const D: usize> Imbalance<D> {
 }
 
 /// Contacts that answer a motion of the object with forces.
-pub(crate) trait Answers<const D: usize> {
+pub(crate) trait Answers<D: Size> {
     /// Their answers to a twist.
-    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D>;
+    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D>;
 
     /// T where they were last asked; `None` where Newton's method should not go on with it.
     fn tangent(&mut self) -> Option<Factors<D>>;
@@ -48,11 +48,11 @@ pub(crate) trait Answers<const D: usize> {
 ///
 /// A step that leaves more out of balance than before is halved: without that the method jumps
 /// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
-pub(crate) fn newton<const D: usize>(
+pub(crate) fn newton<D: Size>(
     contacts: &mut impl Answers<D>,
-    mut twist: SVector<f64, D>,
+    mut twist: Vector<D>,
     settled: f64,
-) -> Option<(SVector<f64, D>, usize, Imbalance<D>)> {
+) -> Option<(Vector<D>, usize, Imbalance<D>)> {
     let mut here = contacts.answer(&twist);
     for steps in 0..STEPS {
         let norm = here.left.norm();
@@ -63,15 +63,15 @@ pub(crate) fn newton<const D: usize>(
             break;
         }
         let step = contacts.tangent()?.solve(&here.left);
-        let mut next = contacts.answer(&(twist + step));
+        let mut next = contacts.answer(&(&twist + &step));
         let mut part = 1.0;
         while next.left.norm() > (1.0 - GAIN * part) * norm && part > SHORTEST {
             part *= 0.5;
-            next = contacts.answer(&(twist + step * part));
+            next = contacts.answer(&(&twist + &step * part));
         }
         if part <= SHORTEST {
             part = 1.0;
-            next = contacts.answer(&(twist + step));
+            next = contacts.answer(&(&twist + &step));
         }
         twist += step * part;
         here = next;

@@ -1,5 +1,6 @@
 //! Contacts that answer a motion of the object one by one, each to its own stretch.
 
+use crate::numerics::{Size, Vector};
 use std::ops::Range;
 
 use nalgebra::SVector;
@@ -11,7 +12,7 @@ use crate::contact::Answer;
 use crate::numerics::{Factors, in_halves};
 
 /// The contacts of a problem with what they have answered last, for [`newton`](super::newton).
-pub(crate) struct OneByOne<'p, 'g, F, const D: usize, const C: usize> {
+pub(crate) struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     /// The answer of a contact to a stretch, from its last one.
     answer: F,
@@ -20,7 +21,7 @@ pub(crate) struct OneByOne<'p, 'g, F, const D: usize, const C: usize> {
     beside: f64,
 }
 
-impl<'p, 'g, F, const D: usize, const C: usize> OneByOne<'p, 'g, F, D, C>
+impl<'p, 'g, F, D: Size, const C: usize> OneByOne<'p, 'g, F, D, C>
 where
     F: Fn(usize, &SVector<f64, C>, &Answer<C>) -> Answer<C>,
 {
@@ -41,18 +42,18 @@ where
     }
 }
 
-impl<F, const D: usize, const C: usize> Answers<D> for OneByOne<'_, '_, F, D, C>
+impl<F, D: Size, const C: usize> Answers<D> for OneByOne<'_, '_, F, D, C>
 where
     F: Fn(usize, &SVector<f64, C>, &Answer<C>) -> Answer<C> + Sync,
 {
-    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D> {
+    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         let (problem, answer) = (self.problem, &self.answer);
         let part = |(range, contacts): (Range<usize>, &mut [Answer<C>])| {
-            let (mut left, mut size) = (SVector::zeros(), 0.0);
+            let (mut left, mut size) = (Vector::zeros(), 0.0);
             for (i, contact) in range.zip(contacts) {
                 *contact = answer(i, &problem.stretch(i, twist), contact);
                 if !contact.state.is_open() {
-                    left += problem.sites[i].map * contact.force;
+                    left += &problem.sites[i].map * contact.force;
                     size += contact.force.norm();
                 }
             }
@@ -60,7 +61,7 @@ where
         };
         let contacts = (0..self.contacts.len(), self.contacts.as_mut_slice());
         in_halves(contacts, &part, &Imbalance::plus)
-            .plus(Imbalance { left: problem.wrench, size: problem.wrench.norm() + self.beside })
+            .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + self.beside })
     }
 
     fn tangent(&mut self) -> Option<Factors<D>> {

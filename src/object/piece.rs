@@ -6,19 +6,20 @@
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
 
+use crate::numerics::{Map, Size, Square, Vector};
 use std::ops::Range;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::free_motions::worked_on;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
-use crate::grasp::Site;
+use crate::grasp::{Site, size_of};
 use crate::numerics::{CompletePivoting, Orthogonal, orthonormalise_against, without};
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece<const D: usize, const C: usize> {
+pub(crate) struct Piece<D: Size, const C: usize> {
     pub(super) springs: Vec<Spring<C>>,
     /// Where the springs of each contact begin; at the end their number.
     first: Vec<usize>,
@@ -26,12 +27,12 @@ pub(crate) struct Piece<const D: usize, const C: usize> {
     /// Differs from `right` only when something slides.
     pub(super) left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
     /// Orthonormal motions that stretch no spring of this piece.
-    pub(super) free: Vec<SVector<f64, D>>,
+    pub(super) free: Vec<Vector<D>>,
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
-    pub(super) unbalanced: Vec<SVector<f64, D>>,
+    pub(super) unbalanced: Vec<Vector<D>>,
 }
 
-impl<const D: usize, const C: usize> Piece<D, C> {
+impl<D: Size, const C: usize> Piece<D, C> {
     pub(crate) fn new(problem: &Problem<D, C>, states: &[State<C>]) -> Self {
         Self::of_springs(problem.sites, |contact, springs| {
             problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
@@ -50,20 +51,21 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
-                rows.extend(springs[range[0]..range[1]].iter().map(|spring| site.map * side(spring)));
+                rows.extend(springs[range[0]..range[1]].iter().map(|spring| &site.map * side(spring)));
             }
             rows
         };
-        let right = Orthogonal::new(rows(|s| &s.right));
+        let size = size_of(sites);
+        let right = Orthogonal::new(size, rows(|s| &s.right));
         let free = right.null_space();
         if springs.iter().all(|spring| spring.left == spring.right) {
             return Self { springs, first, right, left: None, unbalanced: free.clone(), free };
         }
-        let left = Orthogonal::new(rows(|s| &s.left));
+        let left = Orthogonal::new(size, rows(|s| &s.left));
         let unbalanced = left.null_space();
-        let mut coupling = SMatrix::<f64, D, D>::zeros();
+        let mut coupling = Square::zeros(size);
         for i in 0..springs.len() {
-            coupling += left.row(i) * right.row(i).transpose();
+            coupling.add_product(left.row(i), right.row(i));
         }
         let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
         Self { springs, first, right, left: Some((left, coupling)), free, unbalanced }
@@ -76,8 +78,8 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// The rows of Q of a contact whose springs stand along the axes of its frame: a column for each axis,
     /// zero along axes without a spring.
-    pub(crate) fn seen(&self, contact: usize) -> SMatrix<f64, D, C> {
-        let mut seen = SMatrix::<f64, D, C>::zeros();
+    pub(crate) fn seen(&self, contact: usize) -> Map<D, C> {
+        let mut seen = Map::zeros(self.right.size());
         for spring in self.first[contact]..self.first[contact + 1] {
             seen.set_column(self.springs[spring].right.iamax(), self.right.row(spring));
         }
@@ -85,22 +87,22 @@ impl<const D: usize, const C: usize> Piece<D, C> {
     }
 
     /// The least motion with these coordinates R q.
-    pub(crate) fn motion(&self, coordinates: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(crate) fn motion(&self, coordinates: &Vector<D>) -> Vector<D> {
         without(self.right.preimage(coordinates), &self.free)
     }
 
     /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
-    pub(crate) fn free_motions(&self) -> &[SVector<f64, D>] {
+    pub(crate) fn free_motions(&self) -> &[Vector<D>] {
         &self.free
     }
 
     /// Motions along which this piece stays in equilibrium while its forces change: its solution is a whole line.
-    pub(crate) fn neutral_motions(&self) -> Vec<SVector<f64, D>> {
+    pub(crate) fn neutral_motions(&self) -> Vec<Vector<D>> {
         let Some((_, coupling)) = &self.left else { return Vec::new() };
-        let mut motions: Vec<SVector<f64, D>> = Vec::new();
+        let mut motions: Vec<Vector<D>> = Vec::new();
         for c in coupling.kernel() {
             let mut v = self.right.preimage(&c);
-            let found: Vec<_> = self.free.iter().chain(&motions).copied().collect();
+            let found: Vec<_> = self.free.iter().chain(&motions).cloned().collect();
             orthonormalise_against(&mut v, &found);
             motions.push(v);
         }
@@ -109,20 +111,16 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// A virtual motion to which nothing here responds, and on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
     /// tangents C_i of this piece.
-    pub(crate) fn unanswered(
-        &self,
-        drives: &[SVector<f64, C>],
-        load: &SVector<f64, D>,
-    ) -> Option<SVector<f64, D>> {
-        let worked = |basis: &[SVector<f64, D>], work: &SVector<f64, D>| {
-            let part = basis.iter().fold(SVector::zeros(), |sum: SVector<f64, D>, v| sum + v * v.dot(work));
+    pub(crate) fn unanswered(&self, drives: &[SVector<f64, C>], load: &Vector<D>) -> Option<Vector<D>> {
+        let worked = |basis: &[Vector<D>], work: &Vector<D>| {
+            let part = basis.iter().fold(Vector::zeros(), |sum: Vector<D>, v| sum + v * v.dot(work));
             (part.norm() > 0.0).then_some(part)
         };
         if let Some(motion) = worked(&self.unbalanced, load) {
             return Some(motion);
         }
         let (left, coupling) = self.left.as_ref()?;
-        let mut kernel: Vec<SVector<f64, D>> = Vec::new();
+        let mut kernel: Vec<Vector<D>> = Vec::new();
         for mut z in coupling.left_kernel() {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
@@ -137,7 +135,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
     }
 
     /// Whether the load works on no motion that nothing here balances.
-    pub(crate) fn resists(&self, wrench: &SVector<f64, D>) -> bool {
+    pub(crate) fn resists(&self, wrench: &Vector<D>) -> bool {
         worked_on(&self.unbalanced, wrench).is_none()
     }
 
@@ -152,17 +150,20 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
 /// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
 /// `F = -G⁺W` over the axes that resist.
-pub(crate) fn least_forces<const D: usize, const C: usize>(
+pub(crate) fn least_forces<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     carries: &[bool],
-    wrench: &SVector<f64, D>,
+    wrench: &Vector<D>,
 ) -> Vec<SVector<f64, C>> {
     let axes: Vec<(usize, usize)> = (0..sites.len())
         .filter(|&i| carries[i])
         .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
         .collect();
-    let shares =
-        least_combination(axes.iter().map(|&(i, a)| sites[i].map.column(a).into_owned()).collect(), wrench);
+    let shares = least_combination(
+        size_of(sites),
+        axes.iter().map(|&(i, a)| sites[i].map.column(a)).collect(),
+        wrench,
+    );
     let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
     for (&(i, a), share) in axes.iter().zip(shares) {
         forces[i][a] = -share;
@@ -171,12 +172,9 @@ pub(crate) fn least_forces<const D: usize, const C: usize>(
 }
 
 /// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
-pub(crate) fn least_combination<const D: usize>(
-    vectors: Vec<SVector<f64, D>>,
-    target: &SVector<f64, D>,
-) -> Vec<f64> {
+pub(crate) fn least_combination<D: Size>(size: D, vectors: Vec<Vector<D>>, target: &Vector<D>) -> Vec<f64> {
     let count = vectors.len();
-    let factor = Orthogonal::new(vectors);
+    let factor = Orthogonal::new(size, vectors);
     let coordinates = factor.load_coordinates(target);
     (0..count).map(|i| factor.row(i).dot(&coordinates)).collect()
 }

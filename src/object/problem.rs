@@ -6,6 +6,7 @@
 //!
 //! At rest the drives a_i are commanded displacements and the laws are whole; in rates both are those of what happens next.
 
+use crate::numerics::{Size, Vector};
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -14,12 +15,12 @@ use super::load::Load;
 use super::precise::PreciseTwist;
 use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
-use crate::grasp::{Engine, Remembered, Site, Wrench};
+use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
 use crate::numerics::{DoubleDouble, anew};
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
 #[derive(Debug, Clone)]
-pub(crate) struct Problem<'g, const D: usize, const C: usize> {
+pub(crate) struct Problem<'g, D: Size, const C: usize> {
     pub(crate) sites: &'g [Site<D, C>],
     /// The polygon of every contact that has none of its own.
     pub(crate) polygon: Arc<Polygon<C>>,
@@ -30,9 +31,9 @@ pub(crate) struct Problem<'g, const D: usize, const C: usize> {
     pub(crate) drives: Vec<SVector<f64, C>>,
     /// The slip so far, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, C>>,
-    pub(crate) wrench: SVector<f64, D>,
+    pub(crate) wrench: Vector<D>,
     /// What rounding took from the load when it was moved to the centroid.
-    pub(crate) wrench_rest: SVector<f64, D>,
+    pub(crate) wrench_rest: Vector<D>,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: rolling contacts are held by the round cone; the polygon only proposes.
@@ -55,7 +56,7 @@ impl<const C: usize> Default for Lists<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// The problem at rest of this grasp.
     pub(crate) fn problem(
         &self,
@@ -95,7 +96,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 }
 
-impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
+impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
     /// Every contact with its whole law, on the round cone if `round`.
     pub(crate) fn at_rest(
         sites: &'g [Site<D, C>],
@@ -115,8 +116,8 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
             laws,
             slips,
             drives,
-            wrench: load.wrench,
-            wrench_rest: load.rest,
+            wrench: load.wrench.clone(),
+            wrench_rest: load.rest.clone(),
             infinite_friction_has_edges: false,
             round,
             trial: None,
@@ -129,10 +130,10 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
         &self,
         laws: Vec<Law<C>>,
         drives: Vec<SVector<f64, C>>,
-        wrench: SVector<f64, D>,
+        wrench: Vector<D>,
     ) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
-        let wrench_rest = SVector::zeros();
+        let wrench_rest = Vector::zeros();
         let mut rates = Self { laws, drives, slips, wrench, wrench_rest, trial: None, ..self.clone() };
         let round = rates.locals().any(|local| local.may_slide());
         rates.round &= round;
@@ -141,7 +142,13 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
 
     /// The load to twice the working precision.
     pub(crate) fn load(&self) -> Load<D> {
-        Load { wrench: self.wrench, rest: self.wrench_rest }
+        Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
+    }
+
+    /// How many coordinates it has.
+    #[inline]
+    pub(crate) fn size(&self) -> D {
+        size_of(self.sites)
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -175,7 +182,7 @@ impl<'g, const D: usize, const C: usize> Problem<'g, D, C> {
 
     /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
     #[inline]
-    pub(crate) fn stretch(&self, contact: usize, twist: &SVector<f64, D>) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, contact: usize, twist: &Vector<D>) -> SVector<f64, C> {
         self.sites[contact].stretch(&self.drives[contact], twist)
     }
 

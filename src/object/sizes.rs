@@ -6,6 +6,7 @@ use super::problem::Problem;
 use super::solution::PieceState;
 use crate::contact::At;
 use crate::grasp::Site;
+use crate::numerics::{Size, Vector};
 
 /// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
 /// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This
@@ -13,7 +14,7 @@ use crate::grasp::Site;
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
-pub(crate) fn least_spring_force<const D: usize, const C: usize>(
+pub(crate) fn least_spring_force<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     spans: impl Iterator<Item = f64>,
 ) -> f64 {
@@ -21,10 +22,10 @@ pub(crate) fn least_spring_force<const D: usize, const C: usize>(
 }
 
 /// Size of the largest force of a scene.
-pub(crate) fn largest_force<const D: usize, const C: usize>(
+pub(crate) fn largest_force<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     drives: &[SVector<f64, C>],
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
     load: f64,
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
@@ -37,9 +38,9 @@ pub(crate) fn largest_force<const D: usize, const C: usize>(
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
 }
 
-impl<const D: usize, const C: usize> Problem<'_, D, C> {
+impl<D: Size, const C: usize> Problem<'_, D, C> {
     /// Size of the largest force of the scene with these forces and this twist.
-    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &SVector<f64, D>) -> f64 {
+    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &Vector<D>) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
     }
@@ -60,7 +61,7 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
 
     /// Size of the displacements at a contact.
     #[inline]
-    pub(crate) fn span(&self, contact: usize, twist: &SVector<f64, D>) -> f64 {
+    pub(crate) fn span(&self, contact: usize, twist: &Vector<D>) -> f64 {
         self.sites[contact].span(&self.drives[contact], twist)
     }
 
@@ -69,7 +70,7 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
         &self,
         contact: usize,
         force: &'s SVector<f64, C>,
-        twist: &SVector<f64, D>,
+        twist: &Vector<D>,
         largest: f64,
     ) -> At<'s, C> {
         At { stretch: self.stretch(contact, twist), force, span: self.span(contact, twist), largest }
@@ -77,9 +78,9 @@ impl<const D: usize, const C: usize> Problem<'_, D, C> {
 
     /// `|Σ G_i F_i + W|` and `Σ |F_i|`.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, C>]) -> (f64, f64) {
-        let (mut sum, mut carried) = (self.wrench, 0.0);
+        let (mut sum, mut carried) = (self.wrench.clone(), 0.0);
         for (site, force) in self.sites.iter().zip(forces) {
-            sum += site.map * force;
+            sum += &site.map * force;
             carried += force.norm();
         }
         (sum.norm(), carried)

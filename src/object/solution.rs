@@ -14,7 +14,7 @@ use super::piece::Piece;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::grasp::Site;
-use crate::numerics::{DoubleDouble, anew, without};
+use crate::numerics::{DoubleDouble, Size, Vector, anew, without};
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;
@@ -23,16 +23,16 @@ pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Forces and a twist of one linear piece.
 #[derive(Debug, Clone)]
-pub(crate) struct PieceState<const D: usize, const C: usize> {
+pub(crate) struct PieceState<D: Size, const C: usize> {
     /// F_i in the contact frames.
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// The twist of least norm, in inside coordinates.
-    pub(crate) twist: SVector<f64, D>,
+    pub(crate) twist: Vector<D>,
 }
 
-impl<const D: usize, const C: usize> Default for PieceState<D, C> {
+impl<D: Size, const C: usize> Default for PieceState<D, C> {
     fn default() -> Self {
-        Self { forces: Vec::new(), twist: SVector::zeros() }
+        Self { forces: Vec::new(), twist: Vector::zeros() }
     }
 }
 
@@ -45,13 +45,13 @@ pub(crate) struct SolutionMemory {
 
 /// Why a piece has no solution under a load.
 #[derive(Debug, Clone)]
-pub(crate) struct Unbalanced<const D: usize> {
+pub(crate) struct Unbalanced<D: Size> {
     /// The unit motion on which the load works and no contact of this piece resists; `None` when the springs do
     /// resist it but friction lets them not push that way.
-    pub(crate) motion: Option<SVector<f64, D>>,
+    pub(crate) motion: Option<Vector<D>>,
 }
 
-impl<const D: usize, const C: usize> Piece<D, C> {
+impl<D: Size, const C: usize> Piece<D, C> {
     /// Forces and the twist of least norm under these drives and this load. The sites are those the piece was made of.
     pub(crate) fn solve(
         &self,
@@ -82,9 +82,9 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         let pulled = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
         let step = match &self.left {
-            None => pushed + pulled,
+            None => pushed + &pulled,
             Some((_, coupling)) => {
-                let (step, unreached) = coupling.solve(&(pushed + pulled));
+                let (step, unreached) = coupling.solve(&(&pushed + &pulled));
                 // Near a solution the sum is a difference, known up to the rounding of its terms.
                 let known = NO_WORK * pushed.amax().max(pulled.amax());
                 if unreached > known && unreached > known * coupling.growth() {
@@ -119,11 +119,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
 
     /// Forces and the twist of least norm where everything sticks and every motion is resisted, without the steps in twice the precision:
     /// the projection is applied twice, which leaves a few roundings of the largest force.
-    pub(crate) fn solve_roughly(
-        &self,
-        drives: &[SVector<f64, C>],
-        wrench: &SVector<f64, D>,
-    ) -> PieceState<D, C> {
+    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, C>], wrench: &Vector<D>) -> PieceState<D, C> {
         let mut state = PieceState::default();
         self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
         state
@@ -133,47 +129,42 @@ impl<const D: usize, const C: usize> Piece<D, C> {
     pub(crate) fn solve_roughly_into(
         &self,
         drives: &[SVector<f64, C>],
-        wrench: &SVector<f64, D>,
+        wrench: &Vector<D>,
         (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<D, C>),
     ) {
         self.stretched_into(x, |contact| drives[contact]);
         let load = self.right.load_coordinates(wrench);
-        let mut travelled = SVector::zeros();
+        let mut travelled = Vector::zeros();
         for _ in 0..2 {
-            let step = self.right.coordinates(x) + load;
+            let step = self.right.coordinates(x) + &load;
             self.right.subtract(x, &step);
-            travelled += step;
+            travelled += &step;
         }
         state.twist = self.right.preimage(&travelled);
         self.forces_into(&mut state.forces, x, drives.len());
     }
 
     /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
-    pub(super) fn respond(&self, x: &mut [f64], wrench: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
-        let step = self.left.as_ref().map_or(excess, |(_, coupling)| coupling.solve(&excess).0);
+        let step = match &self.left {
+            None => excess,
+            Some((_, coupling)) => coupling.solve(&excess).0,
+        };
         self.right.subtract(x, &step);
         self.right.preimage(&step)
     }
 
     /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
-    pub(crate) fn forces_of(
-        &self,
-        stretches: &[SVector<f64, C>],
-        load: &SVector<f64, D>,
-    ) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_of(&self, stretches: &[SVector<f64, C>], load: &Vector<D>) -> Vec<SVector<f64, C>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
     /// Change of the forces along a motion of the object with everything else at rest.
-    pub(crate) fn forces_along(
-        &self,
-        problem: &Problem<D, C>,
-        motion: &SVector<f64, D>,
-    ) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_along(&self, problem: &Problem<D, C>, motion: &Vector<D>) -> Vec<SVector<f64, C>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
@@ -216,7 +207,7 @@ impl<const D: usize, const C: usize> Piece<D, C> {
         (drives, load): (&[SVector<f64, C>], &Load<D>),
         (x, twist): (&[f64], &PreciseTwist<D>),
         e: &mut [f64],
-    ) -> SVector<f64, D> {
+    ) -> Vector<D> {
         let mut balance = PreciseBalance::new(load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);

@@ -11,6 +11,7 @@
 //!
 //! T is the identity where everything sticks, whatever the stiffnesses.
 
+use crate::numerics::{Seen, Size, Square, Vector};
 use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
@@ -31,35 +32,54 @@ pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
 }
 
 /// T and R sides.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Sums<const D: usize, const R: usize> {
-    pub(crate) stiffness: SMatrix<f64, D, D>,
-    pub(crate) sides: [SVector<f64, D>; R],
+#[derive(Debug, Clone)]
+pub(crate) struct Sums<D: Size, const R: usize> {
+    pub(crate) stiffness: Square<D>,
+    pub(crate) sides: [Vector<D>; R],
 }
 
-impl<const D: usize, const R: usize> Default for Sums<D, R> {
-    /// Those of contacts that all stick, without memory: Q has orthonormal columns.
+impl<D: Size, const R: usize> Default for Sums<D, R> {
+    /// [`Self::sticking`], of no coordinates yet if their number is any.
     fn default() -> Self {
-        Self { stiffness: SMatrix::identity(), sides: [SVector::zeros(); R] }
+        Self::sticking(D::default())
     }
 }
 
-impl<const D: usize, const R: usize> Sums<D, R> {
+impl<D: Size, const R: usize> Sums<D, R> {
+    /// Those of contacts that all stick, without memory: Q has orthonormal columns.
+    pub(crate) fn sticking(size: D) -> Self {
+        let stiffness = Square::from_diagonal(size, |_| 1.0);
+        Self { stiffness, sides: std::array::from_fn(|_| Vector::zeros()) }
+    }
+
+    /// Becomes [`Self::sticking`], in the same memory.
+    pub(crate) fn stick(&mut self, size: D) {
+        self.stiffness.clear(size);
+        (0..size.count()).for_each(|k| self.stiffness[(k, k)] = 1.0);
+        self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
+    }
+
     /// The sums over so many contacts, whose terms `add` adds. Entries of y from `rank` on move
     /// nothing.
-    pub(crate) fn over(contacts: usize, rank: usize, add: &(impl Fn(&mut Self, usize) + Sync)) -> Self {
-        let zero = Self { stiffness: SMatrix::zeros(), sides: [SVector::zeros(); R] };
+    pub(crate) fn over(
+        size: D,
+        contacts: usize,
+        rank: usize,
+        add: &(impl Fn(&mut Self, usize) + Sync),
+    ) -> Self {
         let part = |contacts: Range<usize>| {
-            let mut sums = zero;
+            let stiffness = Square::zeros(size);
+            let mut sums = Self { stiffness, sides: std::array::from_fn(|_| Vector::zeros()) };
             contacts.for_each(|contact| add(&mut sums, contact));
             sums
         };
-        let plus = |a: Self, b: Self| Self {
-            stiffness: a.stiffness + b.stiffness,
-            sides: std::array::from_fn(|r| a.sides[r] + b.sides[r]),
+        let plus = |mut a: Self, b: Self| {
+            a.stiffness += &b.stiffness;
+            a.sides.iter_mut().zip(&b.sides).for_each(|(a, b)| *a += b);
+            a
         };
         let mut sums = in_halves(0..contacts, &part, &plus);
-        (rank..D).for_each(|k| sums.stiffness[(k, k)] = 1.0);
+        (rank..size.count()).for_each(|k| sums.stiffness[(k, k)] = 1.0);
         sums
     }
 
@@ -67,13 +87,18 @@ impl<const D: usize, const R: usize> Sums<D, R> {
     /// stretch (`None`: everything), and p for each side.
     pub(crate) fn add<const C: usize>(
         &mut self,
-        seen: &SMatrix<f64, C, D>,
+        seen: &Seen<D, C>,
         hold: Option<&SMatrix<f64, C, C>>,
         pushed: Option<[SVector<f64, C>; R]>,
         weight: f64,
     ) {
-        let held = hold.map_or(*seen, |hold| hold * seen);
-        self.stiffness += seen.tr_mul(&(held * weight));
+        for j in 0..seen.size().count() {
+            let moved = seen.column(j);
+            let held = hold.map_or(moved, |hold| hold * moved) * weight;
+            for (i, entry) in self.stiffness.column_slice_mut(j).iter_mut().enumerate() {
+                *entry += seen.column(i).dot(&held);
+            }
+        }
         for (side, pushed) in self.sides.iter_mut().zip(pushed.into_iter().flatten()) {
             *side += seen.tr_mul(&(pushed * weight));
         }

@@ -8,12 +8,13 @@
 //! equilibrium and not from displacements. What a step leaves of R is its own rounding, so that a few of them balance
 //! to the last digits where T is regular; where it is not, see [`super::Piece`].
 
+use crate::numerics::{Size, Square, Vector};
 use std::ops::Range;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 
 use super::solution::PieceState;
-use crate::grasp::Site;
+use crate::grasp::{Site, size_of};
 use crate::numerics::{PartialPivoting, in_halves};
 
 /// Steps of refinement: where the first does not do, the second should.
@@ -23,65 +24,57 @@ const STEPS: usize = 4;
 pub(crate) type Springs<const C: usize> = SMatrix<f64, C, C>;
 
 /// T of these contacts with these C_i, by number.
-pub(crate) fn tangent_stiffness<const D: usize, const C: usize>(
+pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     springs: impl Fn(usize) -> Springs<C> + Sync,
-) -> SMatrix<f64, D, D> {
+) -> Square<D> {
     let part = |contacts: Range<usize>| {
-        let mut t = SMatrix::zeros();
+        let mut t = Square::zeros(size_of(sites));
         for i in contacts {
             add_tangent(&mut t, &sites[i], &springs(i));
         }
         t
     };
-    in_halves(0..sites.len(), &part, &|a, b| a + b)
+    in_halves(0..sites.len(), &part, &|a: Square<D>, b| a + &b)
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
-fn add_tangent<const D: usize, const C: usize>(
-    t: &mut SMatrix<f64, D, D>,
-    site: &Site<D, C>,
-    springs: &Springs<C>,
-) {
-    let g = &site.map.data.0;
-    let pushed = (site.map * springs).data.0;
-    let t = &mut t.data.0;
+fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &Springs<C>) {
+    let pushed: [Vector<D>; C] = std::array::from_fn(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, a drive nothing but its own.
     for columns in site.support.ranges::<C>() {
         for j in columns {
-            let mut column = t[j];
+            let column = t.column_slice_mut(j);
             for a in 0..C {
-                for i in 0..D {
-                    column[i] += pushed[a][i] * g[a][j];
-                }
+                let g = site.map[(j, a)];
+                column.iter_mut().zip(pushed[a].iter()).for_each(|(t, pushed)| *t += pushed * g);
             }
-            t[j] = column;
         }
     }
 }
 
 /// Corrects forces and twist until what is out of balance, R, is this part of the sizes of its terms. Returns by how much
 /// that changed a force at most; `None` if it does not get there.
-pub(crate) fn balance<const D: usize, const C: usize>(
+pub(crate) fn balance<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     springs: &[Springs<C>],
     tangent: &PartialPivoting<D>,
-    wrench: &SVector<f64, D>,
+    wrench: &Vector<D>,
     state: &mut PieceState<D, C>,
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
     for _ in 0..STEPS {
-        let (mut left, mut size) = (*wrench, wrench.norm());
+        let (mut left, mut size) = (wrench.clone(), wrench.norm());
         for (site, force) in sites.iter().zip(&state.forces) {
-            left += site.map * force;
+            left += &site.map * force;
             size += force.norm();
         }
         if left.norm() <= part * size {
             return Some(moved);
         }
         let step = tangent.solve(&left);
-        state.twist += step;
+        state.twist += &step;
         let mut longest = 0.0_f64;
         for ((site, springs), force) in sites.iter().zip(springs).zip(&mut state.forces) {
             let change = springs * site.map.tr_mul(&step);

@@ -1,5 +1,6 @@
 //! The elastic trial: the piece in which everything that is there sticks.
 
+use crate::numerics::Size;
 use std::sync::Arc;
 
 use super::piece::Piece;
@@ -9,7 +10,7 @@ use crate::contact::State;
 /// Grasps of more sites than this do not keep their factors: many sites take memory, and many questions are asked of few.
 const MOST_KEPT: usize = 256;
 
-impl<const D: usize, const C: usize> Problem<'_, D, C> {
+impl<D: Size, const C: usize> Problem<'_, D, C> {
     /// The piece in which everything that is there sticks. At rest it follows from the sites of the grasp alone, whatever the load
     /// and the commands, and is made once for all questions.
     pub(crate) fn trial(&self) -> Arc<Piece<D, C>> {

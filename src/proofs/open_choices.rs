@@ -17,17 +17,14 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
-use crate::numerics::unit;
+use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
 
 /// Up to this many contacts that may open all choices of open ones are looked at.
 const MOST_CONTACTS: usize = 8;
 
 /// Whether no forces whatsoever hold between a load (not included) and another a little further on.
-pub(crate) fn nothing_holds<const D: usize, const C: usize>(
-    here: &Problem<D, C>,
-    past: &Problem<D, C>,
-) -> bool {
+pub(crate) fn nothing_holds<D: Size, const C: usize>(here: &Problem<D, C>, past: &Problem<D, C>) -> bool {
     let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
     whole
@@ -41,13 +38,13 @@ pub(crate) fn nothing_holds<const D: usize, const C: usize>(
         })
 }
 
-/// Rows of the inequalities come after the D of the balance, contact by contact in the same order here and in [`constant`].
+/// Rows of the inequalities come after those of the balance, contact by contact in the same order here and in [`constant`].
 fn has_row<const C: usize>(local: &LocalLaw<'_, C>) -> bool {
     local.pairs() > 0
 }
 
-fn rows<const D: usize, const C: usize>(problem: &Problem<D, C>) -> usize {
-    D + problem.locals().filter(has_row).count()
+fn rows<D: Size, const C: usize>(problem: &Problem<D, C>) -> usize {
+    problem.size().count() + problem.locals().filter(has_row).count()
 }
 
 /// Which axes of a closed contact are springs here; friction is a force of its own.
@@ -56,14 +53,15 @@ fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
 }
 
 /// What stretches of the contacts and a load contribute.
-fn response<const D: usize, const C: usize>(
+fn response<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     open: &[bool],
     stretch: impl Fn(usize) -> SVector<f64, C>,
-    mut wrench: SVector<f64, D>,
+    mut wrench: Vector<D>,
 ) -> DVector<f64> {
     let mut w = DVector::zeros(rows(problem));
-    let mut row = D;
+    let balance = problem.size().count();
+    let mut row = balance;
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let pushed = site.springs.force(&stretch(i));
         if has_row(&local) {
@@ -76,17 +74,17 @@ fn response<const D: usize, const C: usize>(
             }
         }
     }
-    w.rows_mut(0, D).copy_from(&wrench);
+    w.iter_mut().zip(wrench.iter()).take(balance).for_each(|(w, wrench)| *w = *wrench);
     w
 }
 
 /// What the drives and the load contribute.
-fn constant<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
-    response(problem, open, |i| problem.drives[i], problem.wrench)
+fn constant<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+    response(problem, open, |i| problem.drives[i], problem.wrench.clone())
 }
 
 /// Unit columns: motions both ways, friction, slacks.
-fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
+fn columns<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
     let count = rows(problem);
     let mut list = Vec::new();
     let mut push = |column: DVector<f64>, both_ways: bool| {
@@ -98,16 +96,18 @@ fn columns<const D: usize, const C: usize>(problem: &Problem<D, C>, open: &[bool
             list.push(column / size);
         }
     };
-    for axis in 0..D {
-        let stretch = |i: usize| -problem.sites[i].map.tr_mul(&unit(axis));
-        push(response(problem, open, stretch, SVector::zeros()), true);
+    let size = problem.size();
+    for axis in 0..size.count() {
+        let along = Vector::unit(size, axis);
+        let stretch = |i: usize| -problem.sites[i].map.tr_mul(&along);
+        push(response(problem, open, stretch, Vector::zeros()), true);
     }
-    let mut row = D;
+    let mut row = size.count();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let own = has_row(&local).then_some(row);
         let force = |f: &SVector<f64, C>, taken: f64| {
             let mut column = DVector::zeros(count);
-            column.rows_mut(0, D).copy_from(&(site.map * f));
+            column.iter_mut().zip((&site.map * f).iter()).for_each(|(to, from)| *to = *from);
             if let Some(row) = own {
                 column[row] = -taken;
             }

@@ -16,6 +16,7 @@ use nalgebra::SVector;
 use super::escape::{ESCAPE, LEAST_WORK};
 use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
 
 /// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
@@ -24,19 +25,16 @@ const BALANCED: f64 = 1e-13;
 
 /// A step of the proof; what follows a division is its second case with all below it, then its first.
 #[derive(Debug, Clone)]
-pub(crate) enum Step<const D: usize, const C: usize> {
+pub(crate) enum Step<D: Size, const C: usize> {
     /// What a contact does is one of these two.
     Divided { contact: usize, halves: [Label; 2] },
     /// The case is contradicted.
-    Contradicted { motion: SVector<f64, D>, forces: Vec<SVector<f64, C>> },
+    Contradicted { motion: Vector<D>, forces: Vec<SVector<f64, C>> },
 }
 
 /// The least factor by which an equilibrium that rounding has hidden would have to exceed the data, in √J; `None` where the steps
 /// leave a case out, or contradict one too weakly to count.
-pub(crate) fn check<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    steps: &[Step<D, C>],
-) -> Option<f64> {
+pub(crate) fn check<D: Size, const C: usize>(problem: &Problem<D, C>, steps: &[Step<D, C>]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, C>]| {
@@ -68,7 +66,7 @@ pub(crate) fn check<const D: usize, const C: usize>(
 
 /// The proof in a single case that nothing balances drives and load: what gives way the most does not respond to a virtual motion, and
 /// does less against it than anything else could. Virtual forces `-C_iᵀG_iᵀy` balance one another there.
-pub(crate) fn yields<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Option<f64> {
+pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
     let forces = |sign: f64| {
@@ -77,30 +75,30 @@ pub(crate) fn yields<const D: usize, const C: usize>(problem: &Problem<D, C>) ->
         };
         problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
     };
-    let step = |sign: f64| Step::Contradicted { motion: motion * sign, forces: forces(sign) };
+    let step = |sign: f64| Step::Contradicted { motion: &motion * sign, forces: forces(sign) };
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
 /// How large stretches and forces of the case have to be, in √J, to make up for what contradicts them.
-fn escape<const D: usize, const C: usize>(
+fn escape<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     labels: &[Label],
-    motion: &SVector<f64, D>,
+    motion: &Vector<D>,
     forces: &[SVector<f64, C>],
 ) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
     }
     let (mut gain, mut size, mut worst) = (-motion.dot(&problem.wrench), 0.0, 0.0_f64);
-    let mut unbalanced = SVector::<f64, D>::zeros();
+    let mut unbalanced = Vector::<D>::zeros();
     let mut balanced_size = 0.0;
     for (i, phi) in forces.iter().enumerate() {
         let (local, site) = (problem.local(i), &problem.sites[i]);
         let u = site.map.tr_mul(motion);
         gain += phi.dot(&problem.drives[i]);
-        unbalanced += site.map * phi;
+        unbalanced += &site.map * phi;
         let pushed = local.springs.force(&u);
-        balanced_size += (site.map * phi).norm() + (site.map * pushed).norm();
+        balanced_size += (&site.map * phi).norm() + (&site.map * pushed).norm();
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }

@@ -18,7 +18,7 @@ use nalgebra::SVector;
 use super::escape::{ESCAPE, LEAST_WORK, counts_from_here_on};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{NearestPoint, unit};
+use crate::numerics::{NearestPoint, Size, Vector, unit};
 use crate::object::Problem;
 
 /// A residual below this part of the load is no proof: the load lies on the boundary as far as rounding can tell.
@@ -29,26 +29,26 @@ const JOINS: f64 = 1e-13;
 const MOST_JOINING: usize = 200;
 
 /// A force of one contact whose wrench is one unit long.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Generator<const D: usize, const C: usize> {
+#[derive(Debug, Clone)]
+pub(crate) struct Generator<D: Size, const C: usize> {
     pub(crate) contact: usize,
     pub(crate) force: SVector<f64, C>,
-    pub(crate) wrench: SVector<f64, D>,
+    pub(crate) wrench: Vector<D>,
 }
 
-impl<const D: usize, const C: usize> Generator<D, C> {
+impl<D: Size, const C: usize> Generator<D, C> {
     /// Along a force of any length.
     pub(crate) fn along(contact: usize, site: &Site<D, C>, force: SVector<f64, C>) -> Self {
-        let wrench = site.map * force;
+        let wrench = &site.map * force;
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
     }
 }
 
 /// The sum of admissible forces whose wrench is nearest to a target.
-pub(crate) struct NearestForces<const D: usize, const C: usize> {
+pub(crate) struct NearestForces<D: Size, const C: usize> {
     /// What is missing, the other way round: no generator works against it, but for rounding.
-    pub(crate) motion: SVector<f64, D>,
+    pub(crate) motion: Vector<D>,
     /// How much one does.
     pub(crate) against: f64,
     /// The generators that have a share, with it.
@@ -56,21 +56,29 @@ pub(crate) struct NearestForces<const D: usize, const C: usize> {
 }
 
 /// That sum, of the generators that are known and of those of round cones as they are needed.
-pub(crate) fn nearest_forces<const D: usize, const C: usize>(
+pub(crate) fn nearest_forces<D: Size, const C: usize>(
+    size: D,
     straight: &[Generator<D, C>],
-    round: impl Fn(&SVector<f64, D>) -> Vec<Generator<D, C>>,
-    target: &SVector<f64, D>,
+    round: impl Fn(&Vector<D>) -> Vec<Generator<D, C>>,
+    target: &Vector<D>,
 ) -> NearestForces<D, C> {
+    let mut target = target.clone();
+    target.reach(size);
     let mut nearest = NearestPoint::new(target.as_slice());
     // By its number a straight generator joins once; generators of round cones are all different.
     let mut joined: Vec<Generator<D, C>> = Vec::new();
     let mut joins_left = MOST_JOINING;
     let (motion, against) = loop {
-        let v = -SVector::<f64, D>::from_column_slice(nearest.residual());
-        let known = straight.iter().enumerate().map(|(k, g)| (k, *g));
+        let residual = nearest.residual();
+        let v = Vector::<D>::from_fn(size, |k| -residual[k]);
+        let known = straight.iter().enumerate().map(|(k, g)| (k, g.clone()));
         let next = straight.len() + joined.len();
         let all = known.chain(round(&v).into_iter().map(|g| (next, g)));
-        let worst = all.map(|(k, g)| (k, g, g.wrench.dot(&v))).min_by(|a, b| a.2.total_cmp(&b.2));
+        let worked = all.map(|(k, g)| {
+            let work = g.wrench.dot(&v);
+            (k, g, work)
+        });
+        let worst = worked.min_by(|a, b| a.2.total_cmp(&b.2));
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
         let joins = work < -JOINS * v.norm() && v.norm() > CLEAR && !nearest.has(tag);
         if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
@@ -83,23 +91,21 @@ pub(crate) fn nearest_forces<const D: usize, const C: usize>(
         }
         nearest.settle(target.as_slice());
     };
-    let of_tag = |tag: usize| straight.get(tag).copied().unwrap_or_else(|| joined[tag - straight.len()]);
+    let of_tag = |tag: usize| straight.get(tag).unwrap_or_else(|| &joined[tag - straight.len()]).clone();
     let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).collect();
     NearestForces { motion, against, shares }
 }
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
-pub(crate) fn separating_motion<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-) -> Option<SVector<f64, D>> {
+pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vector<D>> {
     let load = problem.wrench.norm();
     if load == 0.0 {
         return None;
     }
     let straight = straight_generators(problem)?;
-    let target = -problem.wrench / load;
+    let target = -&problem.wrench / load;
     let NearestForces { motion: v, against, .. } =
-        nearest_forces(&straight, |v| round_generators(problem, v).collect(), &target);
+        nearest_forces(problem.size(), &straight, |v| round_generators(problem, v).collect(), &target);
     // Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load.
     // What escapes is measured against load and squeeze together.
     let distance = v.norm();
@@ -109,16 +115,16 @@ pub(crate) fn separating_motion<const D: usize, const C: usize>(
 }
 
 /// The forces of the springs stretched by the commands alone, as wrenches.
-fn squeeze<const D: usize, const C: usize>(problem: &Problem<D, C>) -> f64 {
+fn squeeze<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {
     let pushed =
-        |(site, drive): (&Site<D, C>, &SVector<f64, C>)| (site.map * site.springs.force(drive)).norm();
+        |(site, drive): (&Site<D, C>, &SVector<f64, C>)| (&site.map * site.springs.force(drive)).norm();
     problem.sites.iter().zip(&problem.drives).map(pushed).sum()
 }
 
 /// Of every round cone the unit wrench that does most against a motion.
-pub(crate) fn round_generators<const D: usize, const C: usize>(
+pub(crate) fn round_generators<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    v: &SVector<f64, D>,
+    v: &Vector<D>,
 ) -> impl Iterator<Item = Generator<D, C>> {
     let contacts = problem.locals().zip(problem.sites).enumerate();
     contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
@@ -133,10 +139,10 @@ pub(crate) fn round_generators<const D: usize, const C: usize>(
 ///
 /// It does, for any forces in any state, if no admissible contact force works against the motion, the load does not work
 /// against it, and the rate of the load works along it.
-pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
+pub(crate) fn separates_from_here_on<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    motion: &SVector<f64, D>,
-    rate: &SVector<f64, D>,
+    motion: &Vector<D>,
+    rate: &Vector<D>,
 ) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
@@ -148,7 +154,7 @@ pub(crate) fn separates_from_here_on<const D: usize, const C: usize>(
 }
 
 /// The unit wrenches that generate the friction cones that are not round; `None` where the law is not a cone of forces at rest.
-pub(crate) fn straight_generators<const D: usize, const C: usize>(
+pub(crate) fn straight_generators<D: Size, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vec<Generator<D, C>>> {
     let mut list = Vec::new();

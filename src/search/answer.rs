@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::Coordinates;
+use crate::numerics::{Size, Vector};
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -53,12 +54,12 @@ pub enum Doubt {
 
 /// A solution of the local problem.
 #[derive(Debug, Clone)]
-pub(crate) struct Found<const D: usize, const C: usize> {
+pub(crate) struct Found<D: Size, const C: usize> {
     pub(crate) states: Vec<State<C>>,
     pub(crate) forces: Vec<SVector<f64, C>>,
-    pub(crate) twist: SVector<f64, D>,
-    pub(crate) free_motions: Vec<SVector<f64, D>>,
-    pub(crate) neutral_motions: Vec<SVector<f64, D>>,
+    pub(crate) twist: Vector<D>,
+    pub(crate) free_motions: Vec<Vector<D>>,
+    pub(crate) neutral_motions: Vec<Vector<D>>,
     /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
     /// they vanish. Zero for a solution of its own.
     pub(crate) sizes: [f64; 2],
@@ -66,9 +67,9 @@ pub(crate) struct Found<const D: usize, const C: usize> {
     pub(crate) from_polygon: Option<f64>,
 }
 
-impl<const D: usize, const C: usize> Found<D, C> {
+impl<D: Size, const C: usize> Found<D, C> {
     /// A solution without free motions and history.
-    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: SVector<f64, D>) -> Self {
+    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: Vector<D>) -> Self {
         Self {
             states,
             forces,
@@ -95,7 +96,7 @@ pub(crate) struct Kept<const C: usize> {
 
 impl<const C: usize> Kept<C> {
     /// With a list for its coordinates.
-    pub(crate) fn of<const D: usize>(found: Found<D, C>, list: Vec<f64>) -> Self {
+    pub(crate) fn of<D: Size>(found: Found<D, C>, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
             forces: found.forces,
@@ -107,7 +108,7 @@ impl<const C: usize> Kept<C> {
         }
     }
 
-    pub(crate) fn found<const D: usize>(&self) -> Found<D, C> {
+    pub(crate) fn found<D: Size>(&self) -> Found<D, C> {
         Found {
             states: self.states.clone(),
             forces: self.forces.clone(),
@@ -122,12 +123,12 @@ impl<const C: usize> Kept<C> {
 
 /// How a search ended.
 #[derive(Debug, Clone)]
-pub(crate) enum Settled<const D: usize, const C: usize> {
+pub(crate) enum Settled<D: Size, const C: usize> {
     Found(Found<D, C>, Rung),
     /// The load works on a motion that no spring resists.
-    FreeMotion(SVector<f64, D>),
+    FreeMotion(Vector<D>),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
-    Separating(SVector<f64, D>),
+    Separating(Vector<D>),
     /// Each of so many combinations of contact states fails clearly.
     NoneOf(usize),
     /// On the round cone, each of so many cases contradicts itself; what escapes that is larger than the data by this factor.

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{At, State};
 use crate::lcp::{self, Lcp, Outcome};
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Inequalities may be violated by this much of their size, times the growth of errors in the piece. Ties are the
@@ -25,7 +26,7 @@ const OUT_OF_BALANCE: f64 = 1e-11;
 
 /// What became of a proposal.
 #[derive(Debug, Clone)]
-pub(crate) enum Verdict<const D: usize, const C: usize> {
+pub(crate) enum Verdict<D: Size, const C: usize> {
     Holds(Found<D, C>),
     Violated {
         /// So close that rounding could have done it.
@@ -36,7 +37,7 @@ pub(crate) enum Verdict<const D: usize, const C: usize> {
 }
 
 /// Solves the piece with these states and checks every inequality.
-pub(crate) fn try_states<const D: usize, const C: usize>(
+pub(crate) fn try_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
 ) -> Verdict<D, C> {
@@ -54,7 +55,7 @@ pub(crate) fn try_states<const D: usize, const C: usize>(
 }
 
 /// A proposal that does not hold, given back as it came.
-pub(super) struct Refused<const D: usize, const C: usize> {
+pub(super) struct Refused<D: Size, const C: usize> {
     pub(super) states: Vec<State<C>>,
     pub(super) at: PieceState<D, C>,
     /// So close that rounding could have done it.
@@ -62,7 +63,7 @@ pub(super) struct Refused<const D: usize, const C: usize> {
 }
 
 /// Checks every inequality for a solution of the piece with these states.
-pub(super) fn admit<const D: usize, const C: usize>(
+pub(super) fn admit<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
     piece: &Piece<D, C>,
@@ -77,8 +78,8 @@ pub(super) fn admit<const D: usize, const C: usize>(
     let neutral_motions = piece.neutral_motions();
     if worst > rounding && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a whole family of solutions, and the one of least norm is not admissible: is another?
-        let free = free_motions.iter().map(|v| (*v, vec![SVector::zeros(); problem.len()]));
-        let neutral = neutral_motions.iter().map(|v| (*v, piece.forces_along(problem, v)));
+        let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
+        let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
         let motions: Vec<_> = free.chain(neutral).collect();
         let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
@@ -106,7 +107,7 @@ pub(super) fn admit<const D: usize, const C: usize>(
 }
 
 /// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
-pub(super) fn admit_regular<const D: usize, const C: usize>(
+pub(super) fn admit_regular<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
     state: PieceState<D, C>,
@@ -120,11 +121,11 @@ pub(super) fn admit_regular<const D: usize, const C: usize>(
 }
 
 /// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
-pub(crate) fn for_each_condition<const D: usize, const C: usize>(
+pub(crate) fn for_each_condition<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
     forces: &[SVector<f64, C>],
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
     mut visit: impl FnMut(f64, f64),
 ) {
     let largest = problem.largest_force(forces, twist);
@@ -136,10 +137,10 @@ pub(crate) fn for_each_condition<const D: usize, const C: usize>(
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp
 /// no force changes, and what is left of the forces is noise: it is not measured against itself.
-fn out_of_balance<const D: usize, const C: usize>(
+fn out_of_balance<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     forces: &[SVector<f64, C>],
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
 ) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -147,7 +148,7 @@ fn out_of_balance<const D: usize, const C: usize>(
 }
 
 /// Values and sizes of all inequalities.
-fn slacks<const D: usize, const C: usize>(
+fn slacks<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
     at: &PieceState<D, C>,
@@ -161,7 +162,7 @@ fn slacks<const D: usize, const C: usize>(
 }
 
 /// The worst violation of an inequality, relative to its size; infinite where one is not a number.
-fn violation<const D: usize, const C: usize>(
+fn violation<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
     at: &PieceState<D, C>,
@@ -185,12 +186,12 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
 /// ```
 ///
 /// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
-fn least_admissible_shift<const D: usize, const C: usize>(
+fn least_admissible_shift<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
     values: &[f64],
     sizes: &[f64],
-    motions: &[(SVector<f64, D>, Vec<SVector<f64, C>>)],
+    motions: &[(Vector<D>, Vec<SVector<f64, C>>)],
 ) -> Option<DVector<f64>> {
     let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
     let mut a = DMatrix::zeros(b.len(), motions.len());
@@ -233,7 +234,7 @@ fn least_admissible_shift<const D: usize, const C: usize>(
         let joins = (0..b.len()).filter(|&i| left[i] < 0.0 && !rows.contains(&i));
         let mut joins: Vec<usize> = joins.collect();
         joins.sort_by(|&i, &j| left[i].total_cmp(&left[j]));
-        joins.truncate(D);
+        joins.truncate(problem.size().count());
         if joins.is_empty() || rows.len() > ALL_AT_ONCE {
             return least(&rows);
         }

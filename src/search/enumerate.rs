@@ -4,15 +4,16 @@ use super::answer::Found;
 use super::candidate::Verdict;
 use super::polish::accept;
 use crate::contact::State;
+use crate::numerics::Size;
 use crate::object::Problem;
 
 /// The number of combinations of contact states, in floating point because it overflows soon.
-pub(crate) fn combinations<const D: usize, const C: usize>(problem: &Problem<D, C>) -> f64 {
+pub(crate) fn combinations<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
 /// Visits every combination of states in a fixed order, everything unjumped first, until `visit` says stop.
-pub(crate) fn for_each_combination<const D: usize, const C: usize>(
+pub(crate) fn for_each_combination<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut visit: impl FnMut(Vec<State<C>>) -> bool,
 ) {
@@ -32,7 +33,7 @@ pub(crate) fn for_each_combination<const D: usize, const C: usize>(
 
 /// What an enumeration found.
 #[derive(Debug, Clone)]
-pub(crate) struct Search<const D: usize, const C: usize> {
+pub(crate) struct Search<D: Size, const C: usize> {
     pub(crate) found: Vec<Found<D, C>>,
     /// Combinations tried.
     pub(crate) tried: usize,
@@ -41,10 +42,7 @@ pub(crate) struct Search<const D: usize, const C: usize> {
 }
 
 /// Tries all combinations, or all until the first that holds.
-pub(crate) fn search<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    first_only: bool,
-) -> Search<D, C> {
+pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Search<D, C> {
     let mut search = Search { found: Vec::new(), tried: 0, doubtful: false };
     for_each_combination(problem, |states| {
         search.tried += 1;

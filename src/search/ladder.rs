@@ -11,12 +11,13 @@ use super::rungs::{
 };
 use super::scene::{Attempt, Log, Scene};
 use super::settings::Settings;
+use crate::numerics::Size;
 use crate::object::Problem;
 
-type TryRung<const D: usize, const C: usize> = fn(&Scene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
+type TryRung<D, const C: usize> = fn(&Scene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
 
 /// Climbs the ladder.
-pub(crate) fn settle<const D: usize, const C: usize>(
+pub(crate) fn settle<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {

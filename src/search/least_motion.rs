@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::NearestPoint;
+use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::Problem;
 
 /// A condition that changes along a unit motion by less than this part of its size does not change.
@@ -28,7 +28,7 @@ const DEPENDENT: f64 = 1e-9;
 const NO_PLACE: f64 = 1e-9;
 
 /// The solution at the least motion along what is free.
-pub(super) fn at_the_least_motion<const D: usize, const C: usize>(
+pub(super) fn at_the_least_motion<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut found: Found<D, C>,
 ) -> Found<D, C> {
@@ -36,10 +36,13 @@ pub(super) fn at_the_least_motion<const D: usize, const C: usize>(
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
     }
-    let along = |twist: SVector<f64, D>, v: &SVector<f64, D>| twist - v * v.dot(&twist);
-    let base = found.free_motions.iter().fold(found.twist, along);
-    let base = base + to_what_touches(problem, &found, &base);
-    let conditions = |problem: &Problem<D, C>, forces: &[SVector<f64, C>], twist: &SVector<f64, D>| {
+    let along = |twist: Vector<D>, v: &Vector<D>| {
+        let part = v.dot(&twist);
+        twist - v * part
+    };
+    let base = found.free_motions.iter().fold(found.twist.clone(), along);
+    let base = &base + to_what_touches(problem, &found, &base);
+    let conditions = |problem: &Problem<D, C>, forces: &[SVector<f64, C>], twist: &Vector<D>| {
         let mut list = Vec::new();
         for_each_condition(problem, &found.states, forces, twist, |value, size| list.push((value, size)));
         list
@@ -63,11 +66,11 @@ pub(super) fn at_the_least_motion<const D: usize, const C: usize>(
 }
 
 /// The least free motion that closes the gaps of contacts that touch or press where nothing has moved, as well as free motions can.
-fn to_what_touches<const D: usize, const C: usize>(
+fn to_what_touches<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,
-    base: &SVector<f64, D>,
-) -> SVector<f64, D> {
+    base: &Vector<D>,
+) -> Vector<D> {
     let touches = |i: &usize| {
         let reach = problem.drives[*i][0];
         let open = found.states[*i].is_open() && problem.local(*i).may_open();
@@ -75,15 +78,15 @@ fn to_what_touches<const D: usize, const C: usize>(
     };
     let open: Vec<usize> = (0..problem.len()).filter(touches).collect();
     if open.is_empty() {
-        return SVector::zeros();
+        return Vector::zeros();
     }
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = DMatrix::from_fn(open.len(), free.len(), |r, k| normal(open[r]).dot(&free[k]));
     let gaps = DVector::from_fn(open.len(), |r, _| problem.stretch(open[r], base)[0]);
     let parts = rows.svd(true, true).solve(&gaps, DEPENDENT);
     parts.map_or_else(
-        |_| SVector::zeros(),
-        |parts| free.iter().zip(parts.iter()).fold(SVector::zeros(), |sum, (v, part)| sum + v * *part),
+        |_| Vector::zeros(),
+        |parts| free.iter().zip(parts.iter()).fold(Vector::zeros(), |sum, (v, part)| sum + v * *part),
     )
 }
 

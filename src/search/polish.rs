@@ -4,21 +4,19 @@
 //! cone. Their piece has the last digits ([`super::round_pieces`]). Where Newton's method gets lost, since stiffnesses lie so far apart that a
 //! twist says nothing of forces, the pieces are followed from the polygon's answer on.
 
-use nalgebra::SVector;
-
 use super::answer::Found;
 use super::candidate::{Verdict, try_states};
 use super::newton::newton;
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
-use crate::numerics::PartialPivoting;
+use crate::numerics::{PartialPivoting, Size, Vector};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 
 /// What may be out of balance of a polygon's answer, from which Newton's method starts.
 const NEAR: f64 = 1e-12;
 
 /// A proposal that holds: as it is on the polygon, where it leads to on the round cone.
-pub(super) fn accept<const D: usize, const C: usize>(
+pub(super) fn accept<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
 ) -> Verdict<D, C> {
@@ -36,7 +34,7 @@ pub(super) fn accept<const D: usize, const C: usize>(
 }
 
 /// The solution of the polygon's piece with these states, whether every inequality holds or not: where Newton's method starts.
-pub(crate) fn solution_near<const D: usize, const C: usize>(
+pub(crate) fn solution_near<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
 ) -> Option<PieceState<D, C>> {
@@ -53,7 +51,7 @@ pub(crate) fn solution_near<const D: usize, const C: usize>(
 }
 
 /// The solution of a piece whose tangent stiffness is regular.
-fn regular_solution<const D: usize, const C: usize>(
+fn regular_solution<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
 ) -> Option<PieceState<D, C>> {
@@ -61,26 +59,26 @@ fn regular_solution<const D: usize, const C: usize>(
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
-    let mut near = PieceState { forces, twist: SVector::zeros() };
+    let mut near = PieceState { forces, twist: Vector::zeros() };
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;
     Some(near)
 }
 
 /// The solution on the round cone that Newton's method finds from a twist.
-pub(super) fn polish_from<const D: usize, const C: usize>(
+pub(super) fn polish_from<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    twist: SVector<f64, D>,
+    twist: Vector<D>,
 ) -> Option<Found<D, C>> {
     newton(problem, twist).and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
-pub(crate) fn polish<const D: usize, const C: usize>(
+pub(crate) fn polish<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
     near: &PieceState<D, C>,
 ) -> Option<Found<D, C>> {
-    let found = newton(problem, near.twist)
+    let found = newton(problem, near.twist.clone())
         .and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());

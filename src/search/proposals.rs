@@ -10,6 +10,7 @@ use super::tree::most_cases;
 use crate::contact::State;
 use crate::forms::Form;
 use crate::lcp::{self, Basis, Outcome};
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::structured;
 
@@ -28,25 +29,19 @@ const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix can be afforded, so many times as large as the kinematic form of the problem: it takes about as many
 /// pivots as there are rows.
-pub(crate) fn dense_is_affordable<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    times: usize,
-) -> bool {
+pub(crate) fn dense_is_affordable<D: Size, const C: usize>(problem: &Problem<D, C>, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
 }
 
 /// Few enough contacts to try every combination of their states.
-pub(super) fn enumerable<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    settings: &Settings,
-) -> bool {
+pub(super) fn enumerable<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
 /// One rung: Lemke proposes states, the piece with these states is solved and checked; on the round cone Newton's method goes on
 /// from there.
-pub(super) fn climb<const D: usize, const C: usize>(
+pub(super) fn climb<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     propose: impl Fn(&Problem<D, C>, &mut Log) -> Option<Vec<State<C>>>,
     log: &mut Log,
@@ -67,7 +62,7 @@ pub(super) fn climb<const D: usize, const C: usize>(
 }
 
 /// Contact states from Lemke's method on lists of contact states.
-pub(super) fn propose_structured<const D: usize, const C: usize>(
+pub(super) fn propose_structured<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     problem: &Problem<D, C>,
     log: &mut Log,
@@ -84,7 +79,7 @@ pub(super) fn propose_structured<const D: usize, const C: usize>(
 }
 
 /// Contact states from Lemke's method on a complementarity problem with a dense matrix.
-pub(super) fn propose_dense<const D: usize, const C: usize>(
+pub(super) fn propose_dense<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
     form: impl Fn(&Problem<D, C>) -> Option<Form>,

@@ -19,7 +19,7 @@
 use nalgebra::SVector;
 
 use crate::contact::HullRay;
-use crate::numerics::NearestPoint;
+use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
@@ -59,7 +59,7 @@ pub(super) enum Relaxed<const C: usize> {
 
 impl<const C: usize> Balance<C> {
     /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
-    pub(super) fn new<const D: usize>(
+    pub(super) fn new<D: Size>(
         problem: &Problem<D, C>,
         trial: &Piece<D, C>,
         state: &PieceState<D, C>,
@@ -82,7 +82,7 @@ impl<const C: usize> Balance<C> {
         }
         let seen: Vec<_> = (0..problem.len()).map(|contact| trial.seen(contact)).collect();
         let mut projector = Vec::with_capacity(size * size);
-        for column in seen.iter().flat_map(|seen| seen.column_iter()) {
+        for column in seen.iter().flat_map(|seen| (0..C).map(|a| seen.column(a))) {
             for rows in &seen {
                 projector.extend_from_slice(rows.tr_mul(&column).as_slice());
             }
@@ -201,11 +201,11 @@ impl<const C: usize> Balance<C> {
     }
 
     /// What contradicts a case: a virtual motion and self-balanced virtual forces that stand for the residual.
-    pub(super) fn contradiction<const D: usize>(
+    pub(super) fn contradiction<D: Size>(
         &self,
         trial: &Piece<D, C>,
         nearest: &NearestPoint<Tag>,
-    ) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
+    ) -> (Vector<D>, Vec<SVector<f64, C>>) {
         let y = nearest.residual();
         let mut projected = Vec::new();
         self.projected(y, &mut projected);
@@ -215,7 +215,7 @@ impl<const C: usize> Balance<C> {
             let on_force = part(&projected, contact);
             SVector::from_fn(|a, _| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
         });
-        let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &SVector::zeros()).twist;
+        let motion = trial.solve_roughly(&seen.collect::<Vec<_>>(), &Vector::zeros()).twist;
         let on_stretch = |contact| part(y, contact) - part(&projected, contact);
         let forces = self.roots.iter().enumerate().map(|(i, root)| on_stretch(i).component_mul(root));
         (motion, forces.collect())

@@ -10,6 +10,7 @@ use super::answer::Found;
 use super::candidate::{admit, admit_regular};
 use super::newton::Arrived;
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
+use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem};
 
 /// Steps at most.
@@ -37,7 +38,7 @@ const FELT: f64 = 1e-10;
 
 /// A state for every contact, with forces and a twist that need not solve their piece yet.
 #[derive(Debug, Clone)]
-pub(super) struct RoundPieces<const D: usize, const C: usize> {
+pub(super) struct RoundPieces<D: Size, const C: usize> {
     states: Vec<State<C>>,
     forces: Vec<SVector<f64, C>>,
     /// In twice the working precision: the slip of a stiff contact may be less than its rounding.
@@ -54,11 +55,11 @@ struct Progress {
     settled: bool,
 }
 
-impl<const D: usize, const C: usize> RoundPieces<D, C> {
+impl<D: Size, const C: usize> RoundPieces<D, C> {
     /// Where Newton's method on the twist has arrived.
     pub(super) fn arrived(arrived: &Arrived<D, C>) -> Self {
         let (states, forces) = arrived.contacts.iter().map(|at| (at.state, at.force)).unzip();
-        Self { states, forces, twist: PreciseTwist::new(arrived.twist) }
+        Self { states, forces, twist: PreciseTwist::new(arrived.twist.clone()) }
     }
 
     /// The solution of the polygons' piece with these states.
@@ -73,7 +74,7 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
             if state.is_open() && local.excludes(state) { Mode::Rolling } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
-        Self { states, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist) }
+        Self { states, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist.clone()) }
     }
 
     /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.
@@ -151,7 +152,7 @@ impl<const D: usize, const C: usize> RoundPieces<D, C> {
 
     /// Whether a motion turns the friction of a sliding contact: it is not free then, only resisted by less than rounding of the stiffest
     /// spring, and where it leads to is not known.
-    fn turns(&self, problem: &Problem<D, C>, motion: &SVector<f64, D>) -> bool {
+    fn turns(&self, problem: &Problem<D, C>, motion: &Vector<D>) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide<C>| slide.across().dot(&site.map.tr_mul(motion)).abs();
             state.slide().is_some_and(|slide| turns(slide) > FELT * site.map.norm())
@@ -223,7 +224,7 @@ fn next_state<const C: usize>(
 
 /// Whether forces balance the load. Without a load they may be noise, which is not measured against itself; with one a wild twist must not
 /// count as a force.
-fn balanced<const D: usize, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
+fn balanced<D: Size, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };

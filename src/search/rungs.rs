@@ -9,6 +9,7 @@ use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
 use crate::forms;
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::proofs;
 use crate::structured::propose_by_newton;
@@ -18,7 +19,7 @@ use crate::structured::propose_by_newton;
 const STRUCTURED_FROM: usize = 8;
 
 /// What would pull is open, and the rest sticks.
-pub(super) fn touching_contacts_roll<const D: usize, const C: usize>(
+pub(super) fn touching_contacts_roll<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
@@ -27,7 +28,7 @@ pub(super) fn touching_contacts_roll<const D: usize, const C: usize>(
 }
 
 /// Newton's method on the answers of many contacts.
-pub(super) fn newton_on_answers<const D: usize, const C: usize>(
+pub(super) fn newton_on_answers<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -39,7 +40,7 @@ pub(super) fn newton_on_answers<const D: usize, const C: usize>(
 }
 
 /// Lemke's method on the kinematic form, on lists of contact states: its cost is that of a few numbers a contact.
-pub(super) fn kinematic_form_on_states<const D: usize, const C: usize>(
+pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -55,7 +56,7 @@ pub(super) fn kinematic_form_on_states<const D: usize, const C: usize>(
 }
 
 /// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
-pub(super) fn everything_yields<const D: usize, const C: usize>(
+pub(super) fn everything_yields<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
@@ -67,7 +68,7 @@ pub(super) fn everything_yields<const D: usize, const C: usize>(
 }
 
 /// Among many contacts a proof is cheaper than any path.
-pub(super) fn separating_motion_of_many<const D: usize, const C: usize>(
+pub(super) fn separating_motion_of_many<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -75,7 +76,7 @@ pub(super) fn separating_motion_of_many<const D: usize, const C: usize>(
 }
 
 /// Contact states from Lemke's method on the dense kinematic form.
-fn propose_kinematic<const D: usize, const C: usize>(
+fn propose_kinematic<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     problem: &Problem<D, C>,
     log: &mut Log,
@@ -85,7 +86,7 @@ fn propose_kinematic<const D: usize, const C: usize>(
 }
 
 /// Lemke's method on the kinematic form with a dense matrix.
-pub(super) fn kinematic_form<const D: usize, const C: usize>(
+pub(super) fn kinematic_form<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -98,7 +99,7 @@ pub(super) fn kinematic_form<const D: usize, const C: usize>(
 }
 
 /// The kinematic form once more, with facets for infinite friction.
-pub(super) fn kinematic_form_with_edges<const D: usize, const C: usize>(
+pub(super) fn kinematic_form_with_edges<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -108,7 +109,7 @@ pub(super) fn kinematic_form_with_edges<const D: usize, const C: usize>(
 }
 
 /// Lemke's method on the force form.
-pub(super) fn force_form<const D: usize, const C: usize>(
+pub(super) fn force_form<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -119,7 +120,7 @@ pub(super) fn force_form<const D: usize, const C: usize>(
 }
 
 /// A motion that separates the load from all that friction can do.
-pub(super) fn separating_motion<const D: usize, const C: usize>(
+pub(super) fn separating_motion<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
@@ -128,18 +129,18 @@ pub(super) fn separating_motion<const D: usize, const C: usize>(
 }
 
 /// Newton's method on the round cone, from the elastic trial state.
-pub(super) fn newton_on_the_round_cone<const D: usize, const C: usize>(
+pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     if !has_round_cones(scene.problem) {
         return Attempt::Nothing;
     }
-    Attempt::by(Rung::Newton, polish_from(scene.problem, scene.state.twist))
+    Attempt::by(Rung::Newton, polish_from(scene.problem, scene.state.twist.clone()))
 }
 
 /// On the round cone: branch and bound over contact states and directions of friction.
-pub(super) fn every_case<const D: usize, const C: usize>(
+pub(super) fn every_case<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
@@ -158,7 +159,7 @@ pub(super) fn every_case<const D: usize, const C: usize>(
 }
 
 /// Every combination of contact states, where they are few.
-pub(super) fn every_combination<const D: usize, const C: usize>(
+pub(super) fn every_combination<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {

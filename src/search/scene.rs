@@ -8,10 +8,11 @@ use nalgebra::SVector;
 use super::answer::{Doubt, Effort, Found, Rung, Settled};
 use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State};
+use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// A question for an equilibrium, with its elastic trial state.
-pub(super) struct Scene<'s, 'g, const D: usize, const C: usize> {
+pub(super) struct Scene<'s, 'g, D: Size, const C: usize> {
     pub(super) problem: &'s Problem<'g, D, C>,
     pub(super) settings: &'s Settings,
     /// The states of the trial: everything that is there sticks.
@@ -22,7 +23,7 @@ pub(super) struct Scene<'s, 'g, const D: usize, const C: usize> {
     with_edges: OnceCell<Option<Problem<'g, D, C>>>,
 }
 
-impl<'s, 'g, const D: usize, const C: usize> Scene<'s, 'g, D, C> {
+impl<'s, 'g, D: Size, const C: usize> Scene<'s, 'g, D, C> {
     pub(super) fn new(
         problem: &'s Problem<'g, D, C>,
         settings: &'s Settings,
@@ -53,7 +54,7 @@ impl<'s, 'g, const D: usize, const C: usize> Scene<'s, 'g, D, C> {
 }
 
 /// What one rung has to say.
-pub(super) enum Attempt<const D: usize, const C: usize> {
+pub(super) enum Attempt<D: Size, const C: usize> {
     Found(Found<D, C>, Rung),
     /// No equilibrium, and why.
     Proof(Settled<D, C>),
@@ -63,7 +64,7 @@ pub(super) enum Attempt<const D: usize, const C: usize> {
     Stop,
 }
 
-impl<const D: usize, const C: usize> Attempt<D, C> {
+impl<D: Size, const C: usize> Attempt<D, C> {
     pub(super) fn by(rung: Rung, found: Option<Found<D, C>>) -> Self {
         found.map_or(Self::Nothing, |found| Self::Found(found, rung))
     }
@@ -78,7 +79,7 @@ pub(super) struct Log {
 
 /// The problem with the polygon of each contact turned so that it has a corner along the trial traction: as long as the traction
 /// keeps its direction that polygon is as good as the round cone.
-pub(super) fn on_polygons<'g, const D: usize, const C: usize>(
+pub(super) fn on_polygons<'g, D: Size, const C: usize>(
     problem: &Problem<'g, D, C>,
     cone: PolygonCone,
     trial: &[SVector<f64, C>],

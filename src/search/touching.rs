@@ -3,6 +3,7 @@
 use super::answer::Found;
 use super::candidate::admit;
 use crate::contact::{Mode, State};
+use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// With more contacts all that pull let go together.
@@ -13,7 +14,7 @@ const ROUNDS: usize = 20;
 /// From these states and their solution on: opens contacts that pull and closes contacts that penetrate, until neither are left.
 /// The result is accepted if it satisfies every condition. A finger far out of reach is thus no reason to return another
 /// equilibrium than without it.
-pub(super) fn touching_contacts<const D: usize, const C: usize>(
+pub(super) fn touching_contacts<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State<C>>,
     trial: PieceState<D, C>,

@@ -14,7 +14,7 @@ use super::polish::polish_from;
 use super::relaxed::{Balance, Relaxed, Tag};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
-use crate::numerics::NearestPoint;
+use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::proofs::Step;
 
@@ -34,7 +34,7 @@ const MOST_CONTACTS: usize = 32;
 
 /// How the search ends.
 #[derive(Debug, Clone)]
-pub(super) enum Tree<const D: usize, const C: usize> {
+pub(super) enum Tree<D: Size, const C: usize> {
     Found(Found<D, C>),
     /// Each case is contradicted. What escapes is larger than the data by this factor.
     Contradicted {
@@ -56,16 +56,13 @@ struct Case<const C: usize> {
 
 /// Whether friction may point anywhere on a circle. With cones that are not round the polygons say all there is to say, and rates on an
 /// edge are on a facet.
-pub(super) fn has_round_cones<const D: usize, const C: usize>(problem: &Problem<D, C>) -> bool {
+pub(super) fn has_round_cones<D: Size, const C: usize>(problem: &Problem<D, C>) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
 /// The cases that take as long as [`Settings::most_states`] combinations of contact states; none where there is nothing to divide, or
 /// too much.
-pub(super) fn most_cases<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-    settings: &Settings,
-) -> usize {
+pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> usize {
     if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
         return 0;
     }
@@ -74,7 +71,7 @@ pub(super) fn most_cases<const D: usize, const C: usize>(
 }
 
 /// Searches every case, at most so many.
-pub(super) fn search_tree<const D: usize, const C: usize>(
+pub(super) fn search_tree<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
@@ -113,7 +110,7 @@ pub(super) fn search_tree<const D: usize, const C: usize>(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         if (cases - 1) % EVERY == 0 || error <= AT_THE_LAW {
             let from: Vec<_> = problem.drives.iter().zip(&stretches).map(|(a, v)| a - v).collect();
-            let twist = trial.solve_roughly(&from, &SVector::zeros()).twist;
+            let twist = trial.solve_roughly(&from, &Vector::zeros()).twist;
             if let Some(found) = polish_from(problem, twist) {
                 return Tree::Found(found);
             }
@@ -141,7 +138,7 @@ pub(super) fn search_tree<const D: usize, const C: usize>(
 }
 
 /// The steps of a proof that there is no equilibrium, if the tree finds one, with the number of cases.
-pub(crate) fn refute<const D: usize, const C: usize>(
+pub(crate) fn refute<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> Option<(Vec<Step<D, C>>, usize)> {
@@ -159,7 +156,7 @@ pub(crate) fn refute<const D: usize, const C: usize>(
 }
 
 /// The contact whose force is farthest from what its law says of its stretch, and by how much.
-fn farthest_from_the_law<const D: usize, const C: usize>(
+fn farthest_from_the_law<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     balance: &Balance<C>,
     labels: &[Label],

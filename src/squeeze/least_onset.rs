@@ -21,6 +21,7 @@ use crate::contact::{Edges, Line};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
+use crate::numerics::{Size, Vector};
 use crate::search::Settings;
 
 /// The answer to "what is the least onset of sliding, if commands and loads are off by no more than this?"
@@ -68,7 +69,7 @@ struct Share<const C: usize> {
     forces: Forces<C>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
     pub(crate) fn least_onset_within(
         &self,
@@ -135,12 +136,12 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// What each datum with a bound does.
-fn shares<const D: usize, const C: usize>(
+fn shares<D: Size, const C: usize>(
     rolling: &Rolling<D, C>,
     bounds: &Bounds<C>,
 ) -> Result<Vec<Share<C>>, Motion<C>> {
     let grasp = rolling.grasp;
-    let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], SVector::zeros());
+    let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
     let mut shares = Vec::new();
     for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
         for (axis, &bound) in bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
@@ -154,7 +155,7 @@ fn shares<const D: usize, const C: usize>(
         [(&bounds.base, Datum::Base as fn(usize) -> Datum), (&bounds.direction, Datum::Direction)]
     {
         for (k, &bound) in bounds.components().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
-            let mut load = SVector::<f64, D>::zeros();
+            let mut load = Vector::<D>::zeros();
             load[k] = bound;
             let forces = rolling.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
             shares.push(Share { datum: datum(k), bound, forces });

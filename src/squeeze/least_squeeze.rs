@@ -5,6 +5,7 @@ use super::parts::{Condition, Parts};
 use super::rolling::Rolling;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
+use crate::numerics::Size;
 use crate::search::Settings;
 
 /// Each cut raises the factor, by a part that soon is squared; more of them are made by rounding.
@@ -42,7 +43,7 @@ pub enum LeastSqueeze<const C: usize> {
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,

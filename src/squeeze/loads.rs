@@ -3,6 +3,7 @@
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
+use crate::numerics::Size;
 
 /// A set of loads.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +26,7 @@ pub enum Loads<const C: usize> {
 
 impl<const C: usize> Loads<C> {
     /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
-    pub(super) fn check<const D: usize>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match self {
             Self::Each(list) => {
                 if list.is_empty() {

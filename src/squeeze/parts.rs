@@ -9,10 +9,10 @@ use super::rolling::{Forces, Push, Rolling, is_broken, push, round_parts, round_
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
-use crate::numerics::{Harmonic, Turning};
+use crate::numerics::{Harmonic, Size, Turning, Vector};
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
-pub(super) struct Condition<const D: usize, const C: usize> {
+pub(super) struct Condition<const C: usize> {
     pub(super) row: SVector<f64, C>,
     pub(super) value: f64,
     size: f64,
@@ -20,7 +20,7 @@ pub(super) struct Condition<const D: usize, const C: usize> {
 }
 
 /// Forces contact by contact, of the whole squeeze and of the loads without it.
-pub(super) struct Parts<'l, const D: usize, const C: usize> {
+pub(super) struct Parts<'l, const C: usize> {
     loads: &'l Loads<C>,
     squeeze: Forces<C>,
     /// For each load of a list; of a turn its three parts; of forces of any direction that of the base.
@@ -28,12 +28,12 @@ pub(super) struct Parts<'l, const D: usize, const C: usize> {
     pushes: Vec<Push<C>>,
 }
 
-impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
-    pub(super) fn of(rolling: &Rolling<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
+impl<'l, const C: usize> Parts<'l, C> {
+    pub(super) fn of<D: Size>(rolling: &Rolling<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
         let grasp = rolling.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
-        let squeeze = rolling.forces(&grasp.drive_changes(Some(&commands), None), &SVector::zeros())?;
+        let squeeze = rolling.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
         let mut without = grasp.drives();
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
         let at_rest = vec![SVector::zeros(); without.len()];
@@ -58,12 +58,12 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
     }
 
     /// The condition that is broken at a factor and asks for most squeeze, with its contact.
-    pub(super) fn broken(
+    pub(super) fn broken<D: Size>(
         &self,
         rolling: &Rolling<'_, D, C>,
         factor: f64,
-    ) -> Option<(usize, Condition<D, C>)> {
-        let mut most: Option<(f64, usize, Condition<D, C>)> = None;
+    ) -> Option<(usize, Condition<C>)> {
+        let mut most: Option<(f64, usize, Condition<C>)> = None;
         for (contact, edges) in rolling.edges.iter().enumerate() {
             let conditions = match self.loads {
                 Loads::Each(list) => self.under_each(list, edges, (contact, factor)),
@@ -103,7 +103,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         list: &[Wrench<C>],
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
-    ) -> Vec<Condition<D, C>> {
+    ) -> Vec<Condition<C>> {
         let (squeeze, size) = self.pressed(contact, factor);
         let worst = |(load, forces): (&Wrench<C>, &Forces<C>)| {
             let (row, value) = edges.worst(&(forces.of[contact] + squeeze))?;
@@ -118,7 +118,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         (base, size, point): (&Wrench<C>, f64, &[f64; C]),
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
-    ) -> Vec<Condition<D, C>> {
+    ) -> Vec<Condition<C>> {
         let (forces, pushes) = (&self.base[0], &self.pushes[contact]);
         let (squeeze, pressed) = self.pressed(contact, factor);
         let force = forces.of[contact] + squeeze;
@@ -145,7 +145,7 @@ impl<'l, const D: usize, const C: usize> Parts<'l, D, C> {
         turn: &Turn<C>,
         edges: &Edges<C>,
         (contact, factor): (usize, f64),
-    ) -> Vec<Condition<D, C>> {
+    ) -> Vec<Condition<C>> {
         let (squeeze, pressed) = self.pressed(contact, factor);
         let mut force = Harmonic::new(std::array::from_fn(|k| self.base[k].of[contact]));
         force.constant += squeeze;

@@ -4,12 +4,12 @@ use nalgebra::SVector;
 
 use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
 use crate::grasp::{Engine, Motion, Wrench, wrench_of};
-use crate::numerics::Harmonic;
+use crate::numerics::{Fixed, Harmonic, Size, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
 /// A grasp in which everything rolls.
-pub(super) struct Rolling<'g, const D: usize, const C: usize> {
+pub(super) struct Rolling<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     problem: Problem<'g, D, C>,
     piece: std::sync::Arc<Piece<D, C>>,
@@ -50,10 +50,10 @@ pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> 
     Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, C - 1) }
 }
 
-impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
+impl<'g, D: Size, const C: usize> Rolling<'g, D, C> {
     pub(super) fn new(grasp: &'g Engine<D, C>, settings: &Settings) -> Self {
         let polygon = Polygon::shared(&settings.cone);
-        let nothing = Load::from(&SVector::zeros());
+        let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(polygon, settings.is_round::<C>(), grasp.drives(), &nothing);
         let edges = problem.locals().map(|local| local.edges()).collect();
         let piece = problem.trial();
@@ -69,7 +69,7 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
     pub(super) fn forces(
         &self,
         drives: &[SVector<f64, C>],
-        load: &SVector<f64, D>,
+        load: &Vector<D>,
     ) -> Result<Forces<C>, Motion<C>> {
         match self.piece.solve(self.problem.sites, drives, load) {
             Ok(state) => {
@@ -77,7 +77,7 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
                 Ok(Forces { of: state.forces, sizes })
             }
             Err(unbalanced) => {
-                let motion = unbalanced.motion.unwrap_or_else(SVector::zeros);
+                let motion = unbalanced.motion.unwrap_or_else(Vector::zeros);
                 Err(self.grasp.motion_outside(&motion))
             }
         }
@@ -102,7 +102,7 @@ impl<'g, const D: usize, const C: usize> Rolling<'g, D, C> {
 
 /// A force at a point.
 pub(super) fn push<const C: usize>(point: &[f64; C], force: &[f64; C]) -> Wrench<C> {
-    Wrench::among(&wrench_of::<6, C>(&SVector::from(*point), &SVector::from(*force)))
+    Wrench::among(&wrench_of::<Fixed<6>, C>(&SVector::from(*point), &SVector::from(*force)))
 }
 
 /// The row `(limit, -cos φ, -sin φ)` of a round cone.

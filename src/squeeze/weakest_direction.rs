@@ -10,7 +10,7 @@ use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
-use crate::numerics::Turning;
+use crate::numerics::{Size, Turning};
 use crate::search::Settings;
 
 /// A cut lowers the force by a part that soon is squared; more of them are made by rounding.
@@ -45,7 +45,7 @@ pub enum WeakestDirection<const C: usize> {
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,

@@ -13,7 +13,7 @@ use nalgebra::SVector;
 use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist};
-use crate::numerics::{Orthogonal, unit};
+use crate::numerics::{Fixed, Orthogonal, Vector, unit};
 use crate::object::{Load, Problem};
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
@@ -48,7 +48,7 @@ pub enum Closure<const C: usize> {
     Boundary,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
     pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error> {
         self.refuse_hands("force_closure")?;
@@ -79,25 +79,26 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     fn closure(
         &self,
         axes: &[(usize, usize)],
-        straight: &[Generator<D, C>],
-        round: impl Fn(&SVector<f64, D>) -> Vec<Generator<D, C>>,
+        straight: &[Generator<Fixed<D>, C>],
+        round: impl Fn(&Vector<Fixed<D>>) -> Vec<Generator<Fixed<D>, C>>,
         inside: impl Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<C> {
         let sites = self.sites();
         let factor =
-            Orthogonal::new(axes.iter().map(|&(i, axis)| sites[i].map.column(axis).into_owned()).collect());
+            Orthogonal::new(self.size(), axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).collect());
         if let Some(motion) = factor.null_space().first() {
             return Closure::Open { motion: self.outside(motion) };
         }
         let mut forces = vec![SVector::zeros(); self.len()];
-        let mut sum = SVector::zeros();
+        let mut sum = Vector::zeros();
         for normal in self.normals() {
             forces[normal.contact] += normal.force;
             sum += normal.wrench;
         }
         let size = sum.norm();
         if size > 0.0 {
-            let NearestForces { motion, against, shares } = nearest_forces(straight, round, &(-sum / size));
+            let NearestForces { motion, against, shares } =
+                nearest_forces(self.size(), straight, round, &(-sum / size));
             let missing = motion.norm();
             if missing > MISSING && against <= NO_WORK * missing {
                 return Closure::Open { motion: self.outside(&(motion / missing)) };
@@ -107,7 +108,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
             }
         }
         let mut x: Vec<f64> = axes.iter().map(|&(i, axis)| forces[i][axis]).collect();
-        factor.project(&mut x, &SVector::zeros());
+        factor.project(&mut x, &Vector::zeros());
         for (&(i, axis), x) in axes.iter().zip(&x) {
             forces[i][axis] = *x;
         }
@@ -117,14 +118,14 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 
     /// A unit wrench along every normal.
-    fn normals(&self) -> impl Iterator<Item = Generator<D, C>> {
+    fn normals(&self) -> impl Iterator<Item = Generator<Fixed<D>, C>> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
     /// The problem without load and commands.
-    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
-        let nothing = Load::from(&SVector::zeros());
+    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, Fixed<D>, C> {
+        let nothing = Load::from(&Vector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];
         self.problem(Polygon::shared(&settings.cone), settings.is_round::<C>(), drives, &nothing)
     }

@@ -7,7 +7,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{largest_ball, simplex};
+use crate::numerics::{Fixed, largest_ball, simplex};
 use crate::search::Settings;
 
 /// Bounds as close as this part of the largest wrench meet.
@@ -27,7 +27,7 @@ pub struct WrenchBall<const C: usize> {
     pub weakest: Wrench<C>,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
     pub(crate) fn ferrari_canny(
         &self,

@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
-use crate::numerics::{Crossing, Vertex, shoot, simplex};
+use crate::numerics::{Crossing, Fixed, Vertex, shoot, simplex};
 use crate::search::Settings;
 
 /// A target this part beyond where the ray leaves the set lies on its boundary, as far as rounding can tell.
@@ -45,7 +45,7 @@ pub enum LoadLimit<const C: usize> {
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,

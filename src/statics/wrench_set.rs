@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
-use crate::numerics::unit;
+use crate::numerics::{Fixed, Vector, unit};
 use crate::object::Problem;
 
 /// Forces of one contact for one newton along its normal.
@@ -54,8 +54,8 @@ pub(super) struct WrenchSet<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> WrenchSet<D, C> {
     pub(super) fn new(
-        problem: &Problem<'_, D, C>,
-        grasp: &Engine<D, C>,
+        problem: &Problem<'_, Fixed<D>, C>,
+        grasp: &Engine<Fixed<D>, C>,
         budget: Budget,
         scale: WrenchScale<C>,
         question: &'static str,
@@ -63,7 +63,8 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         let about = SVector::from(scale.about);
         let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_, C>, &SMatrix<f64, C, C>))| {
             let arm = grasp.contacts()[contact].point() - about;
-            let mut map = grasp_map::<D, C>(&arm, frame);
+            let map = grasp_map(Fixed::<D>, &arm, frame);
+            let mut map = SMatrix::<f64, D, C>::from_fn(|k, a| map[(k, a)]);
             map.rows_range_mut(C..).iter_mut().for_each(|entry| *entry /= scale.length);
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
             if unlimited {
@@ -115,19 +116,22 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     /// A wrench of the question.
     pub(super) fn inside(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
         let about = SVector::from(self.scale.about);
-        scaled::<D, C>(moved_wrench::<D, C>(&-about, &wrench.coordinates()), 1.0 / self.scale.length)
+        let moved = moved_wrench::<Fixed<D>, C>(&-about, &wrench.coordinates());
+        scaled::<D, C>(moved.to_svector(), 1.0 / self.scale.length)
     }
 
     /// And back.
     pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<C> {
         let about = SVector::from(self.scale.about);
-        Wrench::among(&moved_wrench::<D, C>(&about, &scaled::<D, C>(wrench, self.scale.length)))
+        let wrench = Vector::from(scaled::<D, C>(wrench, self.scale.length));
+        Wrench::among(&moved_wrench(&about, &wrench))
     }
 
     /// The motion on which wrenches work as much as they reach in a direction.
     pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<C> {
         let about = SVector::from(self.scale.about);
-        Twist::among(&moved_twist::<D, C>(&about, &scaled::<D, C>(direction, 1.0 / self.scale.length)))
+        let direction = Vector::from(scaled::<D, C>(direction, 1.0 / self.scale.length));
+        Twist::among(&moved_twist(&about, &direction))
     }
 }
 

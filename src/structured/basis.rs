@@ -14,6 +14,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::contact_form::{ContactForm, Local};
+use crate::numerics::Size;
 use crate::object::{Slipping, Sums, normal};
 
 /// The sides of the balance: what belongs to the trial state, to the covering vector, and to the
@@ -106,7 +107,7 @@ impl<const C: usize> Reaction<C> {
     }
 }
 
-impl<const D: usize, const C: usize> ContactForm<D, C> {
+impl<D: Size, const C: usize> ContactForm<D, C> {
     /// `None` where the slips of the active pairs are not independent: no exact basis has such a
     /// state.
     pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
@@ -200,7 +201,7 @@ impl<const C: usize> Basis<C> {
     }
 
     /// Puts a contact into a state. `None` for one that no exact basis has.
-    pub(super) fn set<const D: usize>(
+    pub(super) fn set<D: Size>(
         &mut self,
         form: &ContactForm<D, C>,
         contact: usize,
@@ -214,8 +215,8 @@ impl<const C: usize> Basis<C> {
     }
 
     /// All sums afresh.
-    pub(super) fn sums<const D: usize>(&self, form: &ContactForm<D, C>) -> Sums<D, 3> {
-        Sums::over(form.len(), form.coordinates.rank, &|sums, contact| {
+    pub(super) fn sums<D: Size>(&self, form: &ContactForm<D, C>) -> Sums<D, 3> {
+        Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);
         })
     }

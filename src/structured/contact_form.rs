@@ -13,12 +13,12 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::{Orthogonal, generic};
+use crate::numerics::{Orthogonal, Size, Vector, generic};
 use crate::object::{EnergyContact, EnergyCoordinates, Facet, Problem, normal};
 
 /// A contact with its pairs (w, z).
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Local<const D: usize, const C: usize> {
+#[derive(Debug, Clone)]
+pub(super) struct Local<D: Size, const C: usize> {
     pub(super) contact: EnergyContact<D, C>,
     /// x⁰_i.
     pub(super) trial: SVector<f64, C>,
@@ -27,23 +27,24 @@ pub(super) struct Local<const D: usize, const C: usize> {
     pub(super) first: usize,
 }
 
-impl<const D: usize, const C: usize> Local<D, C> {
+impl<D: Size, const C: usize> Local<D, C> {
     /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }
 
     /// u = x⁰ - Q y.
-    pub(super) fn stretch(&self, y: &SVector<f64, D>) -> SVector<f64, C> {
-        self.trial - self.contact.seen * y
+    pub(super) fn stretch(&self, y: &Vector<D>) -> SVector<f64, C> {
+        self.trial - &self.contact.seen * y
     }
 }
 
 /// The kinematic form.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ContactForm<const D: usize, const C: usize> {
+pub(crate) struct ContactForm<D: Size, const C: usize> {
     pub(super) locals: Vec<Local<D, C>>,
     pub(super) coordinates: EnergyCoordinates<C>,
+    pub(super) size: D,
     /// Pairs of all contacts.
     pub(super) pairs: usize,
     /// The largest |Q_i|.
@@ -53,11 +54,12 @@ pub(crate) struct ContactForm<const D: usize, const C: usize> {
     covering: Vec<f64>,
 }
 
-impl<const D: usize, const C: usize> ContactForm<D, C> {
+impl<D: Size, const C: usize> ContactForm<D, C> {
     /// Lays out the form on the trial state in which every contact sticks, with the factor of its
     /// springs and x⁰, spring by spring.
     pub(crate) fn assign(&mut self, problem: &Problem<D, C>, factor: &Orthogonal<D>, x: &[f64]) {
-        let Self { locals, coordinates, pairs, widest, covering } = self;
+        let Self { locals, coordinates, size, pairs, widest, covering } = self;
+        *size = problem.size();
         locals.clear();
         covering.clear();
         covering.reserve(problem.len() * (problem.polygon.normals.len() + 1));
@@ -69,10 +71,10 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
             for (trial, x) in trial.iter_mut().zip(x.by_ref().take(springs)) {
                 *trial = *x;
             }
-            let local = Local { contact, trial, first: *pairs };
+            let first = *pairs;
             *pairs += contact.pairs();
             *widest = widest.max(contact.seen.norm());
-            locals.push(local);
+            locals.push(Local { contact, trial, first });
         });
     }
 

@@ -5,25 +5,24 @@
 
 use std::ops::Range;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::solution::{BALANCED, Solution};
 use crate::contact::{Mode, PolygonState, Tangent};
 use crate::grasp::Site;
-use crate::numerics::{Factors, in_halves};
+use crate::numerics::{Factors, Size, Square, Vector, in_halves};
 use crate::object::{self, Answers, Imbalance, Problem};
 
 /// Of some contacts: R without the load, the sizes of its terms and T.
-#[derive(Clone, Copy)]
-struct Sums<const D: usize> {
-    left: SVector<f64, D>,
+struct Sums<D: Size> {
+    left: Vector<D>,
     size: f64,
-    stiffness: SMatrix<f64, D, D>,
+    stiffness: Square<D>,
     /// No contact that is kept closed pulls while it should carry friction.
     lawful: bool,
 }
 
-struct OnPolygons<'p, 'g, const D: usize, const C: usize> {
+struct OnPolygons<'p, 'g, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     states: &'p mut [PolygonState],
     forces: &'p mut [SVector<f64, C>],
@@ -31,11 +30,11 @@ struct OnPolygons<'p, 'g, const D: usize, const C: usize> {
     sums: Sums<D>,
 }
 
-impl<const D: usize, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
-    fn answer(&mut self, twist: &SVector<f64, D>) -> Imbalance<D> {
+impl<D: Size, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
+    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         self.sums = answer(self.problem, twist, self.states, self.forces);
-        let load = self.problem.wrench;
-        Imbalance { left: self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
+        let load = &self.problem.wrench;
+        Imbalance { left: &self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
     }
 
     fn tangent(&mut self) -> Option<Factors<D>> {
@@ -45,7 +44,7 @@ impl<const D: usize, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
 
 /// The number of steps after which the method has arrived at an equilibrium from the twist at
 /// which everything that sticks would balance. Rates on an edge are not for it.
-pub(super) fn newton<const D: usize, const C: usize>(
+pub(super) fn newton<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &mut Solution<D, C>,
 ) -> Option<usize> {
@@ -57,7 +56,7 @@ pub(super) fn newton<const D: usize, const C: usize>(
     found.forces.resize(problem.len(), SVector::zeros());
     found.states.resize(problem.len(), Mode::Rolling);
     let sums = stick(problem);
-    let start = regular(&sums)?.solve(&(sums.left + problem.wrench));
+    let start = regular(&sums)?.solve(&(&sums.left + &problem.wrench));
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
     let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
     let lawful = answers.sums.lawful;
@@ -67,21 +66,21 @@ pub(super) fn newton<const D: usize, const C: usize>(
 }
 
 /// Factors of T if it is regular. Where a motion is free the least one is asked for, which Newton's method does not know.
-fn regular<const D: usize>(sums: &Sums<D>) -> Option<Factors<D>> {
+fn regular<D: Size>(sums: &Sums<D>) -> Option<Factors<D>> {
     let factors = Factors::new(&sums.stiffness);
     matches!(factors, Factors::Regular(_)).then_some(factors)
 }
 
 /// R without the load and T where everything sticks and the object has not moved.
-fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
+fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
     let part = |contacts: Range<usize>| {
-        let mut sum = Sums::zero();
+        let mut sum = Sums::zero(problem.size());
         for contact in contacts {
             let (site, local) = (&problem.sites[contact], problem.local(contact));
             let state = local.unjumped();
             if !state.is_open() {
                 add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
-                sum.left += site.map * local.springs.force(&problem.drives[contact]);
+                sum.left += &site.map * local.springs.force(&problem.drives[contact]);
             }
         }
         sum
@@ -90,14 +89,14 @@ fn stick<const D: usize, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
 }
 
 /// Forces and states of the contacts at a twist, R without the load and T.
-fn answer<const D: usize, const C: usize>(
+fn answer<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    twist: &SVector<f64, D>,
+    twist: &Vector<D>,
     states: &mut [PolygonState],
     forces: &mut [SVector<f64, C>],
 ) -> Sums<D> {
     let part = |(contacts, (states, forces)): (Range<usize>, (&mut [_], &mut [_]))| {
-        let mut sum = Sums::<D>::zero();
+        let mut sum = Sums::zero(problem.size());
         for (contact, (state, force)) in contacts.zip(states.iter_mut().zip(forces)) {
             let (site, local) = (&problem.sites[contact], problem.local(contact));
             if local.is_absent() {
@@ -111,7 +110,7 @@ fn answer<const D: usize, const C: usize>(
             }
             sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
             add_tangent(&mut sum.stiffness, site, &tangent);
-            sum.left += site.map * *force;
+            sum.left += &site.map * *force;
             sum.size += force.norm();
         }
         sum
@@ -121,39 +120,35 @@ fn answer<const D: usize, const C: usize>(
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T, dyad by dyad.
 #[inline]
-fn add_tangent<const D: usize, const C: usize>(
-    t: &mut SMatrix<f64, D, D>,
-    site: &Site<D, C>,
-    tangent: &Tangent<C>,
-) {
+fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, tangent: &Tangent<C>) {
     match tangent {
         Tangent::Open => {}
         Tangent::Rolling(k) => {
             for (axis, k) in k.iter().enumerate() {
                 let g = site.map.column(axis);
-                t.ger(*k, &g, &g, 1.0);
+                t.add_times_product(*k, &g, &g);
             }
         }
         Tangent::Sliding { drag, across, stiffness } => {
-            t.ger(1.0, &(site.map * drag), &site.map.column(0), 1.0);
+            t.add_times_product(1.0, &(&site.map * drag), &site.map.column(0));
             if *stiffness > 0.0 {
-                let g = site.map * across;
-                t.ger(*stiffness, &g, &g, 1.0);
+                let g = &site.map * across;
+                t.add_times_product(*stiffness, &g, &g);
             }
         }
     }
 }
 
-impl<const D: usize> Sums<D> {
-    fn zero() -> Self {
-        Self { left: SVector::zeros(), size: 0.0, stiffness: SMatrix::zeros(), lawful: true }
+impl<D: Size> Sums<D> {
+    fn zero(size: D) -> Self {
+        Self { left: Vector::zeros(), size: 0.0, stiffness: Square::zeros(size), lawful: true }
     }
 
     fn plus(self, other: Self) -> Self {
         Self {
             left: self.left + other.left,
             size: self.size + other.size,
-            stiffness: self.stiffness + other.stiffness,
+            stiffness: self.stiffness + &other.stiffness,
             lawful: self.lawful && other.lawful,
         }
     }

@@ -7,13 +7,11 @@
 //! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together the one with the least change by p per rate leaves first. One more solve with the same factors says
 //! which. Nothing is added to the data. If z₀ is among the tied it leaves, always.
 
-use nalgebra::SVector;
-
 use super::basis::{Basis, COVER, PERTURBED, TRIAL};
 use super::contact_form::ContactForm;
 use super::variables::{Candidate, Entering, GREY, Step, TIE, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
-use crate::numerics::Bordered;
+use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 
 /// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
@@ -36,7 +34,7 @@ pub(crate) enum End {
 
 /// A path, with memory that is kept between scenes.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Path<const D: usize, const C: usize> {
+pub(crate) struct Path<D: Size, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
     pub(super) basis: Basis<C>,
     pub(super) sums: Sums<D, 3>,
@@ -53,7 +51,7 @@ pub(crate) struct Path<const D: usize, const C: usize> {
     candidates: Vec<Candidate>,
 }
 
-impl<const D: usize, const C: usize> Path<D, C> {
+impl<D: Size, const C: usize> Path<D, C> {
     /// Pivots that no problem of this size is known to need.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
@@ -63,14 +61,14 @@ impl<const D: usize, const C: usize> Path<D, C> {
     pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> End {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
-        self.sums = Sums::default();
+        self.sums.stick(self.form.size);
         self.age = 0;
         let Some((first, z0)) = self.most_violated() else { return End::Complementary };
         if self.pivots >= limit {
             return End::PivotLimit;
         }
         self.pivots += 1;
-        self.run(first, Point { y: SVector::zeros(), s: z0 }, limit)
+        self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
     }
 
     /// The pair with the least value per entry of the covering vector at the trial state, if one is
@@ -125,12 +123,12 @@ impl<const D: usize, const C: usize> Path<D, C> {
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
-    pub(super) fn run(&mut self, mut entering: Entering, at: Point<D>, limit: usize) -> End {
+    pub(super) fn run(&mut self, mut entering: Entering, at: &Point<D>, limit: usize) -> End {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
         if self.is_lazy() {
             let Some(first) = self.step(&entering) else { return End::Breakdown };
-            self.line_up(entering.contact, &at, &first.along);
+            self.line_up(entering.contact, at, &first.along);
         }
         loop {
             if self.pivots >= limit || self.most_looks.is_some_and(|most| self.looks > most) {
@@ -222,7 +220,7 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let (felt, corner) = reaction.feels(&row, self.form.cover(local, entering.pair, unit));
         let gradient = -local.contact.seen.tr_mul(&felt);
         self.factors.assign(&self.sums.stiffness, &self.sums.sides[COVER], &gradient, corner)?;
-        let mut pushed = SVector::zeros();
+        let mut pushed = Vector::zeros();
         let mut last = 1.0;
         if entering.jump {
             let column = self.form.column(local, entering.pair);
@@ -294,12 +292,12 @@ impl<const D: usize, const C: usize> Path<D, C> {
         let pushed = &self.basis.reaction(entering.contact as usize).tie.of_x;
         let Facet { row, unit } = form.pairs_of(local)[entering.pair];
         let last = row.dot(pushed) - local.perturbation(entering.pair, unit);
-        let (y, z0) = self.factors.solve(&-self.sums.sides[PERTURBED], last);
+        let (y, z0) = self.factors.solve(&-&self.sums.sides[PERTURBED], last);
         let ratio = |candidate: &Candidate| {
             let local = &form.locals[candidate.contact as usize];
             let active = &self.basis.active[candidate.contact as usize];
             let reaction = self.basis.reaction(candidate.contact as usize);
-            let stretch = -(local.contact.seen * y);
+            let stretch = -(&local.contact.seen * &y);
             let change = if let Some(a) = active.position(candidate.pair) {
                 let own = reaction.multipliers[a].dot(&stretch);
                 -(own + reaction.cover.of_pairs[a] * z0 + reaction.tie.of_pairs[a])

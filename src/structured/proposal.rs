@@ -4,6 +4,7 @@ use super::newton::newton;
 use super::path::{End, Path};
 use super::solution::Solution;
 use crate::contact::State;
+use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// What a search for contact states took, and its end.
@@ -18,9 +19,7 @@ pub(crate) struct Proposal<const C: usize> {
 }
 
 /// Contact states by Newton's method on the return maps, if it arrives.
-pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
-    problem: &Problem<D, C>,
-) -> Option<Vec<State<C>>> {
+pub(crate) fn propose_by_newton<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vec<State<C>>> {
     let mut solution = Solution::default();
     newton(problem, &mut solution)?;
     Some(solution.states.into_iter().map(State::from).collect())
@@ -28,7 +27,7 @@ pub(crate) fn propose_by_newton<const D: usize, const C: usize>(
 
 /// Follows Lemke's path on the kinematic form from the trial state, and those of as many other
 /// covering vectors after a ray. All of them make at most so many pivots; if none are given, as many as `most_work` multiplications make.
-pub(crate) fn propose<const D: usize, const C: usize>(
+pub(crate) fn propose<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
@@ -43,7 +42,7 @@ pub(crate) fn propose<const D: usize, const C: usize>(
     }
     path.form.assign(problem, trial.factor(), &x);
     // A look at a contact takes a motion along each of its pairs.
-    let of_a_look = (D * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
+    let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
     path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };
     for attempt in 0..=other_paths {

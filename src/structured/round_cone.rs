@@ -7,12 +7,13 @@ use nalgebra::SVector;
 
 use super::solution::{ACCURATE, BALANCED, Solution};
 use crate::contact::{Answer, ZERO_SLACK};
+use crate::numerics::{Size, Vector};
 use crate::object::{self, OneByOne, Problem};
 
 /// The number of steps after which Newton's method has arrived from a twist; the answers of the contacts are in `answers` then.
-pub(super) fn newton<const D: usize, const C: usize>(
+pub(super) fn newton<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    from: SVector<f64, D>,
+    from: Vector<D>,
     answers: &mut Vec<Answer<C>>,
     found: &mut Solution<D, C>,
 ) -> Option<usize> {
@@ -40,9 +41,9 @@ pub(super) fn newton<const D: usize, const C: usize>(
 }
 
 /// Whether the elastic trial is an equilibrium, with the springs of the contacts stretched by x at a twist.
-pub(super) fn trial_holds<const D: usize, const C: usize>(
+pub(super) fn trial_holds<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    (x, twist): (&[f64], &SVector<f64, D>),
+    (x, twist): (&[f64], &Vector<D>),
     answers: &mut Vec<Answer<C>>,
     found: &mut Solution<D, C>,
 ) -> bool {
@@ -67,7 +68,7 @@ pub(super) fn trial_holds<const D: usize, const C: usize>(
             .local(i)
             .for_each_condition(&answer.state, &at, |value, size| worst = worst.max(-value / size));
     }
-    found.twist = *twist;
+    found.twist.clone_from(twist);
     let (left, carried) = problem.imbalance(&found.forces);
     found.residual = worst.max(left / (carried + problem.wrench.norm() + f64::MIN_POSITIVE));
     worst <= ZERO_SLACK && found.residual <= ACCURATE

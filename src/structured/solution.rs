@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::basis::TRIAL;
 use super::path::Path;
 use crate::contact::{PolygonState, SMALLEST};
-use crate::numerics::Bordered;
+use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{CORRECTIONS, Facet, Problem};
 
 /// Forces out of balance by less than this part of their sizes balance: what is left is mostly
@@ -21,9 +21,9 @@ const ROUNDING: f64 = 1e-5;
 
 /// An equilibrium, by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
-pub(super) struct Solution<const D: usize, const C: usize> {
+pub(super) struct Solution<D: Size, const C: usize> {
     /// The least motion of the object, in inside coordinates.
-    pub(super) twist: SVector<f64, D>,
+    pub(super) twist: Vector<D>,
     pub(super) forces: Vec<SVector<f64, C>>,
     /// Where Newton's method has led to it.
     pub(super) states: Vec<PolygonState>,
@@ -31,16 +31,16 @@ pub(super) struct Solution<const D: usize, const C: usize> {
     pub(super) residual: f64,
 }
 
-impl<const D: usize, const C: usize> Default for Solution<D, C> {
+impl<D: Size, const C: usize> Default for Solution<D, C> {
     fn default() -> Self {
-        Self { twist: SVector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
+        Self { twist: Vector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
     }
 }
 
-impl<const D: usize, const C: usize> Solution<D, C> {
+impl<D: Size, const C: usize> Solution<D, C> {
     /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
     /// of the trial state if every inequality holds there, too.
-    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> Option<SVector<f64, D>> {
+    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> Option<Vector<D>> {
         if path.age <= FRESH
             && let Some(y) = self.check(path, problem)
         {
@@ -50,7 +50,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
         self.check(path, problem)
     }
 
-    fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> Option<SVector<f64, D>> {
+    fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> Option<Vector<D>> {
         self.residual = f64::INFINITY;
         let y = path.vertex()?;
         self.forces.clear();
@@ -63,7 +63,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
             self.forces.push(force);
         }
         let mut worst = 0.0_f64;
-        let (mut sum, mut size) = (problem.wrench, problem.wrench.norm());
+        let (mut sum, mut size) = (problem.wrench.clone(), problem.wrench.norm());
         for (contact, (local, site)) in path.form.locals.iter().zip(problem.sites).enumerate() {
             let (active, reaction) = (&path.basis.active[contact], path.basis.reaction(contact));
             let stretch = local.stretch(&y);
@@ -89,7 +89,7 @@ impl<const D: usize, const C: usize> Solution<D, C> {
                 worst = worst.max(x.norm() / force_level);
                 force.fill(0.0);
             }
-            sum += site.map * *force;
+            sum += &site.map * *force;
             size += force.norm() + ROUNDING * site.springs.stiffest().sqrt() * level.min(local.trial.norm());
         }
         self.residual = worst.max(sum.norm() / (size + SMALLEST));
@@ -97,25 +97,26 @@ impl<const D: usize, const C: usize> Solution<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Path<D, C> {
+impl<D: Size, const C: usize> Path<D, C> {
     /// The motion y of the present states at z₀ = 0.
-    fn vertex(&self) -> Option<SVector<f64, D>> {
+    fn vertex(&self) -> Option<Vector<D>> {
         if self.basis.active.iter().all(|active| active.len() == 0) {
-            return Some(SVector::zeros());
+            return Some(Vector::zeros());
         }
-        let zero = SVector::zeros();
+        let zero = Vector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
         let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
         for _ in 0..CORRECTIONS {
-            let (mut left, mut size) = (SVector::<f64, D>::zeros(), 0.0);
+            let (mut left, mut size) = (Vector::<D>::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
                 let seen = &local.contact.seen;
                 let x = self.basis.reaction(contact).hold * local.stretch(&y) - local.trial;
                 left += seen.tr_mul(&x);
                 size += seen.norm_squared() * x.norm_squared();
             }
+            let square = left.norm_squared();
             y += factors.solve(&(left * self.form.coordinates.weight), 0.0).0;
-            if left.norm_squared() <= BALANCED * BALANCED * size {
+            if square <= BALANCED * BALANCED * size {
                 break;
             }
         }

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::basis::Basis;
 use super::contact_form::{ContactForm, Local};
+use crate::numerics::Size;
 use crate::object::{Facet, MARGIN, Point, slack};
 
 /// The pair that is out of the basis (both its variables are zero), and which of the two enters.
@@ -55,8 +56,8 @@ pub(super) const TIE: f64 = 1e-12;
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Where a step starts and where it goes, for a unit change of the entering variable.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Step<const D: usize> {
+#[derive(Debug, Clone)]
+pub(super) struct Step<D: Size> {
     pub(super) here: Point<D>,
     pub(super) along: Point<D>,
     /// Size of the largest changes of variables.
@@ -69,7 +70,7 @@ const NOISE: f64 = 1e-11;
 /// A rate below this part of the largest changes is rounding of zero, whatever its terms.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
-impl<const D: usize, const C: usize> ContactForm<D, C> {
+impl<D: Size, const C: usize> ContactForm<D, C> {
     /// Visits the basic variables of a contact that decrease along a step. A rate much smaller than
     /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
@@ -84,7 +85,7 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (z0, dz0, own) = (step.here.s, step.along.s, entering.contact == contact);
         let stretch = local.stretch(&step.here.y);
-        let mut change = -(local.contact.seen * step.along.y);
+        let mut change = -(&local.contact.seen * &step.along.y);
         if own && entering.jump {
             change += self.column(local, entering.pair);
         }
@@ -124,7 +125,7 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
     pub(super) fn slack(&self, basis: &Basis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
-        let (stretch, change) = (local.stretch(&at.y), -(local.contact.seen * e.y));
+        let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
         // A variable is `felt·u + d z₀`.
@@ -147,7 +148,7 @@ impl<const D: usize, const C: usize> ContactForm<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Local<D, C> {
+impl<D: Size, const C: usize> Local<D, C> {
     /// Size of the terms that the variables of the contact are made of.
     fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()

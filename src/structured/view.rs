@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::workspace::Workspace;
 use crate::forms::Row;
 use crate::grasp::Twist;
+use crate::numerics::Size;
 
 /// How a search for an equilibrium ended.
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +91,7 @@ pub(super) trait Viewed<const C: usize>: Debug {
     fn rows(&self, contact: usize) -> [Option<Row>; 3];
 }
 
-impl<const D: usize, const C: usize> Viewed<C> for Workspace<D, C> {
+impl<D: Size, const C: usize> Viewed<C> for Workspace<D, C> {
     fn forces(&self) -> &[SVector<f64, C>] {
         &self.solution.forces
     }

@@ -13,7 +13,7 @@ use crate::contact::{Answer, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Engine, Site, Twist, Wrench};
-use crate::numerics::{Memory, Orthogonal, without};
+use crate::numerics::{Memory, Orthogonal, Size, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 
 /// Paths with other covering vectors that are tried after a first one without solution.
@@ -23,12 +23,14 @@ const MANY: usize = 32;
 
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
-pub(crate) struct Workspace<const D: usize, const C: usize> {
+pub(crate) struct Workspace<D: Size, const C: usize> {
     pub(super) path: Path<D, C>,
     /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the
     /// last scene if only load, commands or friction have changed.
-    springs: Vec<SVector<f64, D>>,
+    springs: Vec<Vector<D>>,
     factor: Orthogonal<D>,
+    /// Orthonormal motions that stretch none of these springs.
+    free: Vec<Vector<D>>,
     /// x⁰, spring by spring.
     x: Vec<f64>,
     laws: Vec<Law<C>>,
@@ -40,7 +42,7 @@ pub(crate) struct Workspace<const D: usize, const C: usize> {
     answers: Vec<Answer<C>>,
     pub(super) solution: Solution<D, C>,
     /// R q in the trial state.
-    travelled: SVector<f64, D>,
+    travelled: Vector<D>,
     /// Steps of Newton's method, if they led to the solution.
     pub(super) newton_steps: Option<usize>,
     pub(super) twist: Twist<C>,
@@ -57,12 +59,13 @@ pub(crate) struct SearchSettings {
     pub(crate) one_path: bool,
 }
 
-impl<const D: usize, const C: usize> Workspace<D, C> {
+impl<D: Size, const C: usize> Workspace<D, C> {
     fn new(asked: SearchSettings) -> Self {
         Self {
             path: Path::default(),
             springs: Vec::new(),
             factor: Orthogonal::default(),
+            free: Vec::new(),
             x: Vec::new(),
             laws: Vec::new(),
             drives: Vec::new(),
@@ -70,7 +73,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             asked,
             answers: Vec::new(),
             solution: Solution::default(),
-            travelled: SVector::zeros(),
+            travelled: Vector::zeros(),
             newton_steps: None,
             twist: Twist::ZERO,
         }
@@ -91,7 +94,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             drives: std::mem::take(&mut self.drives),
             slips: Vec::new(),
             wrench,
-            wrench_rest: SVector::zeros(),
+            wrench_rest: Vector::zeros(),
             infinite_friction_has_edges: false,
             round: false,
             trial: None,
@@ -145,12 +148,13 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             return false;
         }
         problem.round = true;
-        self.newton_on_the_round_cone(problem, self.solution.twist)
+        self.newton_on_the_round_cone(problem, self.solution.twist.clone())
     }
 
-    fn newton_on_the_round_cone(&mut self, problem: &Problem<D, C>, from: SVector<f64, D>) -> bool {
+    fn newton_on_the_round_cone(&mut self, problem: &Problem<D, C>, from: Vector<D>) -> bool {
         self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
-        self.solution.twist = self.at_rest_along_free_motions(self.solution.twist);
+        let twist = std::mem::take(&mut self.solution.twist);
+        self.solution.twist = without(twist, &self.free);
         self.newton_steps.is_some()
     }
 
@@ -176,13 +180,15 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     /// The trial state in which every contact sticks; `false` if no contact resists the load.
     fn stick(&mut self, problem: &Problem<D, C>) -> bool {
         let sites = problem.sites;
-        if !spring_rows(sites).eq(self.springs.iter().copied()) {
+        let mut known = self.springs.iter();
+        let same = spring_rows(sites).all(|row| known.next() == Some(&row)) && known.next().is_none();
+        if !same {
             self.springs.clear();
             self.springs.extend(spring_rows(sites));
-            self.factor.assign(&self.springs);
+            self.factor.assign(problem.size(), &self.springs);
+            self.factor.null_space_into(&mut self.free);
         }
-        let free = self.factor.null_vectors();
-        if worked_on(&free[..D - self.factor.rank()], &problem.wrench).is_some() {
+        if worked_on(&self.free, &problem.wrench).is_some() {
             return false;
         }
         stretched_into(sites, |contact| problem.drives[contact], &mut self.x);
@@ -198,7 +204,7 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
             if end == End::Complementary
                 && let Some(y) = self.solution.take(&mut self.path, problem)
             {
-                let moved = self.travelled + y / self.path.form.coordinates.weight.sqrt();
+                let moved = &self.travelled + y / self.path.form.coordinates.weight.sqrt();
                 self.solution.twist = self.least_motion(&moved);
                 return true;
             }
@@ -207,16 +213,12 @@ impl<const D: usize, const C: usize> Workspace<D, C> {
     }
 
     /// The least motion with these coordinates R q.
-    fn least_motion(&self, travelled: &SVector<f64, D>) -> SVector<f64, D> {
-        self.at_rest_along_free_motions(self.factor.preimage(travelled))
-    }
-
-    fn at_rest_along_free_motions(&self, twist: SVector<f64, D>) -> SVector<f64, D> {
-        without(twist, &self.factor.null_vectors()[..D - self.factor.rank()])
+    fn least_motion(&self, travelled: &Vector<D>) -> Vector<D> {
+        without(self.factor.preimage(travelled), &self.free)
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Workspace::solve`](crate::ask::Workspace::solve), in the memory that was lent before if this engine has used it.
     pub(crate) fn search_in<'w>(
         &self,

@@ -5,8 +5,9 @@ use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
+use crate::numerics::Size;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::solve_each`](crate::ask::Grasp::solve_each).
     pub(crate) fn solve_each(
         &self,

@@ -8,6 +8,7 @@
 //! θ = |g_1 - g_2|:      mean = τ - θ / √(2π),      variance = (|g_1|² + |g_2|²) / 2 - θ² / (2π)
 //! ```
 
+use crate::numerics::Size;
 use std::f64::consts::TAU;
 
 use super::in_order::map_in_order;
@@ -70,7 +71,7 @@ impl OnsetSpread {
     }
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
         &self,

@@ -8,7 +8,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine};
 use crate::load_path::{Onset, Ramp};
-use crate::numerics::Draw;
+use crate::numerics::{Draw, Size};
 
 /// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
 /// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
@@ -139,7 +139,7 @@ fn factor(sigma: f64, draw: &mut Draw) -> f64 {
 /// are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::sample`](crate::ask::Grasp::sample).
     pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {

@@ -5,6 +5,7 @@ mod closed_forms;
 mod every_question;
 mod exact;
 mod in_space;
+mod many_joints;
 mod paths;
 mod pressed;
 mod sensitivity;

@@ -1,6 +1,6 @@
 //! From a hand as it is given to the coordinates, contacts and drives of a grasp.
 
-use nalgebra::{DMatrix, SVector};
+use nalgebra::DMatrix;
 
 use super::draft::{Assembly, refuse};
 use super::drive::{Drive, Owner, Role};
@@ -10,19 +10,17 @@ use super::linkage::{Linkage, Named};
 use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::engine::Engine;
+use crate::numerics::{Any, Size, Vector};
 
 impl<const C: usize> Hand<C> {
-    /// The grasp of an object by this hand, in D coordinates: those of the object, 3 in the plane and 6 in space, and [one for each joint and
-    /// each drive that saturates](Self::coordinates). A larger D costs time and changes nothing.
+    /// The grasp of an object by this hand, in the coordinates of the object, 3 in the plane and 6 in space, and [those of the
+    /// hand](Self::coordinates).
     ///
     /// # Errors
-    /// [`Error::EmptyGrasp`] without contacts; [`Error::Coordinates`] if D is too small; [`Error::Hand`] naming joint, tendon or finger, the field and what is
+    /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
-    pub(crate) fn engine<const D: usize>(self) -> Result<Engine<D, C>, Error> {
-        let needed = self.coordinates();
-        if needed > D {
-            return Err(Error::Coordinates { given: D, needed });
-        }
+    pub(crate) fn engine(self) -> Result<Engine<Any, C>, Error> {
+        let most = Any::of(self.coordinates());
         let Self { fingers, tendons } = self;
         let joints: Vec<Joint<C>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
         let mut assembly = Assembly {
@@ -30,9 +28,9 @@ impl<const C: usize> Hand<C> {
             motions: Vec::new(),
             used: joints.len(),
             joints,
-            lengths: SVector::repeat(1.0),
+            lengths: Vector::repeat(most, 1.0),
             drives: Vec::new(),
-            held: SVector::zeros(),
+            held: Vector::zeros(),
             presses: Vec::new(),
             bones: Vec::new(),
         };
@@ -61,7 +59,7 @@ impl<const C: usize> Hand<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Assembly<D, C> {
+impl<const C: usize> Assembly<C> {
     /// Chooses the length by which each joint displacement is measured, a power of two near the longest motion of a contact: scaling then rounds nothing.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
@@ -96,7 +94,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             }
             let k = Self::OBJECT + j;
             let length = self.lengths[k];
-            let mut along = SVector::zeros();
+            let mut along = Vector::zeros();
             along[k] = 1.0;
             self.held[k] += torque / length;
             if stiffness > 0.0 {
@@ -166,7 +164,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             return Self::fault(label, "arm over every joint", 0.0, "more than nothing over one of them");
         }
         let (spring, unit) = self.over(&arms, tendon.stiffness);
-        self.held += spring.along * (tendon.tension * unit);
+        self.held += &spring.along * (tendon.tension * unit);
         if tendon.stiffness > 0.0 {
             let actuator = self.joints.len() + number;
             self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
@@ -175,8 +173,8 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     }
 
     /// A spring over joints with these arms, in inside coordinates, and the power of two by which its arms were divided.
-    fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring<D>, f64) {
-        let mut along = SVector::<f64, D>::zeros();
+    fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
+        let mut along = Vector::zeros();
         for &(j, arm) in arms {
             let k = Self::OBJECT + j;
             along[k] = arm / self.lengths[k];
@@ -189,7 +187,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
     fn drive(
         &mut self,
         owner: Owner,
-        spring: &Spring<D>,
+        spring: &Spring,
         command: (usize, f64),
         limit: Option<Limit>,
         pushes: bool,
@@ -198,7 +196,7 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
         let drive = Drive {
             owner,
             role: if pushes { Role::Holds } else { Role::Pulls },
-            along: spring.along,
+            along: spring.along.clone(),
             stiffness: spring.stiffness,
             bound,
             unit: spring.unit,
@@ -211,50 +209,46 @@ impl<const D: usize, const C: usize> Assembly<D, C> {
             Some(Limit::Saturates(_)) => {
                 // Two springs in series about one more coordinate. What each carries is its bound with the force taken off or added, and
                 // the bounds themselves are held on both sides of it: the sum is the force.
-                let mut between = SVector::zeros();
+                let mut between = Vector::zeros();
                 between[Self::OBJECT + self.used] = 1.0;
                 self.used += 1;
                 let stiffness = 2.0 * drive.stiffness;
                 let below = if pushes { bound } else { 0.0 };
-                self.held += drive.along * bound - between * (bound + below);
+                self.held += &drive.along * bound - &between * (bound + below);
                 let rest = below / stiffness;
+                let (along, above) = (&between - &drive.along, bound / stiffness);
                 let lower = Drive { role: Role::EndsBelow, along: between, stiffness, rest, ..drive.clone() };
-                let (along, rest) = (between - drive.along, bound / stiffness);
                 let commands = Vec::new();
-                let upper = Drive { role: Role::EndsAbove, along, stiffness, rest, commands, ..drive };
+                let upper = Drive { role: Role::EndsAbove, along, stiffness, rest: above, commands, ..drive };
                 self.drives.extend([upper, lower]);
             }
         }
     }
 
     /// Puts the grasp together.
-    fn grasp(mut self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Engine<D, C>, Error> {
-        // Coordinates that are not in use stay where they are.
-        for k in Self::OBJECT + self.used..D {
-            let stiffness = self.contacts.first().map_or(1.0, |contact| contact.stiffness.series()[0]);
-            self.drives.push(Drive::unowned(k, stiffness));
-        }
+    fn grasp(self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Engine<Any, C>, Error> {
+        let size = Any::of(Self::OBJECT + self.used);
         let name =
             |joint: &Joint<C>| Named { name: joint.name.clone(), limit: joint.limit, held: joint.torque };
         let linkage = Linkage {
             joints: self.joints.iter().map(name).collect(),
             tendons,
-            lengths: self.lengths,
+            lengths: Vector::from_fn(size, |k| self.lengths[k]),
             motions: self.motions,
             drives: self.drives,
             held: self.held,
-            pulled: SVector::zeros(),
+            pulled: Vector::zeros(),
             bones: self.bones,
             centres: self.joints.iter().map(|joint| joint.motion.centre()).collect(),
             commands,
         };
-        Engine::by_hand(self.contacts, linkage)
+        Engine::by_hand(size, self.contacts, linkage)
     }
 }
 
 /// A spring of one axis in inside coordinates.
-struct Spring<const D: usize> {
-    along: SVector<f64, D>,
+struct Spring {
+    along: Vector<Any>,
     stiffness: f64,
     /// Torque or tension for a unit of force.
     unit: f64,

@@ -9,7 +9,7 @@ use super::finger::{Finger, MovedBy};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 
-impl<const D: usize, const C: usize> Assembly<D, C> {
+impl<const C: usize> Assembly<C> {
     /// The contacts of a finger whose joints begin at `first`.
     pub(super) fn add_contacts(
         &mut self,

@@ -8,26 +8,27 @@ use super::positive::Fault;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
+use crate::numerics::{Any, Vector};
 
 /// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
 pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
 
 /// A hand on its way to a grasp.
-pub(super) struct Assembly<const D: usize, const C: usize> {
+pub(super) struct Assembly<const C: usize> {
     pub(super) contacts: Vec<Contact<C>>,
     pub(super) motions: Vec<Columns<C>>,
     pub(super) joints: Vec<Joint<C>>,
     /// Coordinates beside those of the object that are in use.
     pub(super) used: usize,
-    pub(super) lengths: SVector<f64, D>,
-    pub(super) drives: Vec<Drive<D>>,
-    pub(super) held: SVector<f64, D>,
+    pub(super) lengths: Vector<Any>,
+    pub(super) drives: Vec<Drive<Any>>,
+    pub(super) held: Vector<Any>,
     pub(super) bones: Vec<[SVector<f64, C>; 2]>,
     /// With which force each contact is told to press, along its normal and along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, C>)>,
 }
 
-impl<const D: usize, const C: usize> Assembly<D, C> {
+impl<const C: usize> Assembly<C> {
     /// Coordinates of the object.
     pub(super) const OBJECT: usize = of_the_object::<C>();
 

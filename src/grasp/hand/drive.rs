@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
 use crate::grasp::site::Site;
+use crate::numerics::{Size, Vector};
 
 /// Whose spring a drive is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,11 +35,11 @@ pub(crate) enum Role {
 
 /// A drive in inside coordinates: its force in N along a unit of length, whatever the units of its joints.
 #[derive(Debug, Clone)]
-pub(crate) struct Drive<const D: usize> {
+pub(crate) struct Drive<D: Size> {
     pub(crate) owner: Owner,
     pub(crate) role: Role,
     /// How the coordinates feel its force.
-    pub(super) along: SVector<f64, D>,
+    pub(super) along: Vector<D>,
     pub(super) stiffness: f64,
     /// The bound on its force, where it has one.
     pub(super) bound: f64,
@@ -50,10 +51,10 @@ pub(crate) struct Drive<const D: usize> {
     pub(super) rest: f64,
 }
 
-impl<const D: usize> Drive<D> {
+impl<D: Size> Drive<D> {
     /// A spring that holds one coordinate and belongs to no joint.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
-        let mut along = SVector::zeros();
+        let mut along = Vector::zeros();
         along[coordinate] = 1.0;
         Self {
             owner: Owner::Nobody,
@@ -73,7 +74,7 @@ impl<const D: usize> Drive<D> {
     }
 
     /// The site that obeys its law.
-    pub(crate) fn site<const C: usize>(&self) -> Site<D, C> {
+    pub(crate) fn site<const C: usize>(&self, size: D) -> Site<D, C> {
         let slips = self.role == Role::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 });
         let hold = match self.role {
@@ -81,7 +82,7 @@ impl<const D: usize> Drive<D> {
             Role::Slips => Hold::KeptClosed,
             Role::Pulls | Role::EndsAbove | Role::EndsBelow => Hold::Unilateral,
         };
-        let mut site = Site::of_axis(self.axis(), &self.along, springs, hold);
+        let mut site = Site::of_axis(size, (self.axis(), &self.along), springs, hold);
         if !slips {
             return site;
         }
@@ -147,19 +148,19 @@ impl<const D: usize> Drive<D> {
     }
 
     /// What more of the owner's limit stretches its site by, and does to the coordinates besides.
-    pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, SVector<f64, D>) {
+    pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, Vector<D>) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
             Role::Slips => {
                 stretch[0] = per_force / self.stiffness;
-                SVector::zeros()
+                Vector::zeros()
             }
             // The bound is held against each half on both sides of it; that below is zero where nothing pushes.
             Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
-                -self.along * per_force
+                -&self.along * per_force
             }
-            Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => SVector::zeros(),
+            Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => Vector::zeros(),
         };
         (stretch, held)
     }

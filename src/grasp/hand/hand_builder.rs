@@ -52,7 +52,7 @@ impl<const C: usize> Hand<C> {
         self
     }
 
-    /// Coordinates that a grasp by this hand needs: those of the object, one for each joint, one for each drive that saturates, and one for each axis of a contact
+    /// Coordinates that a grasp by this hand has at most: those of the object, one for each joint, one for each drive that saturates, and one for each axis of a contact
     /// of a finger with a compliance matrix.
     #[must_use]
     pub fn coordinates(&self) -> usize {

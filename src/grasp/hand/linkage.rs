@@ -4,22 +4,23 @@ use nalgebra::SVector;
 
 use super::drive::{Drive, Owner};
 use super::joint::Limit;
+use crate::numerics::{Size, Vector};
 
 /// The joints behind a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Linkage<const D: usize, const C: usize> {
+pub(crate) struct Linkage<D: Size, const C: usize> {
     pub(crate) joints: Vec<Named>,
     pub(crate) tendons: Vec<Named>,
     /// Joint displacements become lengths by these factors, one a coordinate; those of the object are left alone.
-    pub(crate) lengths: SVector<f64, D>,
+    pub(crate) lengths: Vector<D>,
     /// Motion of each contact along the coordinate axes, for one unit of each coordinate beside those of the object.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, C>)>>,
     /// One for each site beyond the contacts.
     pub(crate) drives: Vec<Drive<D>>,
     /// Torques and tensions that act whatever the joints do.
-    pub(crate) held: SVector<f64, D>,
+    pub(crate) held: Vector<D>,
     /// Torques on joints from outside.
-    pub(crate) pulled: SVector<f64, D>,
+    pub(crate) pulled: Vector<D>,
     /// Links, from joint to joint and on to the contacts: only drawn.
     pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
     /// Where the joints that turn are, those of the plane and the axes of space: only drawn.
@@ -49,7 +50,7 @@ pub enum HandPart {
     Tendon(usize),
 }
 
-impl<const D: usize, const C: usize> Linkage<D, C> {
+impl<D: Size, const C: usize> Linkage<D, C> {
     /// What commands stretch the sites of all drives by.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))

@@ -6,9 +6,10 @@ use crate::contact::{Mode, State};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::load_path::loss::end_of_path;
+use crate::numerics::Size;
 use crate::search::{Settled, settle};
 
-impl<const D: usize, const C: usize> Patch<D, C> {
+impl<D: Size, const C: usize> Patch<D, C> {
     /// Asks for the states of everything that stands on an edge or slides.
     pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         self.balance.remember_all();

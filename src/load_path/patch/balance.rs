@@ -15,7 +15,7 @@ use super::stand::Stand;
 use super::trial_leg::TrialLeg;
 use crate::contact::{PolygonState, WEIGHTLESS, tangential};
 use crate::grasp::Site;
-use crate::numerics::{Factors, orthonormalise_against};
+use crate::numerics::{Factors, Size, Vector, orthonormalise_against};
 use crate::object::{CORRECTIONS, EnergyCoordinates, Facet, MARGIN, Point, Problem, Sums, are_stale, slack};
 
 /// Up to so many contacts the sums are made afresh for every solve: that costs no more than the
@@ -24,7 +24,7 @@ const FEW: usize = 64;
 
 /// The contacts in their states, and where the path stands.
 #[derive(Debug)]
-pub(super) struct Balance<const D: usize, const C: usize> {
+pub(super) struct Balance<D: Size, const C: usize> {
     pub(super) contacts: Vec<MovingContact<D, C>>,
     coordinates: EnergyCoordinates<C>,
     /// T, b and b'.
@@ -35,21 +35,21 @@ pub(super) struct Balance<const D: usize, const C: usize> {
     /// The fraction of the leg at which the path stands.
     pub(super) tau: f64,
     /// Motion on top of the trial state there, scaled as Q is, and its rate.
-    pub(super) y: SVector<f64, D>,
-    pub(super) y_rate: SVector<f64, D>,
+    pub(super) y: Vector<D>,
+    pub(super) y_rate: Vector<D>,
     /// A unit of time along the leg that weighs as much as one of y.
     pub(super) pace: f64,
     /// How often a contact has been looked at.
     pub(super) looked_at: usize,
 }
 
-impl<const D: usize, const C: usize> Balance<D, C> {
+impl<D: Size, const C: usize> Balance<D, C> {
     /// Everything sticks.
     pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D, C>) -> Self {
         let (mut contacts, mut coordinates) =
             (Vec::with_capacity(problem.len()), EnergyCoordinates::default());
         coordinates.lay_out(problem, &trial.factor, |_, contact| contacts.push(MovingContact::new(contact)));
-        let (sums, zero) = (Sums::default(), SVector::zeros());
+        let sums = Sums::sticking(problem.size());
         Self {
             contacts,
             coordinates,
@@ -57,8 +57,8 @@ impl<const D: usize, const C: usize> Balance<D, C> {
             factors: Factors::new(&sums.stiffness),
             sums,
             tau: 0.0,
-            y: zero,
-            y_rate: zero,
+            y: Vector::zeros(),
+            y_rate: Vector::zeros(),
             pace: 1.0,
             looked_at: 0,
         }
@@ -104,7 +104,7 @@ impl<const D: usize, const C: usize> Balance<D, C> {
 
     /// The direction of the path in motion and time.
     pub(super) fn course(&self) -> Point<D> {
-        Point { y: self.y_rate, s: self.pace }
+        Point { y: self.y_rate.clone(), s: self.pace }
     }
 
     /// Puts a contact into a state.
@@ -139,7 +139,7 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     /// The sums afresh.
     pub(super) fn renew(&mut self) {
         let (rank, weight) = (self.coordinates.rank, self.coordinates.weight);
-        self.sums = Sums::over(self.contacts.len(), rank, &|sums, contact| {
+        self.sums = Sums::over(self.sums.stiffness.size(), self.contacts.len(), rank, &|sums, contact| {
             let contact = &self.contacts[contact];
             contact.add_to(sums, self.facets(contact), weight);
         });
@@ -171,13 +171,13 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     pub(super) fn settle_at(&mut self, tau: f64) {
         self.tau = tau;
         let [base, rate] = &self.sums.sides;
-        let left = base + rate * tau - self.sums.stiffness * self.y;
+        let left = base + rate * tau - &self.sums.stiffness * &self.y;
         self.y += self.factors.solve(&left);
     }
 
     /// Goes along the present piece up to a fraction of the leg.
     pub(super) fn go_to(&mut self, tau: f64) {
-        self.y += self.y_rate * (tau - self.tau);
+        self.y += &self.y_rate * (tau - self.tau);
         self.settle_at(tau);
     }
 
@@ -204,10 +204,10 @@ impl<const D: usize, const C: usize> Balance<D, C> {
             return;
         }
         let scale = self.scale();
-        let preimage = |y: &SVector<f64, D>| trial.factor.preimage(&(y / scale));
+        let preimage = |y: &Vector<D>| trial.factor.preimage(&(y / scale));
         // Pairs of a motion and the same in the coordinates of y, the motions orthonormal.
-        let mut known: Vec<(SVector<f64, D>, SVector<f64, D>)> =
-            trial.free.iter().map(|v| (*v, SVector::zeros())).collect();
+        let mut known: Vec<(Vector<D>, Vector<D>)> =
+            trial.free.iter().map(|v| (v.clone(), Vector::zeros())).collect();
         for mut y in kernel {
             let mut v = preimage(&y);
             for _ in 0..2 {
@@ -227,10 +227,10 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     }
 
     /// y with what rounding leaves of balance removed from it, summed afresh.
-    pub(super) fn balanced(&self) -> SVector<f64, D> {
-        let mut y = self.y;
+    pub(super) fn balanced(&self) -> Vector<D> {
+        let mut y = self.y.clone();
         for _ in 0..CORRECTIONS {
-            let mut left = SVector::<f64, D>::zeros();
+            let mut left = Vector::<D>::zeros();
             for contact in &self.contacts {
                 let x = contact.force(&contact.stretch(&y, self.tau), self.facets(contact));
                 left += contact.fixed.seen.tr_mul(&(x - contact.trial - contact.rate * self.tau));
@@ -241,17 +241,17 @@ impl<const D: usize, const C: usize> Balance<D, C> {
     }
 
     /// The twist at which y stands on top of the trial state: the least one.
-    pub(super) fn twist(&self, trial: &TrialLeg<D, C>, y: &SVector<f64, D>) -> SVector<f64, D> {
-        trial.twist(&(trial.travelled + trial.rate * self.tau + y / self.scale()))
+    pub(super) fn twist(&self, trial: &TrialLeg<D, C>, y: &Vector<D>) -> Vector<D> {
+        trial.twist(&(&trial.travelled + &trial.rate * self.tau + y / self.scale()))
     }
 
     /// The motion in which the object goes on.
-    pub(super) fn twist_rate(&self, trial: &TrialLeg<D, C>) -> SVector<f64, D> {
-        trial.twist(&(trial.rate + self.y_rate / self.scale()))
+    pub(super) fn twist_rate(&self, trial: &TrialLeg<D, C>) -> Vector<D> {
+        trial.twist(&(&trial.rate + &self.y_rate / self.scale()))
     }
 
     /// Unit motions that nothing resists here.
-    pub(super) fn free_motions(&self, trial: &TrialLeg<D, C>) -> Vec<SVector<f64, D>> {
+    pub(super) fn free_motions(&self, trial: &TrialLeg<D, C>) -> Vec<Vector<D>> {
         let mut motions = trial.free.clone();
         for v in self.factors.kernel() {
             let mut v = trial.factor.preimage(&v);

@@ -5,6 +5,7 @@ use super::balance::Balance;
 use super::moving_contact::size;
 use super::stand::Bound;
 use crate::contact::ZERO_SLACK;
+use crate::numerics::Size;
 use crate::object::{LazyPricing, Point};
 
 /// Times are taken longer by this part, so that rounding of the clock does not hide a contact.
@@ -43,7 +44,7 @@ pub(super) enum Piece {
 
 /// The contacts in line for their bounds, and those that come first.
 #[derive(Debug)]
-pub(super) struct BoundsAhead<const D: usize> {
+pub(super) struct BoundsAhead<D: Size> {
     pricing: LazyPricing<D>,
     /// The direction of the path when all contacts were put in line.
     last_course: Option<Point<D>>,
@@ -52,7 +53,7 @@ pub(super) struct BoundsAhead<const D: usize> {
     pub(super) exits: Vec<Exit>,
 }
 
-impl<const D: usize> BoundsAhead<D> {
+impl<D: Size> BoundsAhead<D> {
     pub(super) fn new() -> Self {
         Self { pricing: LazyPricing::default(), last_course: None, stride: 1.0, exits: Vec::new() }
     }
@@ -66,7 +67,7 @@ impl<const D: usize> BoundsAhead<D> {
     /// Everybody is put in line for the present direction of the path.
     fn line_up<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
         let course = balance.course().direction();
-        let towards = match self.last_course.replace(course) {
+        let towards = match self.last_course.replace(course.clone()) {
             Some(last) => course.plus(AHEAD, &course.plus(-1.0, &last)),
             None => course,
         };

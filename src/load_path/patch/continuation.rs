@@ -19,6 +19,7 @@ use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::load_path::transition::change;
+use crate::numerics::Size;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to
 /// rounding.
@@ -29,7 +30,7 @@ const STEPS: usize = 24;
 /// does move.
 const MOST_ROUNDING: f64 = 1e-10;
 
-impl<const D: usize, const C: usize> Patch<D, C> {
+impl<D: Size, const C: usize> Patch<D, C> {
     /// Decides how the path goes on from here; the changes are told.
     pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
         let decided = self.decide_among_stands(journey, due);
@@ -162,7 +163,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
             let motion = self.unit_motion();
             self.balance.put(contact, was);
             if self.balance.holds_along(contact) {
-                return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::LetsGo, motion))));
+                return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::LetsGo, motion.as_ref()))));
             }
             self.balance.put(contact, Mode::Open);
         }
@@ -210,7 +211,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
 }
 
 /// The middle of the directions in which a sliding contact may slip, coordinate axes.
-fn outward<const D: usize, const C: usize>(
+fn outward<D: Size, const C: usize>(
     journey: &Journey<'_, D, C>,
     contact: usize,
     state: PolygonState,

@@ -14,13 +14,14 @@ use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{PatchPath, Path};
+use crate::numerics::Size;
 use crate::search::Settings;
 
 /// Steps of no length in a row that are still events of one node: with more, rounding goes in
 /// circles.
 const MOST_STALLS: usize = 64;
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch).
     pub(crate) fn follow_patch(
         &self,
@@ -34,7 +35,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
     }
 }
 
-impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Patch<D, C> {
+impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
     type Told = PatchEvent<C>;
 
     const STRAIGHT_ONLY: Option<&'static str> = Some("follow_patch");
@@ -95,7 +96,7 @@ impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Patch<D, C> {
     }
 }
 
-impl<'g, const D: usize, const C: usize> Patch<D, C> {
+impl<'g, D: Size, const C: usize> Patch<D, C> {
     /// Goes on to the next event of the leg, or up to this fraction of it. Whether the leg is done.
     fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<C>> {
         let before = self.balance.tau;

@@ -14,13 +14,14 @@ use nalgebra::{SMatrix, SVector};
 
 use super::stand::{Bound, Stand};
 use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
+use crate::numerics::{Size, Vector};
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
 
 /// A contact on its way. With a hundred thousand of them an event waits for memory: a contact takes two of its lines in the
 /// plane and four in space, none of which it shares.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(super) struct MovingContact<const D: usize, const C: usize> {
+pub(super) struct MovingContact<D: Size, const C: usize> {
     pub(super) fixed: EnergyContact<D, C>,
     /// x⁰ at the beginning of the leg.
     pub(super) trial: SVector<f64, C>,
@@ -75,7 +76,7 @@ pub(super) fn for_each_slip<const C: usize>(
     }
 }
 
-impl<const D: usize, const C: usize> MovingContact<D, C> {
+impl<D: Size, const C: usize> MovingContact<D, C> {
     /// A contact that sticks.
     pub(super) fn new(fixed: EnergyContact<D, C>) -> Self {
         let (zero, width) = (SVector::zeros(), fixed.seen.norm());
@@ -84,18 +85,18 @@ impl<const D: usize, const C: usize> MovingContact<D, C> {
     }
 
     /// u.
-    pub(super) fn stretch(&self, y: &SVector<f64, D>, tau: f64) -> SVector<f64, C> {
-        self.trial + self.rate * tau - self.memory - self.fixed.seen * y
+    pub(super) fn stretch(&self, y: &Vector<D>, tau: f64) -> SVector<f64, C> {
+        self.trial + self.rate * tau - self.memory - &self.fixed.seen * y
     }
 
     /// u' for a rate of y.
-    pub(super) fn stretch_rate(&self, y_rate: &SVector<f64, D>) -> SVector<f64, C> {
-        self.rate - self.fixed.seen * y_rate
+    pub(super) fn stretch_rate(&self, y_rate: &Vector<D>) -> SVector<f64, C> {
+        self.rate - &self.fixed.seen * y_rate
     }
 
     /// How u changes in a direction of the path.
     pub(super) fn change_along(&self, e: &Point<D>, pace: f64) -> SVector<f64, C> {
-        self.rate * (e.s / pace) - self.fixed.seen * e.y
+        self.rate * (e.s / pace) - &self.fixed.seen * &e.y
     }
 
     /// Size of the terms that u is made of.

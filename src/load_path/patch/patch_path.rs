@@ -1,7 +1,5 @@
 //! The follower of thousands of contacts: where it stands, and what ends its path there.
 
-use nalgebra::SVector;
-
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
 use super::patch_event::PatchEvent;
@@ -10,6 +8,7 @@ use super::stand::Stand;
 use super::trial_leg::TrialLeg;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::journey::Journey;
+use crate::numerics::{Size, Vector};
 use crate::search::Doubt;
 
 /// What has to be decided before the path goes on.
@@ -25,7 +24,7 @@ pub(super) enum Due {
 
 /// The follower of a [`PatchPath`](crate::load_path::PatchPath).
 #[derive(Debug)]
-pub(crate) struct Patch<const D: usize, const C: usize> {
+pub(crate) struct Patch<D: Size, const C: usize> {
     pub(super) trial: TrialLeg<D, C>,
     pub(super) balance: Balance<D, C>,
     pub(super) ahead: BoundsAhead<D>,
@@ -41,7 +40,7 @@ pub(crate) struct Patch<const D: usize, const C: usize> {
     pub(super) told: Vec<PatchEvent<C>>,
 }
 
-impl<const D: usize, const C: usize> Patch<D, C> {
+impl<D: Size, const C: usize> Patch<D, C> {
     /// A contact that slides or stands elsewhere joins those that stand here.
     pub(super) fn join(&mut self, contact: u32) {
         self.stands.push(self.balance.stand_of(contact));
@@ -58,7 +57,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
         &self,
         journey: &Journey<'_, D, C>,
         kind: LossKind,
-        motion: Option<SVector<f64, D>>,
+        motion: Option<&Vector<D>>,
     ) -> Loss<C> {
         let mut contacts: Vec<usize> = self.stands.iter().map(|stand| stand.contact as usize).collect();
         let all = &self.balance.contacts;
@@ -74,7 +73,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     }
 
     /// The unit motion in which the object goes on, if it moves, in inside coordinates.
-    pub(super) fn unit_motion(&self) -> Option<SVector<f64, D>> {
+    pub(super) fn unit_motion(&self) -> Option<Vector<D>> {
         let rate = self.balance.twist_rate(&self.trial);
         (rate.norm() > 0.0).then(|| rate.normalize())
     }

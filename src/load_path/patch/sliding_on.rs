@@ -4,12 +4,12 @@
 use super::balance::Balance;
 use super::moving_contact::MovingContact;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::WaitingLine;
+use crate::numerics::{Size, WaitingLine};
 use crate::object::Point;
 
 /// The contacts that slide on, on the clock of the direction of the path.
 #[derive(Debug, Default)]
-pub(super) struct SlidingOn<const D: usize> {
+pub(super) struct SlidingOn<D: Size> {
     line: WaitingLine,
     direction: Point<D>,
     /// Contacts that were looked at and slip on, with their stamps and the time for which they
@@ -17,7 +17,7 @@ pub(super) struct SlidingOn<const D: usize> {
     resting: Vec<(u32, u32, f64)>,
 }
 
-impl<const D: usize> SlidingOn<D> {
+impl<D: Size> SlidingOn<D> {
     pub(super) fn clear(&mut self) {
         self.line.clear();
     }

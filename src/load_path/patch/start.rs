@@ -10,10 +10,11 @@ use super::trial_leg::{TrialLeg, loads};
 use crate::contact::{Mode, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
+use crate::numerics::Size;
 use crate::object::{Problem, stretched_into};
 use crate::search::Found;
 
-impl<const D: usize, const C: usize> Patch<D, C> {
+impl<D: Size, const C: usize> Patch<D, C> {
     /// Stands at the equilibrium to start from, if there is one: at that in which everything sticks before any other is sought.
     pub(super) fn at_start<'g>(
         journey: &Journey<'g, D, C>,
@@ -67,7 +68,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
         let sites = problem.sites;
         let mut x = Vec::new();
         stretched_into(sites, |i| sites[i].map.tr_mul(&found.twist), &mut x);
-        let travelled = self.trial.factor.coordinates(&x) - self.trial.travelled;
+        let travelled = self.trial.factor.coordinates(&x) - &self.trial.travelled;
         self.balance.y = travelled * self.balance.scale();
         self.balance.renew();
         self.balance.settle_at(0.0);
@@ -81,7 +82,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
         }
         let (_, change) = loads(journey.grasp, &journey.program);
         if let Some(v) = self.trial.worked_on(&change) {
-            return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::GivesWay, Some(v)))));
+            return Err(PathEnd::Lost(Box::new(self.loss(journey, LossKind::GivesWay, Some(&v)))));
         }
         self.balance.renew();
         self.balance.settle_at(0.0);

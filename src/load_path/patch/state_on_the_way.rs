@@ -9,9 +9,10 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
 use crate::load_path::follower::Edge;
 use crate::load_path::journey::Journey;
+use crate::numerics::{Size, Vector};
 use crate::search::Found;
 
-impl<const D: usize, const C: usize> Patch<D, C> {
+impl<D: Size, const C: usize> Patch<D, C> {
     /// The whole equilibrium. Just after an event the states are those with which the path goes on. One pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let Self { balance, trial, .. } = self;
@@ -40,7 +41,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     }
 
     /// Forces at a motion on top of the trial state, N.
-    pub(super) fn forces_at(&self, sites: &[Site<D, C>], y: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
+    pub(super) fn forces_at(&self, sites: &[Site<D, C>], y: &Vector<D>) -> Vec<SVector<f64, C>> {
         let force = |(contact, site): (&MovingContact<D, C>, &Site<D, C>)| {
             let x = contact.force(&contact.stretch(y, self.balance.tau), self.balance.facets(contact));
             x.component_mul(&site.springs.root())
@@ -52,7 +53,7 @@ impl<const D: usize, const C: usize> Patch<D, C> {
     pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
         let (balance, sites) = (&self.balance, journey.grasp.sites());
         let remembered = |contact: &MovingContact<D, C>| {
-            let mut contact = *contact;
+            let mut contact = contact.clone();
             if contact.state.slides() {
                 contact.remember(&balance.stretch(&contact), balance.facets(&contact));
             }

@@ -4,29 +4,29 @@ use nalgebra::SVector;
 
 use crate::grasp::{Engine, Site};
 use crate::load_path::leg::Program;
-use crate::numerics::{Orthogonal, without};
+use crate::numerics::{Orthogonal, Size, Vector, without};
 use crate::object::{spring_rows, stretched_into, worked_on};
 
 /// The springs of all contacts, and the motion of the object if all of them hold.
 #[derive(Debug)]
-pub(super) struct TrialLeg<const D: usize, const C: usize> {
+pub(super) struct TrialLeg<D: Size, const C: usize> {
     /// `K^{1/2}Gᵀ = QR`.
     pub(super) factor: Orthogonal<D>,
     /// Motions that no contact resists.
-    pub(super) free: Vec<SVector<f64, D>>,
+    pub(super) free: Vec<Vector<D>>,
     /// R q at the beginning of the leg, and its change along it.
-    pub(super) travelled: SVector<f64, D>,
-    pub(super) rate: SVector<f64, D>,
+    pub(super) travelled: Vector<D>,
+    pub(super) rate: Vector<D>,
     /// Drives at the beginning of the leg, and what they change by.
     drives: [Vec<SVector<f64, C>>; 2],
     /// x⁰ there, and its change along the leg, spring by spring.
     pub(super) x: [Vec<f64>; 2],
 }
 
-impl<const D: usize, const C: usize> TrialLeg<D, C> {
+impl<D: Size, const C: usize> TrialLeg<D, C> {
     pub(super) fn new(sites: &[Site<D, C>]) -> Self {
-        let factor = Orthogonal::new(spring_rows(sites).collect());
-        let (travelled, rate) = (SVector::zeros(), SVector::zeros());
+        let factor = Orthogonal::new(sites[0].map.size(), spring_rows(sites).collect());
+        let (travelled, rate) = (Vector::zeros(), Vector::zeros());
         let (drives, x) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
         Self { free: factor.null_space(), factor, travelled, rate, drives, x }
     }
@@ -43,22 +43,22 @@ impl<const D: usize, const C: usize> TrialLeg<D, C> {
     }
 
     /// The motion on which a load works though nothing resists it.
-    pub(super) fn worked_on(&self, wrench: &SVector<f64, D>) -> Option<SVector<f64, D>> {
+    pub(super) fn worked_on(&self, wrench: &Vector<D>) -> Option<Vector<D>> {
         worked_on(&self.free, wrench)
     }
 
     /// The twist of least norm with this R q.
-    pub(super) fn twist(&self, travelled: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(super) fn twist(&self, travelled: &Vector<D>) -> Vector<D> {
         without(self.factor.preimage(travelled), &self.free)
     }
 }
 
 /// The load at the beginning of the present leg, in inside coordinates, and its change along the
 /// leg.
-pub(super) fn loads<const D: usize, const C: usize>(
+pub(super) fn loads<D: Size, const C: usize>(
     grasp: &Engine<D, C>,
     program: &Program<C>,
-) -> (SVector<f64, D>, SVector<f64, D>) {
+) -> (Vector<D>, Vector<D>) {
     let course = program.inside_course(grasp);
     (course.at(0.0), course.rate_at(0.0))
 }

@@ -10,6 +10,7 @@
 //! The distance is what is told: where it is not three times the error, directions relax within a step, and it is as large as the error.
 
 use super::one_step::{Standing, StepProblem};
+use crate::numerics::Size;
 
 /// The second path has gone elsewhere if its distance grows by more than this factor in a step. Below a few it would be lost at every change of
 /// states; then errors that are forgotten add up.
@@ -21,7 +22,7 @@ const ONE: f64 = 1e-12;
 
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
-pub(super) struct Coarse<const D: usize, const C: usize> {
+pub(super) struct Coarse<D: Size, const C: usize> {
     pub(super) standing: Standing<D, C>,
     /// Distances where it was lost and began again from the first path, over the largest force.
     lost: f64,
@@ -29,7 +30,7 @@ pub(super) struct Coarse<const D: usize, const C: usize> {
     pub(super) farthest: f64,
 }
 
-impl<const D: usize, const C: usize> Coarse<D, C> {
+impl<D: Size, const C: usize> Coarse<D, C> {
     /// From where both paths begin.
     pub(super) fn starting_at(standing: &Standing<D, C>) -> Self {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
@@ -45,9 +46,9 @@ impl<const D: usize, const C: usize> Coarse<D, C> {
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
-        let near = to.twist + self.standing.twist - from.twist;
+        let near = &to.twist + &self.standing.twist - &from.twist;
         let by = ELSEWHERE * distance + to.apart(at_once);
-        let mut step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
+        let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
         if distance > ONE * largest && step().is_some() && beside.apart(at_once) <= by {
             std::mem::swap(&mut self.standing, beside);
         } else {

@@ -5,13 +5,14 @@ use crate::contact::Law;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::load_path::loss::end_of_path;
+use crate::numerics::{Size, Vector};
 use crate::search::{Doubt, Settled, settle};
 
 /// Forces stay if they change by less than this part of what springs that stick would feel: at maxima it is some hundredths, a thousandth at least,
 /// towards asymptotes it falls to the root of what is left of the load, 1e-5.
 const STAY: f64 = 2e-4;
 
-impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
+impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     /// The end where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge. Else the path is
     /// undecided, for this reason.
     pub(super) fn end_here(&self, journey: &Journey<'g, D, C>, doubt: Doubt) -> PathEnd<C> {
@@ -22,8 +23,8 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
         if self.pace.speeds.run_to(fraction) {
             // Beyond a maximum forces would go on to change as they do; towards an asymptote the object goes on while they stay.
             let kind = if self.pace.changed < STAY { LossKind::Asymptote } else { LossKind::Fold };
-            let motion = self.pace.rate.map(|v| v.normalize());
-            return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion)));
+            let motion = self.pace.rate.as_ref().map(Vector::normalize);
+            return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion.as_ref())));
         }
         match settle(&edge.rates, &journey.settings) {
             (Settled::Found(..) | Settled::Undecided(_), _) => journey.undecided(fraction, doubt),

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::contact::{Answer, State};
 use crate::load_path::course::Course;
 use crate::load_path::journey::Journey;
-use crate::numerics::anew;
+use crate::numerics::{Size, Vector, anew};
 use crate::object::{self, OneByOne, Problem};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
@@ -18,17 +18,17 @@ pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Where a path stands, inside.
 #[derive(Debug, Clone)]
-pub(super) struct Standing<const D: usize, const C: usize> {
+pub(super) struct Standing<D: Size, const C: usize> {
     /// Part of the leg that has been gone.
     pub(super) fraction: f64,
-    pub(super) twist: SVector<f64, D>,
+    pub(super) twist: Vector<D>,
     /// Slips so far, in the contact frames.
     pub(super) slips: Vec<SVector<f64, C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) states: Vec<State<C>>,
 }
 
-impl<const D: usize, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> Standing<D, C> {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
@@ -41,16 +41,17 @@ impl<const D: usize, const C: usize> Standing<D, C> {
     }
 }
 
-impl<const D: usize, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> Standing<D, C> {
     /// Memory for one.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
-        Self { fraction: 0.0, twist: SVector::zeros(), slips, forces, states }
+        Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
     }
 
     /// Stands where another does.
     pub(super) fn join(&mut self, other: &Self) {
-        (self.fraction, self.twist) = (other.fraction, other.twist);
+        self.fraction = other.fraction;
+        self.twist.clone_from(&other.twist);
         self.slips.clone_from(&other.slips);
         self.forces.clone_from(&other.forces);
         self.states.clone_from(&other.states);
@@ -59,17 +60,17 @@ impl<const D: usize, const C: usize> Standing<D, C> {
 
 /// What a step along a leg solves; drives and load are put in for each.
 #[derive(Debug)]
-pub(super) struct StepProblem<'g, const D: usize, const C: usize> {
+pub(super) struct StepProblem<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
     /// Commands less clearances at the beginning of the leg, and what they change by.
     drives: [Vec<SVector<f64, C>>; 2],
-    pub(super) course: Course<SVector<f64, D>>,
+    pub(super) course: Course<Vector<D>>,
     /// Stretches before a step, and what contacts answer after it.
     before: Vec<SVector<f64, C>>,
     answers: Vec<Answer<C>>,
 }
 
-impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
+impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     /// That of the present leg.
     pub(super) fn along(journey: &Journey<'g, D, C>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
@@ -93,7 +94,7 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
     pub(super) fn step(
         &mut self,
         from: &Standing<D, C>,
-        (length, near): (f64, SVector<f64, D>),
+        (length, near): (f64, Vector<D>),
         to: &mut Standing<D, C>,
     ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
@@ -104,7 +105,7 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
             before.push(site.stretch(&drive(from.fraction), &from.twist));
             problem.drives[i] = drive(fraction);
         }
-        (problem.wrench, problem.wrench_rest) = (course.at(fraction), SVector::zeros());
+        (problem.wrench, problem.wrench_rest) = (course.at(fraction), Vector::zeros());
         to.fraction = fraction;
         equilibrium_after((from, before), problem, (near, answers), to)
     }
@@ -112,10 +113,10 @@ impl<'g, const D: usize, const C: usize> StepProblem<'g, D, C> {
 
 /// The equilibrium of a problem that counts slips from where a path stands, with the stretches before the step there, sought near a twist. `None` where
 /// Newton's method does not arrive.
-fn equilibrium_after<const D: usize, const C: usize>(
+fn equilibrium_after<D: Size, const C: usize>(
     (from, before): (&Standing<D, C>, &[SVector<f64, C>]),
     problem: &Problem<'_, D, C>,
-    (near, answers): (SVector<f64, D>, &mut Vec<Answer<C>>),
+    (near, answers): (Vector<D>, &mut Vec<Answer<C>>),
     to: &mut Standing<D, C>,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);

@@ -2,19 +2,18 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use nalgebra::SVector;
-
 use super::speeds::Speeds;
 use crate::load_path::course::Course;
+use crate::numerics::{Size, Vector};
 
 /// The first step of a leg, as a part of it.
 const FIRST_STEP: f64 = 1.0 / 16.0;
 
 /// The steps of a leg so far.
 #[derive(Debug, Clone)]
-pub(super) struct Pace<const D: usize> {
+pub(super) struct Pace<D: Size> {
     /// The motion of the object for one unit of the fraction, from the last step.
-    pub(super) rate: Option<SVector<f64, D>>,
+    pub(super) rate: Option<Vector<D>>,
     /// How fast the object has moved.
     pub(super) speeds: Speeds,
     /// By how much a force has changed in the last step, over what springs that stick would feel of it.
@@ -29,7 +28,7 @@ pub(super) struct Pace<const D: usize> {
     pub(super) tried: usize,
 }
 
-impl<const D: usize> Pace<D> {
+impl<D: Size> Pace<D> {
     /// That of a leg that begins.
     pub(super) fn along<X>(course: &Course<X>) -> Self {
         let longest = if let Course::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };

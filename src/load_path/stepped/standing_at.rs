@@ -7,13 +7,14 @@ use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::Edge;
 use crate::load_path::journey::Journey;
+use crate::numerics::Size;
 use crate::search::Found;
 
 /// Friction in reserve, and forces that a gap would take to close, below this part of the largest force are none: the last steps are parts of
 /// 1e-12 of a leg. With less a contact that such a step would bring to its edge still holds, and the limit is not seen.
 const AT_AN_EDGE: f64 = 1e-9;
 
-impl<const D: usize, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> Standing<D, C> {
     /// The whole equilibrium. One pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
@@ -26,7 +27,7 @@ impl<const D: usize, const C: usize> Standing<D, C> {
             other => *other,
         };
         let states = self.states.iter().map(standing).collect();
-        let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist) };
+        let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist.clone()) };
         journey.equilibrium(&problem, self.fraction, found)
     }
 

@@ -15,12 +15,13 @@ use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{Path, SteppedPath};
+use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::{Found, Settings};
 
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
-pub(crate) struct Steps<'g, const D: usize, const C: usize> {
+pub(crate) struct Steps<'g, D: Size, const C: usize> {
     /// What a step solves.
     pub(super) along: StepProblem<'g, D, C>,
     /// Where the path stands.
@@ -57,7 +58,7 @@ pub struct Step<const C: usize> {
     pub error: f64,
 }
 
-impl<const D: usize, const C: usize> Engine<D, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
@@ -84,10 +85,7 @@ impl<const D: usize, const C: usize> Engine<D, C> {
 }
 
 /// What an equilibrium is to a path: its slips are memory.
-fn at_start<const D: usize, const C: usize>(
-    problem: &Problem<'_, D, C>,
-    found: Found<D, C>,
-) -> Standing<D, C> {
+fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> Standing<D, C> {
     let slip = |(i, state): (usize, &crate::contact::State<C>)| {
         let springs = &problem.sites[i].springs;
         if state.is_rolling() || !springs.resists_tangentially() {
@@ -99,7 +97,7 @@ fn at_start<const D: usize, const C: usize>(
     Standing { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
-impl<'g, const D: usize, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
+impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
     type Told = Step<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {

@@ -19,13 +19,14 @@ use nalgebra::SVector;
 
 use super::one_step::{Standing, StepProblem};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
+use crate::numerics::{Size, Vector};
 
 /// Of what springs make of the way off a straight one in the middle of a step, that in the middle of its halves.
 const IN_A_HALF: f64 = 0.25;
 /// That at a bend somewhere in a half.
 const WHERE_IT_BENDS: f64 = 2.0;
 
-impl<const D: usize, const C: usize> StepProblem<'_, D, C> {
+impl<D: Size, const C: usize> StepProblem<'_, D, C> {
     /// The most that a contact force may be wrong by at the end of a step in two halves, N, without a difference to the step made at once.
     pub(super) fn unseen(&self, at: [&Standing<D, C>; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
@@ -37,11 +38,11 @@ impl<const D: usize, const C: usize> StepProblem<'_, D, C> {
         if !local.may_open() && !local.may_slide() {
             return 0.0;
         }
-        let made_of = |motion: SVector<f64, D>| site.springs.force(&site.map.tr_mul(&motion));
-        let bend = made_of(middle.twist - (from.twist + to.twist) * 0.5);
+        let made_of = |motion: Vector<D>| site.springs.force(&site.map.tr_mul(&motion));
+        let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
         let off = IN_A_HALF * bend.norm();
         let drawn = |a: &Standing<D, C>, b: &Standing<D, C>| {
-            site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(b.twist - a.twist)
+            site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
         let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
             let began = tangential(began);

@@ -1,13 +1,12 @@
 //! Steps as long as the error asked for allows.
 
-use nalgebra::SVector;
-
 use super::one_step::{SHORTEST, Standing};
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Came;
 use crate::load_path::journey::Journey;
+use crate::numerics::{Size, Vector};
 use crate::search::Doubt;
 
 /// An error below this part of the largest force is rounding.
@@ -37,7 +36,7 @@ const FELT: f64 = 0.05;
 
 /// Where a step leads that is made twice: in halves, which the path takes, and at once.
 #[derive(Debug)]
-pub(super) struct Places<const D: usize, const C: usize> {
+pub(super) struct Places<D: Size, const C: usize> {
     middle: Standing<D, C>,
     to: Standing<D, C>,
     at_once: Standing<D, C>,
@@ -45,7 +44,7 @@ pub(super) struct Places<const D: usize, const C: usize> {
     beside: Standing<D, C>,
 }
 
-impl<const D: usize, const C: usize> Places<D, C> {
+impl<D: Size, const C: usize> Places<D, C> {
     pub(super) fn nowhere() -> Self {
         let [middle, to, at_once, beside] = [(); 4].map(|()| Standing::nowhere());
         Self { middle, to, at_once, beside }
@@ -63,7 +62,7 @@ struct Twice {
     felt: f64,
 }
 
-impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
+impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     /// Tries a step; what it is if it errs by no more than is allowed.
     pub(super) fn try_a_step(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
         let from = self.standing.fraction;
@@ -95,7 +94,7 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
             };
         }
         let to = &self.places.to;
-        self.pace.rate = Some((to.twist - self.standing.twist) / length);
+        self.pace.rate = Some((&to.twist - &self.standing.twist) / length);
         self.pace.speeds.note(to.fraction, twice.felt / length);
         self.pace.changed = to.apart(&self.standing) / twice.felt;
         Ok(Came::To(self.arrive(journey, &twice)))
@@ -121,20 +120,20 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
     /// elsewhere.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
-        let rate = self.pace.rate.unwrap_or_else(SVector::zeros);
-        let near = |at: &Standing<D, C>, rate: &SVector<f64, D>, length: f64| at.twist + rate * length;
+        let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
+        let near = |at: &Standing<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
-        let rate = (middle.twist - from.twist) / (0.5 * length);
+        let rate = (&middle.twist - &from.twist) / (0.5 * length);
         along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
-        let off = middle.twist - (from.twist + to.twist) * 0.5;
+        let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
-        let felt = most_felt(sites, &(to.twist - from.twist));
+        let felt = most_felt(sites, &(&to.twist - &from.twist));
         if felt > FELT * largest && most_felt(sites, &off) > LEAP * felt {
             return None;
         }
         let unseen = along.unseen([from, middle, to]) / largest;
-        along.step(from, (length, to.twist), at_once)?;
+        along.step(from, (length, to.twist.clone()), at_once)?;
         let finite = unseen.is_finite() && (to.apart(at_once) / largest).is_finite();
         finite.then_some(Twice { largest, unseen, felt })
     }
@@ -161,11 +160,11 @@ impl<'g, const D: usize, const C: usize> Steps<'g, D, C> {
 }
 
 /// What the springs that feel a motion most would make of it, N.
-fn most_felt<const D: usize, const C: usize>(sites: &[Site<D, C>], motion: &SVector<f64, D>) -> f64 {
+fn most_felt<D: Size, const C: usize>(sites: &[Site<D, C>], motion: &Vector<D>) -> f64 {
     sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
 }
 
 /// What the springs of a contact that sticks make of a motion, N.
-fn pull<const D: usize, const C: usize>(site: &Site<D, C>, motion: &SVector<f64, D>) -> f64 {
+fn pull<D: Size, const C: usize>(site: &Site<D, C>, motion: &Vector<D>) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

@@ -1,0 +1,183 @@
+//! How many coordinates there are, and the arithmetic of so many.
+
+use std::fmt::Debug;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::list::{List, Short};
+
+/// How many coordinates there are.
+pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'static {
+    /// Components of a vector.
+    type List: List;
+    /// Entries of a square matrix, column by column.
+    type Square: List;
+    /// Entries of a matrix with a row for each coordinate and C columns, column by column.
+    type Map<const C: usize>: List;
+    /// Entries of a matrix with C rows and a column for each coordinate, column by column.
+    type Seen<const C: usize>: List;
+    /// A number for each coordinate, say another order of them.
+    type Indices: AsRef<[usize]> + AsMut<[usize]> + Clone + Debug + Send + Sync;
+
+    /// Every coordinate at its place.
+    fn in_order(self) -> Self::Indices;
+    /// That of as many coordinates; those of a fixed number are as many as they are.
+    fn of(count: usize) -> Self;
+    fn count(self) -> usize;
+    fn dot(a: &Self::List, b: &Self::List) -> f64;
+    /// `A v`.
+    fn times(self, a: &Self::Square, v: &Self::List) -> Self::List;
+    /// `A B`.
+    fn product(self, a: &Self::Square, b: &Self::Square) -> Self::Square;
+    /// `G f`.
+    fn mapped<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>) -> Self::List;
+    /// `Gᵀv`.
+    fn felt<const C: usize>(self, map: &Self::Map<C>, v: &Self::List) -> SVector<f64, C>;
+    /// `S v`.
+    fn seen<const C: usize>(self, seen: &Self::Seen<C>, v: &Self::List) -> SVector<f64, C>;
+    /// `Sᵀf`.
+    fn seen_back<const C: usize>(self, seen: &Self::Seen<C>, f: &SVector<f64, C>) -> Self::List;
+}
+
+/// As many as the type says.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Fixed<const D: usize>;
+
+/// As many as there are.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Any(usize);
+
+impl<const D: usize> Size for Fixed<D> {
+    type List = SVector<f64, D>;
+    type Square = SMatrix<f64, D, D>;
+    type Map<const C: usize> = SMatrix<f64, D, C>;
+    type Seen<const C: usize> = SMatrix<f64, C, D>;
+    type Indices = [usize; D];
+
+    #[inline]
+    fn in_order(self) -> [usize; D] {
+        std::array::from_fn(|k| k)
+    }
+
+    fn of(_: usize) -> Self {
+        Self
+    }
+
+    #[inline]
+    fn count(self) -> usize {
+        D
+    }
+
+    #[inline]
+    fn dot(a: &Self::List, b: &Self::List) -> f64 {
+        a.dot(b)
+    }
+
+    #[inline]
+    fn times(self, a: &Self::Square, v: &Self::List) -> Self::List {
+        a * v
+    }
+
+    #[inline]
+    fn product(self, a: &Self::Square, b: &Self::Square) -> Self::Square {
+        a * b
+    }
+
+    #[inline]
+    fn mapped<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>) -> Self::List {
+        map * f
+    }
+
+    #[inline]
+    fn felt<const C: usize>(self, map: &Self::Map<C>, v: &Self::List) -> SVector<f64, C> {
+        map.tr_mul(v)
+    }
+
+    #[inline]
+    fn seen<const C: usize>(self, seen: &Self::Seen<C>, v: &Self::List) -> SVector<f64, C> {
+        seen * v
+    }
+
+    #[inline]
+    fn seen_back<const C: usize>(self, seen: &Self::Seen<C>, f: &SVector<f64, C>) -> Self::List {
+        seen.tr_mul(f)
+    }
+}
+
+impl Size for Any {
+    type List = Short;
+    type Square = Vec<f64>;
+    type Map<const C: usize> = Vec<f64>;
+    type Seen<const C: usize> = Vec<f64>;
+    type Indices = Vec<usize>;
+
+    fn in_order(self) -> Vec<usize> {
+        (0..self.0).collect()
+    }
+
+    fn of(count: usize) -> Self {
+        Self(count)
+    }
+
+    fn count(self) -> usize {
+        self.0
+    }
+
+    fn dot(a: &Short, b: &Short) -> f64 {
+        dot(a.slice(), b.slice())
+    }
+
+    fn times(self, a: &Vec<f64>, v: &Short) -> Short {
+        combined(self.0, a, v.slice())
+    }
+
+    fn product(self, a: &Vec<f64>, b: &Vec<f64>) -> Vec<f64> {
+        b.chunks_exact(self.0.max(1))
+            .flat_map(|column| combined(self.0, a, column).slice().to_vec())
+            .collect()
+    }
+
+    fn mapped<const C: usize>(self, map: &Vec<f64>, f: &SVector<f64, C>) -> Short {
+        combined(self.0, map, f.as_slice())
+    }
+
+    fn felt<const C: usize>(self, map: &Vec<f64>, v: &Short) -> SVector<f64, C> {
+        SVector::from_fn(|a, _| dot(&map[a * self.0..(a + 1) * self.0], v.slice()))
+    }
+
+    fn seen<const C: usize>(self, seen: &Vec<f64>, v: &Short) -> SVector<f64, C> {
+        let mut sum = SVector::zeros();
+        for (column, v) in seen.chunks_exact(C).zip(v.slice()) {
+            for a in 0..C {
+                sum[a] += column[a] * v;
+            }
+        }
+        sum
+    }
+
+    fn seen_back<const C: usize>(self, seen: &Vec<f64>, f: &SVector<f64, C>) -> Short {
+        let mut back = Short::zeros(self.0);
+        for (back, column) in back.slice_mut().iter_mut().zip(seen.chunks_exact(C)) {
+            *back = dot(column, f.as_slice());
+        }
+        back
+    }
+}
+
+/// As far as both go.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The sum of columns of so many rows, each so many times.
+fn combined(rows: usize, columns: &[f64], times: &[f64]) -> Short {
+    let mut sum = Short::zeros(rows);
+    let list = sum.slice_mut();
+    for (column, times) in columns.chunks_exact(rows.max(1)).zip(times) {
+        // A map of a hand has entries for one finger.
+        if *times != 0.0 {
+            list.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * times);
+        }
+    }
+    sum
+}

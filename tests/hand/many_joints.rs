@@ -1,0 +1,52 @@
+//! A hand may have any number of joints.
+
+use grasp_lcp::{planar, spatial};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+/// So many slides in a row together give way like one. Springs of a finger's joints along the normal, the contact's own, and how far it is commanded.
+const JOINTS: f64 = 2e3;
+const CONTACT: f64 = 1e4;
+const COMMAND: f64 = 0.01;
+
+/// What presses with the springs of joints and contact in series.
+fn force() -> f64 {
+    COMMAND / (1.0 / JOINTS + 1.0 / CONTACT)
+}
+
+#[test]
+fn slides_in_a_row_give_way_like_one_in_the_plane() -> Tested {
+    for count in [1_u32, 12, 13, 60, 150] {
+        let finger = |x: f64| {
+            let pad = planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(CONTACT, 8e3).friction(0.5);
+            let slide = planar::hand::Joint::prismatic([-x, 0.0]).stiffness(JOINTS * f64::from(count));
+            planar::hand::Finger::new((0..count).map(|_| slide.clone())).contact(pad.command([COMMAND, 0.0]))
+        };
+        let grasp = planar::hand::Hand::new([finger(-1.0), finger(1.0)]).grasp()?;
+        let onset = grasp.onset_of_sliding(&planar::Wrench::ZERO, &planar::Wrench::force([0.0, -1.0]))?;
+        let (factor, exact) = (onset.factor().ok_or("slides")?, force());
+        assert!((factor / exact - 1.0).abs() < 1e-11, "{count}: {factor} {exact}");
+    }
+    Ok(())
+}
+
+#[test]
+fn slides_in_a_row_give_way_like_one_in_space() -> Tested {
+    for count in [1_u32, 9, 40] {
+        let finger = |turn: f64| {
+            let (sin, cos) = (turn * std::f64::consts::TAU / 3.0).sin_cos();
+            let pad =
+                spatial::Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0]).series_stiffness(CONTACT, 8e3);
+            let slide =
+                spatial::hand::Joint::prismatic([-cos, -sin, 0.0]).stiffness(JOINTS * f64::from(count));
+            spatial::hand::Finger::new((0..count).map(|_| slide.clone()))
+                .contact(pad.friction(0.5).command([COMMAND, 0.0, 0.0]))
+        };
+        let grasp = spatial::hand::Hand::new([finger(0.0), finger(1.0), finger(2.0)]).grasp()?;
+        let onset =
+            grasp.onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0]))?;
+        let (factor, exact) = (onset.factor().ok_or("slides")?, 1.5 * force());
+        assert!((factor / exact - 1.0).abs() < 1e-11, "{count}: {factor} {exact}");
+    }
+    Ok(())
+}
