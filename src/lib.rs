@@ -88,7 +88,7 @@
 //! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
 //! ([`equilibrium::Equilibrium::free_motions`]). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
 //!
-//! The model is that of "Position Control for Multifingered Robot Hand", which solves the rolling case as a quadratic
+//! The model is that of "Position Control for Multifingered Robot Hand", which solves the sticking case as a quadratic
 //! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what
 //! is taken from it, its misprints, and where this crate goes on.
 #![forbid(unsafe_code)]

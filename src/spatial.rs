@@ -46,17 +46,17 @@ pub type Bounds = crate::squeeze::Bounds<3>;
 pub type LeastOnset = crate::squeeze::LeastOnset<3>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<3>;
-/// When the first contact leaves rolling while a load turns; see [`crate::load_path::TurnOnset`].
+/// When the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
 pub type TurnOnset = crate::load_path::TurnOnset<3>;
-/// When the first contact leaves rolling; see [`crate::load_path::Onset`].
+/// When the first contact stops sticking; see [`crate::load_path::Onset`].
 pub type Onset = crate::load_path::Onset<3>;
 /// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
 pub type OnsetWorkspace = crate::ask::OnsetWorkspace<3>;
-/// The first contact leaves rolling; see [`crate::load_path::OnsetEvent`].
+/// The first contact stops sticking; see [`crate::load_path::OnsetEvent`].
 pub type OnsetEvent = crate::load_path::OnsetEvent<3>;
-/// A contact that leaves rolling; see [`crate::load_path::Leaving`].
+/// A contact that stops sticking; see [`crate::load_path::Leaving`].
 pub type Leaving = crate::load_path::Leaving<3>;
-/// How a contact leaves rolling; see [`crate::load_path::Departure`].
+/// How a contact stops sticking; see [`crate::load_path::Departure`].
 pub type Departure = crate::load_path::Departure<3>;
 /// What comes after the onset; see [`crate::load_path::Beyond`].
 pub type Beyond = crate::load_path::Beyond<3>;

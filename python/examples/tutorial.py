@@ -169,7 +169,7 @@ table = asked(slice(None), directions)
 seconds = time.perf_counter() - start
 print(f"{table} in {seconds:.2f} s, {table.factor.size / seconds * 1e-6:.0f} million a second")
 
-# Screening leaves open what does not roll when it is squeezed, and what single passes cannot tell; the whole method says more.
+# Screening leaves open what does not stick when it is squeezed, and what single passes cannot tell; the whole method says more.
 left_open = np.flatnonzero(~table.answered.all(axis=1))
 told = asked(left_open, directions, complete=True)
 print(f"the {len(left_open)} candidates left open: {told}")
@@ -298,8 +298,8 @@ def timed(ask: Callable[[], Any], questions: int) -> tuple[Any, float]:
 
 
 # %% [markdown]
-# One direction for all candidates; single calls and the reference for 100 of them that roll when they are squeezed. The polygon in place of
-# the round cone is what linear programs and LCPs of friction usually take. Some grasps that roll are outside its cone before any load:
+# One direction for all candidates; single calls and the reference for 100 of them that stick when they are squeezed. The polygon in place of
+# the round cone is what linear programs and LCPs of friction usually take. Some grasps that stick are outside its cone before any load:
 # their onset is 0 then, an error of 1.
 
 # %%

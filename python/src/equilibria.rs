@@ -161,7 +161,7 @@ const UNKNOWN: u8 = 255;
 fn code_of<const C: usize>(state: &ContactState<C>) -> u8 {
     match state {
         ContactState::Separated => 0,
-        ContactState::Rolling => 1,
+        ContactState::Sticking => 1,
         ContactState::Sliding { .. } => 2,
         ContactState::Frictionless => 3,
         #[allow(unreachable_patterns, reason = "the enum may grow")]

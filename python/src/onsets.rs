@@ -24,7 +24,7 @@ const CHUNK: usize = 2048;
 enum Status {
     Leaves,
     Never,
-    NotRolling,
+    NotSticking,
     GivesWay,
     Unclear,
     AlreadySliding,
@@ -174,7 +174,7 @@ impl<'a, const C: usize> Rows<'a, C> {
             self.ask_whole(row, &mut found, (row - first) * each, |_| true);
         }
         if self.complete {
-            let open = |status: u8| status == Status::Unclear as u8 || status == Status::NotRolling as u8;
+            let open = |status: u8| status == Status::Unclear as u8 || status == Status::NotSticking as u8;
             for place in 0..found.factor.len() / each.max(1) {
                 if found.status[place * each..(place + 1) * each].iter().any(|status| open(*status)) {
                     self.ask_whole(first + place, &mut found, place * each, open);
@@ -247,7 +247,7 @@ impl Found {
         let (status, factor) = match answer.verdict() {
             Verdict::Leaves => (Status::Leaves, answer.factor().unwrap_or(f64::NAN)),
             Verdict::Never => (Status::Never, f64::INFINITY),
-            Verdict::NotRolling => (Status::NotRolling, f64::NAN),
+            Verdict::NotSticking => (Status::NotSticking, f64::NAN),
             Verdict::GivesWay => (Status::GivesWay, f64::NAN),
             _ => (Status::Unclear, f64::NAN),
         };

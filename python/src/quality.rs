@@ -125,7 +125,7 @@ impl<const C: usize> Quality for Kept<C> {
             WeakestDirection::GivesWay { motion, .. } => {
                 json!({"outcome": "gives_way", "motion": moved(&motion)})
             }
-            WeakestDirection::NotRolling => json!({"outcome": "not_rolling"}),
+            WeakestDirection::NotSticking => json!({"outcome": "not_sticking"}),
             _ => undecided(),
         })
     }

@@ -49,8 +49,8 @@ def grasp_map(point: Array, normal: Array) -> Array:
     return np.stack([wrench(point, column) for column in frame(normal).T], axis=1)
 
 
-def rolling_forces(points: Array, normals: Array, springs: Array, commands: Array, load: Array) -> Array:
-    """Forces in the contact frames if every contact rolls: the elastic solution, shape (n, c)."""
+def sticking_forces(points: Array, normals: Array, springs: Array, commands: Array, load: Array) -> Array:
+    """Forces in the contact frames if every contact sticks: the elastic solution, shape (n, c)."""
     maps = [grasp_map(point, normal) for point, normal in zip(points, normals, strict=True)]
     stiffness = np.diag(springs)
     whole = sum(g @ stiffness @ g.T for g in maps)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from grasps import Array, jar, pinch, rolling_forces
+from grasps import Array, jar, pinch, sticking_forces
 
 from grasp_lcp import Grasp
 
@@ -48,7 +48,7 @@ def test_random_jars_against_bisection() -> None:
         asked = points, normals, springs, commands, direction
 
         def margin(factor: float, asked: tuple[Array, ...] = asked) -> float:
-            f = rolling_forces(*asked[:4], factor * asked[4])
+            f = sticking_forces(*asked[:4], factor * asked[4])
             return float(np.min(mu * f[:, 0] - np.linalg.norm(f[:, 1:], axis=1)))
 
         onset = Grasp.spatial(points, normals, series_stiffness=[900, 600], friction=mu, command=[0.006, 0, 0]).onset(direction)

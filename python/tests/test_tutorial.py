@@ -63,8 +63,8 @@ def test_one_grasp_holds_less_than_its_contacts_could(ran: tuple[Path, str]) -> 
     # The disagreement that the text is about; and no direction can be balanced less than ε says.
     assert least < epsilon < could <= at_most
     parts = re.split(r"under (?:half of that|ε along it): ", ran[1])
-    assert len(parts) == 3 and parts[1].count("rolling") == 3
-    assert parts[2].count("rolling, force") == 2 and "sliding, force" in parts[2]
+    assert len(parts) == 3 and parts[1].count("sticking") == 3
+    assert parts[2].count("sticking, force") == 2 and "sliding, force" in parts[2]
 
 
 def test_all_candidates_are_answered(ran: tuple[Path, str]) -> None:
@@ -72,7 +72,7 @@ def test_all_candidates_are_answered(ran: tuple[Path, str]) -> None:
     (shape,) = found(r"<Onsets \((\d+), 200\): \d+ leaves", ran[1])
     counts = re.findall(r"(\d+) (\w+)[,>]", ran[1][ran[1].index("<Onsets") :].splitlines()[0])
     assert candidates == shape > 5000
-    statuses = {"leaves", "never", "not_rolling", "gives_way", "unclear"}
+    statuses = {"leaves", "never", "not_sticking", "gives_way", "unclear"}
     assert sum(int(count) for count, name in counts if name in statuses) == 200 * shape
     strong, of = found(rf"{NUMBER} of {NUMBER} candidates hold 4.905 N", ran[1])
     assert of == candidates and 0 < strong < candidates

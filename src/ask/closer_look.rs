@@ -58,7 +58,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms it is
     /// a difference of, and than ten times the estimated error ([`Self::accuracy`], which this asks for). Where the answer is
-    /// `false` the last digits of the question decide between, say, rolling and just sliding. Forces and displacements hardly
+    /// `false` the last digits of the question decide between, say, sticking and just sliding. Forces and displacements hardly
     /// depend on that. `None` for an equilibrium with another number of contacts.
     ///
     /// ```
@@ -116,7 +116,7 @@ impl<const C: usize> Grasp<C> {
     /// };
     /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
     ///
-    /// // Below 6 cos(π/8) N everything rolls on every polygon of 8 facets, and the three answers are one.
+    /// // Below 6 cos(π/8) N everything sticks on every polygon of 8 facets, and the three answers are one.
     /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]))?;
     /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -158,7 +158,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
     /// sticks. `None` if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. When
-    /// `lcp.vector() >= 0` everything rolls and z = 0 is the answer. In the plane `cone` is not looked at.
+    /// `lcp.vector() >= 0` everything sticks and z = 0 is the answer. In the plane `cone` is not looked at.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;

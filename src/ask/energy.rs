@@ -103,7 +103,7 @@ impl<const C: usize> Energy<'_, C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let outcome = grasp.energy().minimum(&Wrench::force([0.0, -6.0]))?;
-    /// let minimum = outcome.minimum().expect("everything rolls");
+    /// let minimum = outcome.minimum().expect("everything sticks");
     /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
     /// assert!(minimum.imbalance.to_vector().amax() < 1e-14);
     /// // Σ ½ F²/k = 10²/1000 + 3²/800.
@@ -134,7 +134,7 @@ impl<const C: usize> Energy<'_, C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     /// let printed = grasp.energy().printed_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
     /// let outcome = printed.program.solve()?;
-    /// let minimum = outcome.minimum().ok_or("everything rolls")?;
+    /// let minimum = outcome.minimum().ok_or("everything sticks")?;
     /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
     /// // The springs of body and finger give way alike, 5 mm each.
     /// let u = printed.displacements(&minimum.x, 0);

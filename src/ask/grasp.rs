@@ -13,7 +13,7 @@ use crate::equilibrium::{Equilibrium, Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Contact, Hand, HandPart, Wrench};
 use crate::load_path::{
-    Beyond, Leg, LoadPath, Onset, OnsetEvent, PatchPath, Ramp, Reserve, RollingRange, SteppedPath, Turn,
+    Beyond, Leg, LoadPath, Onset, OnsetEvent, PatchPath, Ramp, Reserve, SteppedPath, StickingRange, Turn,
     TurnOnset,
 };
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
@@ -184,7 +184,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The equilibrium under a load.
     ///
-    /// Where several equilibria exist, the one in which everything rolls comes first; else see [`Rung`](crate::equilibrium::Rung).
+    /// Where several equilibria exist, the one in which everything sticks comes first; else see [`Rung`](crate::equilibrium::Rung).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -229,11 +229,12 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
+    #[doc(alias = "first slip")]
     pub fn onset_of_sliding(&self, base: &Wrench<C>, direction: &Wrench<C>) -> Result<Onset<C>, Error> {
         self.onset(&Ramp::load(*base, *direction))
     }
 
-    /// The factor at which the first contact leaves rolling along a [`Ramp`], and which contacts leave and how: in
+    /// The factor at which the first contact stops sticking along a [`Ramp`], and which contacts leave and how: in
     /// the plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
     /// one for each contact on the round cone.
     ///
@@ -248,7 +249,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// // The fingers let go under 4 N: F_t = 2 N needs F_n = 4 N, which is left after 6 mm.
     /// let release = Ramp::commands(Wrench::force([0.0, -4.0]), [[-1.0, 0.0]; 2]);
-    /// let factor = grasp.onset(&release)?.factor().expect("rolls at first");
+    /// let factor = grasp.onset(&release)?.factor().expect("sticks at first");
     /// assert!((factor - 0.006).abs() < 1e-16);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -256,11 +257,12 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if
     /// there are more or fewer command changes than contacts.
+    #[doc(alias = "first slip", alias = "slip margin", alias = "incipient slip")]
     pub fn onset(&self, ramp: &Ramp<C>) -> Result<Onset<C>, Error> {
         self.engine.onset(ramp, &self.settings)
     }
 
-    /// The equilibrium at an onset: everything rolls, the leaving contacts stand on the edge of their cone. `None` for the event of a grasp
+    /// The equilibrium at an onset: everything sticks, the leaving contacts stand on the edge of their cone. `None` for the event of a grasp
     /// with another number of contacts.
     ///
     /// ```
@@ -281,12 +283,13 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// What comes after an onset; see [`Self::beyond`].
+    #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
         self.engine.beyond(event, &self.settings)
     }
 
-    /// The angle at which the first contact leaves rolling while a load turns: in the plane exact, in space on
+    /// The angle at which the first contact stops sticking while a load turns: in the plane exact, in space on
     /// the round cone. No stepping: each margin's roots are isolated between its turning points, so that none is lost.
     ///
     /// ```
@@ -324,6 +327,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
     /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
+    #[doc(alias = "gross slip")]
     pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
         self.engine.follow(start, legs, &self.settings)
     }
@@ -405,11 +409,12 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// As for [`Self::onset`].
+    #[doc(alias = "gross slip", alias = "limit load")]
     pub fn reserve(&self, ramp: &Ramp<C>, most: f64) -> Result<Reserve<C>, Error> {
         self.engine.reserve(ramp, most, &self.settings)
     }
 
-    /// The range of factors of a ramp, around 0, in which everything that touches rolls: for an affine choice of load or
+    /// The range of factors of a ramp, around 0, in which everything that touches sticks: for an affine choice of load or
     /// commands all the values that a planner may take without sliding. Two onsets, one each way. `None` where at 0 something slides, nothing
     /// holds, or neither is known.
     ///
@@ -421,18 +426,18 @@ impl<const C: usize> Grasp<C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let range = grasp.rolling_range(&ramp)?.expect("rolls without load");
+    /// let range = grasp.sticking_range(&ramp)?.expect("sticks without load");
     /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`Self::onset`].
-    pub fn rolling_range(&self, ramp: &Ramp<C>) -> Result<Option<RollingRange>, Error> {
-        self.engine.rolling_range(ramp, &self.settings)
+    pub fn sticking_range(&self, ramp: &Ramp<C>) -> Result<Option<StickingRange>, Error> {
+        self.engine.sticking_range(ramp, &self.settings)
     }
 
-    /// The least common factor of all finger commands with which every contact touches and rolls under each of a set of loads. On the round
+    /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads. On the round
     /// cone in space.
     ///
     /// Every condition is linear in the factor or concave, so what suffices is an interval. A condition that is broken at one factor gives
@@ -462,6 +467,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Argument`] if another number of the set is out of range or the set is empty.
     /// [`Error::NotForHands`] for a grasp by a hand.
+    #[doc(alias = "grip force", alias = "clamp preload", alias = "gripping force")]
     pub fn least_squeeze(&self, loads: &Loads<C>) -> Result<LeastSqueeze<C>, Error> {
         self.engine.least_squeeze(loads, &self.settings)
     }
@@ -493,7 +499,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_onset_within(ramp, bounds, &self.settings)
     }
 
-    /// The direction in which the least force through a point (m) makes a contact leave rolling, beside a base load. On the round cone in
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load. On the round cone in
     /// space.
     ///
     /// Of each facet the worst direction is known in closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.

@@ -16,7 +16,7 @@ use crate::forms::Form;
 use crate::grasp::{Contact, Engine, HandPart, Wrench};
 use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
-    PatchPath, Ramp, Reserve, Response, RollingRange, SteppedPath, Turn, TurnOnset,
+    PatchPath, Ramp, Reserve, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::{Any, Fixed, Memory};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
@@ -128,7 +128,7 @@ questions! {
         fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>>;
         fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<LoadPath<'_, C>, Error>;
         fn reserve(&self, ramp: &Ramp<C>, most: f64, settings: &Settings) -> Result<Reserve<C>, Error>;
-        fn rolling_range(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Option<RollingRange>, Error>;
+        fn sticking_range(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Option<StickingRange>, Error>;
         fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;
         fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;
         fn sensitivity(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>>;

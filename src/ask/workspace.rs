@@ -11,8 +11,8 @@ use crate::structured::{Search, SearchSettings};
 
 /// Memory for one onset after another, for loops that must not wait for an allocator: [`Grasp::onset`] with the same answers.
 ///
-/// From the second question on nothing is allocated for grasps with no more contacts, where one contact leaves rolling before all others. Where
-/// several reach the edge of their cones together, a gap closes on the way, or the base does not clearly roll, rates decide what happens, and they
+/// From the second question on nothing is allocated for grasps with no more contacts, where one contact stops sticking before all others. Where
+/// several reach the edge of their cones together, a gap closes on the way, or the base does not clearly stick, rates decide what happens, and they
 /// take memory of their own. So do the factors of a grasp that is asked for the first time, and those of more than 256 contacts at every question.
 ///
 /// ```

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! open      k_n v_n <= 0                F = 0
-//! rolling   |T| <= r                    F_t = T
+//! sticking  |T| <= r                    F_t = T
 //! sliding   |T| > r                     F_t = S v_t,  S = (K_t⁻¹ + λ)⁻¹,  λ > 0 from |S v_t| = r
 //! ```
 //!
@@ -50,26 +50,26 @@ impl<const C: usize> LocalLaw<'_, C> {
     /// zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> Answer<C> {
         let mut force = self.springs.force(stretch);
-        let rolling = Answer { state: Mode::Rolling, force };
+        let sticking = Answer { state: Mode::Sticking, force };
         match self.law {
             Law::Absent => return Answer::open(),
-            Law::Bonded => return rolling,
+            Law::Bonded => return sticking,
             Law::Edge(facets) => {
                 let excess = -self.friction.facet_margin(&force, &facets[0]);
                 if excess <= 0.0 {
-                    return rolling;
+                    return sticking;
                 }
                 let pull = Slide { direction: facets[0], lambda: 0.0 }.edge(self.springs).pull;
                 return Answer { state: Mode::Facet(0), force: force - pull * excess };
             }
             Law::Cone { gap: true } if force[0] <= 0.0 => return Answer::open(),
-            Law::Cone { .. } if !self.friction.has_edges() => return rolling,
+            Law::Cone { .. } if !self.friction.has_edges() => return sticking,
             Law::Cone { .. } => {}
         }
         let r = self.friction.limit(force[0].max(0.0));
         let traction = tangential_norm(&force);
         if traction <= r {
-            return rolling;
+            return sticking;
         }
         let lambda = slip_per_force(self.springs, &force, traction, r, near);
         let slide = self.slide_onto_the_cone(&mut force, r, lambda);
@@ -98,7 +98,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let state = self.state_on_polygon(facets, &trial);
         match state {
             Mode::Open => (state, SVector::zeros(), Tangent::Open),
-            Mode::Rolling => (state, trial, Tangent::Rolling(self.springs.diagonal())),
+            Mode::Sticking => (state, trial, Tangent::Sticking(self.springs.diagonal())),
             Mode::Facet(j) => {
                 let h = facets[usize::from(j)];
                 let edge = Slide { direction: h, lambda: 0.0 }.edge(self.springs);
@@ -120,13 +120,13 @@ impl<const C: usize> LocalLaw<'_, C> {
             return Mode::Open;
         }
         if facets.is_empty() {
-            return Mode::Rolling;
+            return Mode::Sticking;
         }
         let r = self.cone().limit(trial[0]);
         if C == 3 {
             self.nearest_of_polygon(facets, trial, r)
         } else if trial[1].abs() <= r {
-            Mode::Rolling
+            Mode::Sticking
         } else {
             Mode::Facet(u16::from(trial[1] < 0.0))
         }
@@ -149,7 +149,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             last = j;
         }
         if most <= r {
-            return Mode::Rolling;
+            return Mode::Sticking;
         }
         // From facet to facet towards the side on which the force lies outside: with springs alike the first is the last.
         for _ in facets {

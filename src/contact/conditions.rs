@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
-//! rolling   F_n, μ F_n - h·F_t (every facet)  >= 0
+//! sticking  F_n, μ F_n - h·F_t (every facet)  >= 0
 //! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
 //! ```
 //!
@@ -56,7 +56,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let motion_size = SMALLEST + at.span + give.lp_norm(1);
         match state {
             Mode::Open if self.may_open() => visit(-at.stretch[0], motion_size),
-            Mode::Open | Mode::Rolling => {}
+            Mode::Open | Mode::Sticking => {}
             _ => {
                 let along = self.slips_along(state, &self.springs.slip(&at.stretch, f));
                 along.iter().flatten().for_each(|[value, weight]| visit(*value, motion_size * weight));
@@ -69,7 +69,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     pub(super) fn slips_along(&self, state: &State<C>, slip: &SVector<f64, C>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
-            Mode::Open | Mode::Rolling => [None; 2],
+            Mode::Open | Mode::Sticking => [None; 2],
             Mode::Round(slide) => [Some([slip.dot(&slide.direction), 1.0]), None],
             Mode::Facet(j) => {
                 let h = &facets[usize::from(*j)];
@@ -98,7 +98,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let cone = self.cone();
         match state {
             Mode::Round(_) => {}
-            Mode::Rolling
+            Mode::Sticking
                 if self.on_round_cone
                     && self.has_a_whole_cone()
                     && !cone.is_infinite()

@@ -1,11 +1,11 @@
-//! The edges of a contact's cone, as conditions on its force while it rolls.
+//! The edges of a contact's cone, as conditions on its force while it sticks.
 
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
 use super::tangential::tangential;
 
-/// What a rolling contact asks of its force.
+/// What a sticking contact asks of its force.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges<const C: usize> {
     /// `a·F >= 0` for each of these: facets, or the normal force alone.
@@ -37,7 +37,7 @@ impl<const C: usize> Edges<C> {
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The conditions of rolling.
+    /// The conditions of sticking.
     pub(crate) fn edges(&self) -> Edges<C> {
         if self.has_a_round_edge() {
             return Edges::Round { limit: self.cone().limit(1.0) };

@@ -64,7 +64,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     pub(crate) fn ways_out(&self, state: &State<C>, line: &Line<C>, gap: &GapLine) -> Vec<Exit<C>> {
         match state {
             Mode::Open => gap.closing().into_iter().collect(),
-            Mode::Rolling => self.exits(line),
+            Mode::Sticking => self.exits(line),
             // The facets on which it slides stay reached.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
                 let facets = self.facets();
@@ -76,7 +76,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Where the line of a rolling contact leaves its cone first, and the step to the next way out.
+    /// Where the line of a sticking contact leaves its cone first, and the step to the next way out.
     pub(crate) fn first_exit(&self, line: &Line<C>) -> Option<(Exit<C>, f64)> {
         let mut first: Option<Exit<C>> = None;
         let mut next = f64::INFINITY;

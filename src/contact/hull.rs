@@ -1,13 +1,13 @@
 //! What a contact may do where only part of its state is known, by its convex hull: a cone with few generators.
 //!
 //! The law is positively homogeneous: with (v, F) it allows every multiple. So is the law under a label, which says whether the
-//! contact is open or closed, rolls or slides, and between which angles its friction points. In force units `ξ = K v` and with
+//! contact is open or closed, sticks or slides, and between which angles its friction points. In force units `ξ = K v` and with
 //! p on the circle the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
 //! open              -e_n         0                   ±e_t    0
-//! rolls             e_n + μ p    e_n + μ p           e_n     e_n
+//! sticks             e_n + μ p    e_n + μ p           e_n     e_n
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
@@ -52,9 +52,9 @@ pub(crate) enum Label {
     Anything,
     Open,
     Closed,
-    /// Rolls or slides, with friction in this sector.
+    /// Sticks or slides, with friction in this sector.
     Friction(Sector),
-    Rolling(Sector),
+    Sticking(Sector),
     Sliding(Sector),
 }
 
@@ -69,7 +69,7 @@ impl Label {
     /// Where friction may point.
     pub(super) fn sector(&self) -> Sector {
         match self {
-            Self::Friction(sector) | Self::Rolling(sector) | Self::Sliding(sector) => *sector,
+            Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
             Self::Anything | Self::Open | Self::Closed => Sector::WHOLE,
         }
     }
@@ -85,12 +85,12 @@ impl Label {
         };
         match (self, halves) {
             (Self::Anything, [Self::Open, Self::Closed]) => true,
-            (Self::Friction(whole), [Self::Rolling(a), Self::Sliding(b)]) => whole == a && whole == b,
+            (Self::Friction(whole), [Self::Sticking(a), Self::Sliding(b)]) => whole == a && whole == b,
             (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
                 joined([a, b]).is_some_and(|whole| whole.width() >= TAU - ROUNDED)
             }
             (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
-            | (Self::Rolling(whole), [Self::Rolling(a), Self::Rolling(b)])
+            | (Self::Sticking(whole), [Self::Sticking(a), Self::Sticking(b)])
             | (Self::Sliding(whole), [Self::Sliding(a), Self::Sliding(b)]) => joined([a, b]) == Some(*whole),
             _ => false,
         }
@@ -224,14 +224,14 @@ impl<const C: usize> LocalLaw<'_, C> {
                     slips_anyhow(&mut push);
                 }
             }
-            Label::Friction(sector) | Label::Rolling(sector) | Label::Sliding(sector) => {
+            Label::Friction(sector) | Label::Sticking(sector) | Label::Sliding(sector) => {
                 for t in sector.around() {
                     push(on_cone(t), on_cone(t));
                 }
                 if !matches!(label, Label::Sliding(_)) {
                     push(normal, normal);
                 }
-                if !matches!(label, Label::Rolling(_)) {
+                if !matches!(label, Label::Sticking(_)) {
                     for t in sector.spanned() {
                         push(self.springs.force(&vector(0.0, t)), none);
                     }
@@ -267,9 +267,9 @@ impl<const C: usize> LocalLaw<'_, C> {
                 let from = towards + if apart.abs() < ALIKE { FRAC_PI_2 } else { 0.5 * apart };
                 Some(Sector { from, to: from + TAU }.at(from + PI).map(Label::Friction))
             }
-            Label::Rolling(sector) => {
+            Label::Sticking(sector) => {
                 let middle = 0.5 * (sector.from + sector.to);
-                (sector.width() > NARROWEST).then(|| sector.at(middle).map(Label::Rolling))
+                (sector.width() > NARROWEST).then(|| sector.at(middle).map(Label::Sticking))
             }
             Label::Friction(sector) | Label::Sliding(sector) => {
                 let [a, b] = [towards, slides_towards].map(|angle| sector.inside(angle));
@@ -277,7 +277,7 @@ impl<const C: usize> LocalLaw<'_, C> {
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
                 if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < WIDE {
-                    return Some([Label::Rolling(sector), Label::Sliding(sector)]);
+                    return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > WIDE { 0.5 } else { 0.5 * (a + b) / width };
                 let middle = sector.from + width * part.clamp(LEAST_PART, 1.0 - LEAST_PART);

@@ -35,7 +35,7 @@ pub(crate) struct LocalLaw<'c, const C: usize> {
     /// The polygon that stands for the cone.
     pub(crate) polygon: &'c Polygon<C>,
     pub(super) friction: Coulomb,
-    /// In space: a rolling contact is held by the round cone, the polygon only proposes.
+    /// In space: a sticking contact is held by the round cone, the polygon only proposes.
     pub(super) on_round_cone: bool,
     /// A contact with infinite friction has facets, as with a very large finite one.
     pub(super) infinite_friction_has_edges: bool,
@@ -128,9 +128,9 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         usize::from(self.may_open()) + self.facets().len()
     }
 
-    /// The state that needs no jump: rolling, or open where the contact is absent.
+    /// The state that needs no jump: sticking, or open where the contact is absent.
     pub(crate) fn unjumped(&self) -> State<C> {
-        if self.is_absent() { Mode::Open } else { Mode::Rolling }
+        if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
     /// The state in which the contact gives way the most: what stands on an edge slides along it, what is at the apex opens.
@@ -150,7 +150,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         }
         let facets = self.facets();
         let numbers = || (0_u16..).zip(facets).map(|(j, _)| j);
-        let mut states = vec![Mode::Rolling];
+        let mut states = vec![Mode::Sticking];
         states.extend(numbers().map(Mode::Facet));
         if C == 3 && facets.len() > 1 {
             let corners = if self.is_on_an_edge() { 1 } else { facets.len() };
@@ -167,7 +167,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> PolygonState {
         let count = self.facets().len();
         match *facets {
-            [] => Mode::Rolling,
+            [] => Mode::Sticking,
             [facet] => Mode::Facet(facet),
             [a, b] if C == 3 && b == a + 1 => Mode::Corner(a),
             [a, b] if C == 3 && a == 0 && usize::from(b) + 1 == count => Mode::Corner(b),
@@ -202,7 +202,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     pub(crate) fn excludes(&self, state: &State<C>) -> bool {
         match state {
             Mode::Open => !self.is_absent() && !self.may_open(),
-            Mode::Rolling => false,
+            Mode::Sticking => false,
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => self.never_slides(),
         }
     }

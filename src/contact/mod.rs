@@ -17,12 +17,13 @@
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `hull` | where only part of its state is known: all that its law allows |
 //! | `most_work` | what a contact can do against a virtual motion |
-//! | `edges` | what a rolling contact asks of its force |
+//! | `edges` | what a sticking contact asks of its force |
 //! | `exits` | how far a straight line stays in a state |
 //! | `turning_exits` | how far a load can turn before it leaves a state |
-//! | `stand` | what it stands on at an event, and the law of its rates |
+//! | `active_set` | what it stands on at an event, and the law of its rates |
 //! | `tolerances` | what counts as zero |
 
+mod active_set;
 mod answer;
 mod compliance;
 mod conditions;
@@ -36,7 +37,6 @@ mod polygon;
 mod relaxing_slide;
 mod slide;
 mod springs;
-mod stand;
 mod state;
 mod straight_stretch;
 mod tangent;
@@ -46,6 +46,7 @@ mod turning_exits;
 
 pub use polygon::{Fit, PolygonCone};
 
+pub(crate) use active_set::ActiveSet;
 pub(crate) use answer::Answer;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
@@ -59,7 +60,6 @@ pub(crate) use law::{Law, LocalLaw};
 pub(crate) use polygon::Polygon;
 pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
-pub(crate) use stand::Stand;
 pub(crate) use state::{Mode, PolygonState, State};
 pub(crate) use tangent::Tangent;
 pub(crate) use tangential::{cross, tangential, tangential_norm};

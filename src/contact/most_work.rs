@@ -4,7 +4,7 @@
 //! leaves, no more than
 //!
 //! ```text
-//! open       -c_n,  |c_t|                      rolls, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
+//! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
 //! slides     c_t·K_t p
 //! ```
 //!

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
-//! rolling          left = right = √k_a e_a on every axis with a spring
+//! sticking         left = right = √k_a e_a on every axis with a spring
 //! sliding          F_t = μ F_n p on a corner p:   right = √k_n e_n,  left = √k_n (e_n + μ p)
 //!                  on a facet h (space):          p = K_t h / (h·K_t h) and the spring across h stays
 //!                  on the round cone:             p = S h / (h·S h) with S softened by the slip, see `slide`
@@ -74,7 +74,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     pub(crate) fn for_each_spring(&self, state: &State<C>, mut visit: impl FnMut(Spring<C>)) {
         match state {
             Mode::Open => {}
-            Mode::Rolling => {
+            Mode::Sticking => {
                 (0..self.springs.axes())
                     .for_each(|axis| visit(Spring::along_axis(axis, self.springs.force_along(axis, 1.0))));
             }

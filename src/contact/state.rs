@@ -11,14 +11,14 @@ use super::slide::Slide;
 /// | state | force | condition |
 /// |---|---|---|
 /// | open | `F = 0` | gap >= 0 |
-/// | rolling | `F = K v` | force in the cone, no slip |
+/// | sticking | `F = K v` | force in the cone, no slip |
 /// | facet j | `h_j·F_t = μ F_n` | slip along h_j, or across it where a spring still holds |
 /// | corner j | F_t at the corner of facets j and j + 1 | slip between their normals |
 /// | round | `F_t = μ F_n p` | slip along p |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mode<R> {
     Open,
-    Rolling,
+    Sticking,
     /// On one facet, by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
     Facet(u16),
     /// In space, where a facet and the next meet.
@@ -41,16 +41,16 @@ impl<R> Mode<R> {
         matches!(self, Self::Open)
     }
 
-    pub(crate) fn is_rolling(&self) -> bool {
-        matches!(self, Self::Rolling)
+    pub(crate) fn is_sticking(&self) -> bool {
+        matches!(self, Self::Sticking)
     }
 
     /// Whether both are the same state but for the direction of a slide on the round cone.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
-            (Self::Open, Mode::Open) | (Self::Rolling, Mode::Rolling) | (Self::Round(_), Mode::Round(_)) => {
-                true
-            }
+            (Self::Open, Mode::Open)
+            | (Self::Sticking, Mode::Sticking)
+            | (Self::Round(_), Mode::Round(_)) => true,
             (Self::Facet(a), Mode::Facet(b)) | (Self::Corner(a), Mode::Corner(b)) => a == b,
             _ => false,
         }
@@ -61,7 +61,7 @@ impl<R> Mode<R> {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],
             Self::Corner(j) => [Some(usize::from(*j)), Some((usize::from(*j) + 1) % count)],
-            Self::Open | Self::Rolling | Self::Round(_) => [None, None],
+            Self::Open | Self::Sticking | Self::Round(_) => [None, None],
         }
     }
 }
@@ -76,7 +76,7 @@ impl<const C: usize> State<C> {
     pub(crate) fn on_polygon(self) -> Option<PolygonState> {
         match self {
             Self::Open => Some(Mode::Open),
-            Self::Rolling => Some(Mode::Rolling),
+            Self::Sticking => Some(Mode::Sticking),
             Self::Facet(j) => Some(Mode::Facet(j)),
             Self::Corner(j) => Some(Mode::Corner(j)),
             Self::Round(_) => None,
@@ -93,7 +93,7 @@ impl<const C: usize> From<PolygonState> for State<C> {
     fn from(state: PolygonState) -> Self {
         match state {
             Mode::Open => Self::Open,
-            Mode::Rolling => Self::Rolling,
+            Mode::Sticking => Self::Sticking,
             Mode::Facet(j) => Self::Facet(j),
             Mode::Corner(j) => Self::Corner(j),
             Mode::Round(never) => match never {},

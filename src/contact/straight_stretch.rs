@@ -44,14 +44,14 @@ impl<const C: usize> LocalLaw<'_, C> {
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
         }
-        match self.leaves_rolling(&from, &rate) {
-            None => Answer { state: Mode::Rolling, force: to },
+        match self.stops_sticking(&from, &rate) {
+            None => Answer { state: Mode::Sticking, force: to },
             Some(tau) => self.slid_on(&(from + rate * tau), &rate, 1.0 - tau),
         }
     }
 
     /// Where on the way a traction reaches its limit, or stands there and is drawn across.
-    fn leaves_rolling(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>) -> Option<f64> {
+    fn stops_sticking(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
@@ -97,7 +97,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();
             force[0] = normal;
-            return Answer { state: Mode::Rolling, force };
+            return Answer { state: Mode::Sticking, force };
         }
         let lambda = self.springs.give_along(1, 1.0 / holds.clamp(ON_THE_CONE, 1.0) - 1.0);
         let slide = Slide::new(direction, lambda);

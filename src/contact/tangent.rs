@@ -1,7 +1,7 @@
 //! How the force of one contact changes with its stretch, `dF = C dv`, as the few dyads that C is the sum of.
 //!
 //! ```text
-//! rolling     C = K
+//! sticking    C = K
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
@@ -20,7 +20,7 @@ pub(crate) enum Tangent<const C: usize> {
     /// No force, whatever the stretch.
     Open,
     /// The diagonal of K.
-    Rolling(SVector<f64, C>),
+    Sticking(SVector<f64, C>),
     /// On an edge of the cone.
     Sliding {
         /// `k_n (e_n + μ P)`.
@@ -37,7 +37,7 @@ impl<const C: usize> Tangent<C> {
     pub(crate) fn matrix(&self) -> SMatrix<f64, C, C> {
         match self {
             Self::Open => SMatrix::zeros(),
-            Self::Rolling(k) => SMatrix::from_diagonal(k),
+            Self::Sticking(k) => SMatrix::from_diagonal(k),
             Self::Sliding { drag, across, stiffness } => {
                 let mut matrix = across * (across * *stiffness).transpose();
                 matrix.set_column(0, drag);
@@ -53,7 +53,7 @@ impl<const C: usize> Tangent<C> {
     pub(crate) fn force(&self, stretch: &SVector<f64, C>) -> SVector<f64, C> {
         match self {
             Self::Open => SVector::zeros(),
-            Self::Rolling(k) => k.component_mul(stretch),
+            Self::Sticking(k) => k.component_mul(stretch),
             Self::Sliding { drag, across, stiffness } => {
                 drag * stretch[0] + across * (stiffness * across.dot(stretch))
             }
@@ -67,7 +67,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     pub(crate) fn tangent(&self, state: &State<C>) -> Tangent<C> {
         match state {
             Mode::Open => Tangent::Open,
-            Mode::Rolling => Tangent::Rolling(self.springs.diagonal()),
+            Mode::Sticking => Tangent::Sticking(self.springs.diagonal()),
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => self.sliding_tangent(&self.edge(state)),
         }
     }

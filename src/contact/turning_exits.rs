@@ -59,9 +59,9 @@ impl<const C: usize> LocalLaw<'_, C> {
         match state {
             Mode::Round(_) => {}
             Mode::Open => exits.extend(linear_exit(stretch, |v| -v[0], 1.0, nowhere, most)),
-            Mode::Rolling if self.has_a_round_edge() => exits.extend(self.round_turning_exit(force, most)),
-            Mode::Rolling | Mode::Facet(_) | Mode::Corner(_) if self.is_bonded() => {}
-            Mode::Rolling | Mode::Facet(_) | Mode::Corner(_) => {
+            Mode::Sticking if self.has_a_round_edge() => exits.extend(self.round_turning_exit(force, most)),
+            Mode::Sticking | Mode::Facet(_) | Mode::Corner(_) if self.is_bonded() => {}
+            Mode::Sticking | Mode::Facet(_) | Mode::Corner(_) => {
                 let (cone, facets) = (self.cone(), self.facets());
                 let own = state.own_facets(facets.len());
                 if facets.is_empty() && self.may_open() {

@@ -44,7 +44,7 @@ impl<const C: usize> MinimumOutcome<C> {
     }
 }
 
-/// The minimum of potential energy under the friction constraints, everything that has friction rolling: what the
+/// The minimum of potential energy under the friction constraints, everything that has friction sticking: what the
 /// paper's program returns. **An equilibrium only if [`Self::imbalance`] is zero.**
 ///
 /// ```text
@@ -139,9 +139,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
         // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
-        let rolling = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
+        let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
-        let mut point = Some(program.rolling(&stuck)).filter(|point| program.holds(point, &rolling));
+        let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));
         if point.is_none() {
             let (faces, made, near) = match program.faces(&stuck, settings) {
                 Ok(found) => found,

@@ -131,7 +131,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
     }
 
     /// The point at which everything sticks.
-    pub(super) fn rolling(&self, stuck: &PieceState<D, C>) -> Point<D, C> {
+    pub(super) fn sticking(&self, stuck: &PieceState<D, C>) -> Point<D, C> {
         Point {
             forces: stuck.forces.clone(),
             twist: stuck.twist.clone(),

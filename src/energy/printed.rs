@@ -21,7 +21,7 @@ pub enum Equality {
         axis: usize,
     },
     /// The surfaces do not slip along this axis.
-    Rolling {
+    Sticking {
         /// The contact.
         contact: usize,
         /// The axis of its frame, from 1.
@@ -88,7 +88,7 @@ pub enum Inequality {
 /// ```text
 /// A Q = C     -u_c·n + u_d·n + α u_e·n = α u_f·n        the springs of body and finger carry the same force
 ///             -u_c·t + u_d·t + β u_e·t = β u_f·t
-///              u_d·t - u_e·t           = 0              rolling
+///              u_d·t - u_e·t           = 0              sticking
 /// B Q >= D    (u_d - u_c)·n            >= 0             F_n >= 0, from the body's spring
 ///             (u_d - u_e)·n            >= -clearance    no penetration
 ///             -u_e·n                   >= -u_f·n        F_n >= 0, from the finger's spring
@@ -98,9 +98,9 @@ pub enum Inequality {
 /// after which c rows for each contact close A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the
 /// print: the last diagonal entry of H_i is k_tf, and A, which is not printed, is the only one that fits C.
 ///
-/// A frictionless contact has neither rolling rows nor friction rows: the surfaces move past each other as they like. A
+/// A frictionless contact has neither sticking rows nor friction rows: the surfaces move past each other as they like. A
 /// contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
-/// one, and one with infinite friction, have no friction rows. The latter keeps its rolling row when it opens, so that it may carry F_t across a
+/// one, and one with infinite friction, have no friction rows. The latter keeps its sticking row when it opens, so that it may carry F_t across a
 /// gap: where it does the program is not the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -283,7 +283,7 @@ impl Written {
             [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column::<C>(i, u, axis));
         let apart = |axis| [(d(axis), 1.0), (e(axis), -1.0)];
         for axis in 1..local.springs.axes() {
-            self.equalities.push_terms(Equality::Rolling { contact: i, axis }, apart(axis), 0.0);
+            self.equalities.push_terms(Equality::Sticking { contact: i, axis }, apart(axis), 0.0);
         }
         if local.may_open() {
             let rows = &mut self.inequalities;

@@ -208,8 +208,8 @@ fn as_physics<D: Size, const C: usize>(
 ) -> ContactState<C> {
     match state {
         Mode::Open => ContactState::Separated,
-        Mode::Rolling if local.is_frictionless() => ContactState::Frictionless,
-        Mode::Rolling => ContactState::Rolling,
+        Mode::Sticking if local.is_frictionless() => ContactState::Frictionless,
+        Mode::Sticking => ContactState::Sticking,
         sliding => {
             let outward = local.outward(sliding).map_or_else(SVector::zeros, |out| out.normalize());
             ContactState::Sliding { direction: site.frame * outward }

@@ -31,7 +31,7 @@ const ZERO: f64 = 1e-12;
 /// The geometric part comes of the arms turning while the forces do not: seen from the object, the contact forces turn.
 /// Fingers that press against each other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs
 /// tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's force acts at the object's point at the origin and keeps its
-/// direction, the moment keeps its components. What rolls counts with all its springs, an open contact with none; where something slides
+/// direction, the moment keeps its components. What sticks counts with all its springs, an open contact with none; where something slides
 /// friction is not conservative and no energy decides.
 #[derive(Debug, Clone)]
 #[non_exhaustive]

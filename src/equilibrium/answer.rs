@@ -165,10 +165,10 @@ pub struct ContactAnswer<const C: usize> {
     /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. Along F_t
-    /// where it slides, zero where it rolls; on a load path all the slip so far, which a rolling contact keeps. For a separated or
+    /// where it slides, zero where it sticks; on a load path all the slip so far, which a sticking contact keeps. For a separated or
     /// frictionless contact: how far the surfaces have moved past each other.
     pub slip: SVector<f64, C>,
-    /// Friction in reserve of a rolling contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
+    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
     /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
     /// frictionless contact.
     pub margin: f64,
@@ -215,9 +215,10 @@ impl ContactAnswer<2> {
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
-    /// Closed and stuck: gap = 0, no slip (on a load path none beyond what it has slipped before), `|F_t| <= μ F_n`. The paper's word;
-    /// others say sticking. A bonded contact is always in this state, whatever its force.
-    Rolling,
+    /// Closed and stuck: gap = 0, no slip (on a load path none beyond what it has slipped before), `|F_t| <= μ F_n`. The paper
+    /// says rolling; today that word is kept for a fingertip that rolls. A bonded contact is always in this state, whatever its force.
+    #[doc(alias = "rolling")]
+    Sticking,
     /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
@@ -273,7 +274,7 @@ pub enum Proof<const C: usize> {
         /// How many combinations.
         combinations: usize,
     },
-    /// On the round cone: what contacts do was divided into cases, open or closed, rolling or sliding, friction between two angles.
+    /// On the round cone: what contacts do was divided into cases, open or closed, sticking or sliding, friction between two angles.
     /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions. Beyond an onset or
     /// the end of a path, in the plane too, a single case may do: nothing responds to a motion when everything on an edge slides.
     EveryCaseContradicted {

@@ -11,11 +11,11 @@ use crate::search::Settings;
 ///
 /// What follows from the inclusion:
 ///
-/// * What rolls on a smaller cone rolls on a larger one with the same forces. If everything that touches rolls on the inscribed
+/// * What sticks on a smaller cone sticks on a larger one with the same forces. If everything that touches sticks on the inscribed
 ///   polygon, the three answers are one.
 /// * The onset of sliding is bracketed, from a base that the inscribed polygon answers by
-///   [`Rung::EverythingRolls`](super::Rung::EverythingRolls) or
-///   [`Rung::EverythingTouchingRolls`](super::Rung::EverythingTouchingRolls): until the first contact slides or opens, forces do not
+///   [`Rung::EverythingSticks`](super::Rung::EverythingSticks) or
+///   [`Rung::EverythingTouchingSticks`](super::Rung::EverythingTouchingSticks): until the first contact slides or opens, forces do not
 ///   depend on the cone. The factors of [`Grasp::onset`](crate::ask::Grasp::onset) on the two polygons then have that of [`Grasp::onset`](crate::ask::Grasp::onset) between
 ///   them. From other bases they need not: there the inscribed polygon may have come to rest on fewer contacts.
 /// * A load that [a motion separates](super::Proof::SeparatingMotion) from everything the circumscribed polygon can do is too much

@@ -50,7 +50,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
 fn word<const C: usize>(state: &ContactState<C>) -> &'static str {
     match state {
         ContactState::Separated => "open",
-        ContactState::Rolling => "rolling",
+        ContactState::Sticking => "sticking",
         ContactState::Sliding { .. } => "sliding",
         ContactState::Frictionless => "frictionless",
     }

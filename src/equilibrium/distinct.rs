@@ -1,6 +1,6 @@
 //! Which contact states working precision tells apart from their neighbours.
 //!
-//! Open and touching, rolling and sliding, sliding this way and that meet where a gap, a force, the friction in reserve or a slip
+//! Open and touching, sticking and sliding, sliding this way and that meet where a gap, a force, the friction in reserve or a slip
 //! vanishes. Next to such an edge the last digits of the question decide.
 
 use super::answer::Equilibrium;
@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let of_displacements = part(displacement_error, at.span);
             let least = ROUNDING_OF_DATA.max(match state {
                 Mode::Open => of_displacements,
-                Mode::Rolling => of_forces,
+                Mode::Sticking => of_forces,
                 _ => of_forces.max(of_displacements),
             });
             let mut distinct = true;

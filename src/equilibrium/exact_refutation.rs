@@ -75,11 +75,11 @@ impl Exact {
                 list.extend(slips_anyhow());
             }
             Label::Friction(Sector { from, to })
-            | Label::Rolling(Sector { from, to })
+            | Label::Sticking(Sector { from, to })
             | Label::Sliding(Sector { from, to }) => {
                 for p in &around(*from, *to) {
                     list.push([on_cone(p), on_cone(p)]);
-                    if !matches!(label, Label::Rolling(_)) {
+                    if !matches!(label, Label::Sticking(_)) {
                         list.push([slip(p), none()]);
                     }
                 }

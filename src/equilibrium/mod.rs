@@ -6,11 +6,11 @@
 //! | state | force | must hold |
 //! |---|---|---|
 //! | separated | `F = 0` | `g = n·u_c - a_n >= 0` |
-//! | rolling | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
+//! | sticking | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
 //! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
 //!
-//! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything rolls; everything that
-//! touches rolls; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form
+//! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything sticks; everything that
+//! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form
 //! (see [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial
 //! state and then from what Lemke's method proposes on a polygonal cone; where neither leads anywhere, branch and bound
 //! over states and directions of friction decides. Whoever has proposed them, the states are

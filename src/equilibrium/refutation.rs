@@ -12,7 +12,7 @@ use crate::search::{self, Settings};
 
 /// A proof that no equilibrium exists on the round cone, to be kept and to be checked.
 ///
-/// What contacts do is divided into cases: open or closed, rolling or sliding, friction between two angles. Each case is contradicted by a
+/// What contacts do is divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a
 /// virtual motion of the object and virtual forces of the contacts that balance one another. Together they do work on every
 /// equilibrium that no contact can do in that case. [`Self::check`] repeats that from the data, in closed form for
 /// every contact, and that no case is left out; it knows nothing of how the proof was found.

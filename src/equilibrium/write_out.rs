@@ -52,7 +52,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 rows_left_out: self.left_out(
                     effort,
                     cone,
-                    matches!(rule, Rung::EverythingRolls | Rung::EverythingTouchingRolls),
+                    matches!(rule, Rung::EverythingSticks | Rung::EverythingTouchingSticks),
                 ),
                 combinations: effort.combinations,
             },
@@ -69,13 +69,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    pub(super) fn left_out(&self, effort: &Effort, cone: Cone, everything_rolls: bool) -> Vec<LeftOut> {
+    pub(super) fn left_out(&self, effort: &Effort, cone: Cone, everything_sticks: bool) -> Vec<LeftOut> {
         let facets = if effort.facets > 0 { effort.facets } else { cone.facets() };
         let mut list = Vec::new();
         for (contact, site) in self.sites().iter().enumerate() {
             let mut push = |rows, why| list.push(LeftOut { contact, rows, why });
-            if everything_rolls && effort.rows == 0 {
-                push(1 + facets, Why::EverythingRolls);
+            if everything_sticks && effort.rows == 0 {
+                push(1 + facets, Why::EverythingSticks);
                 continue;
             }
             match site.hold {
@@ -146,8 +146,8 @@ impl<const C: usize> SolvedContact<'_, C> {
         let slip = self.local.springs.slip(&(self.drive - self.moved), &self.force);
         match self.state {
             Mode::Open => (ContactState::Separated, slip),
-            Mode::Rolling if self.local.is_frictionless() => (ContactState::Frictionless, slip),
-            Mode::Rolling => (ContactState::Rolling, SVector::zeros()),
+            Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
+            Mode::Sticking => (ContactState::Sticking, SVector::zeros()),
             sliding => {
                 // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
                 // direction is the one in which it would start.
@@ -163,8 +163,8 @@ impl<const C: usize> SolvedContact<'_, C> {
         let (force, frame) = (self.force, self.frame);
         let (state, slip) = self.state();
         let margin = match state {
-            ContactState::Rolling if self.bonded => f64::INFINITY,
-            ContactState::Rolling => self.local.margin(&force),
+            ContactState::Sticking if self.bonded => f64::INFINITY,
+            ContactState::Sticking => self.local.margin(&force),
             _ => 0.0,
         };
         let mut commanded = self.drive + self.memory;

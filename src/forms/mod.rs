@@ -11,7 +11,7 @@
 //! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! ```
 //!
-//! Small, and solved by z = 0 exactly when everything rolls. Its matrix is not copositive: with strong friction Lemke's method can end on a ray
+//! Small, and solved by z = 0 exactly when everything sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a ray
 //! although an equilibrium exists, so that a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances stand on the diagonal, the twist is free:

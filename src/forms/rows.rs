@@ -64,8 +64,8 @@ pub struct LeftOut {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Why {
-    /// Everything rolls: the elastic trial state is the answer.
-    EverythingRolls,
+    /// Everything sticks: the elastic trial state is the answer.
+    EverythingSticks,
     /// μ = 0: no tangential force, no facets.
     Frictionless,
     /// μ = ∞: never slides while closed, no facets.

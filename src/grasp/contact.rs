@@ -183,6 +183,7 @@ impl<const C: usize> Contact<C> {
     /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal,
     /// tangential…). A positive normal part pushes into the object, a positive tangential one drags
     /// it along the tangent. [`Self::command_world`] takes one along the coordinate axes.
+    #[doc(alias = "commanded displacement", alias = "reference displacement")]
     #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
@@ -227,6 +228,7 @@ impl<const C: usize> Contact<C> {
     /// assert!((grasp.contacts()[1].commanded()[0] - 0.010).abs() < 1e-16);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
+    #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
     #[must_use]
     pub fn pressed_with(mut self, force: f64) -> Self {
         self.press = Some(force);

@@ -8,7 +8,7 @@ use super::remembered::Remembered;
 use super::rotation::{assert_plane_or_space, of_the_object};
 use super::site::Site;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use crate::numerics::{Fixed, Size, anew};
+use crate::numerics::{Fixed, Size, cleared_for};
 
 /// A checked list of contacts in D coordinates: those of the object, 3 in the plane and 6 in space, and those of joints behind them.
 #[derive(Debug, Clone)]
@@ -253,7 +253,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         of_joints: &[f64],
         drives: &mut Vec<SVector<f64, C>>,
     ) {
-        anew(drives, self.sites.len());
+        cleared_for(drives, self.sites.len());
         drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
             a[0] -= contact.clearance;
             a
@@ -281,7 +281,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         of_joints: Option<&[f64]>,
         changes: &mut Vec<SVector<f64, C>>,
     ) {
-        anew(changes, self.sites.len());
+        cleared_for(changes, self.sites.len());
         changes.extend(commands);
         changes.resize(self.len(), SVector::zeros());
         match (self.linkage(), of_joints) {

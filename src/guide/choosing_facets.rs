@@ -25,7 +25,7 @@
 //! | 16 | 1.9 % | | |
 //! | 64 | 0.12 % | | |
 //!
-//! Inscribed is safe for an onset from rest (what rolls on it rolls on the round cone), circumscribed for a proof that nothing holds.
+//! Inscribed is safe for an onset from rest (what sticks on it sticks on the round cone), circumscribed for a proof that nothing holds.
 //! Once something slides neither bounds the other.
 //!
 //! ```

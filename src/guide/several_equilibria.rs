@@ -24,20 +24,20 @@
 //!
 //! let all = grasp.equilibria(&load)?;
 //! let has = |what: fn(&ContactState<2>) -> bool| all.iter().filter(|e| what(&e.contacts[2].state)).count();
-//! assert_eq!(has(|s| matches!(s, ContactState::Rolling)), 1);
+//! assert_eq!(has(|s| matches!(s, ContactState::Sticking)), 1);
 //! assert_eq!(has(|s| matches!(s, ContactState::Sliding { .. })), 1);
 //! assert_eq!(has(|s| matches!(s, ContactState::Separated)), 1);
 //! let hangs = all.iter().find(|e| e.contacts[2].state == ContactState::Separated).ok_or("one hangs free")?;
 //! assert!((hangs.contacts[2].gap - 1.0 / 6.0).abs() < 1e-15);
 //!
-//! // The one in which everything rolls comes first.
+//! // The one in which everything sticks comes first.
 //! let outcome = grasp.solve(&load)?;
-//! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(Rung::EverythingRolls));
+//! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(Rung::EverythingSticks));
 //!
 //! // Which one comes about depends on what was before: first pressed down and then pulled, the body stays on the floor;
 //! // first pulled and then pressed down, it hangs free.
 //! let (down, along) = (Wrench::force([0.0, -1.0]), Wrench::force([2.5, 0.0]));
-//! for (first, state) in [(down, ContactState::Rolling), (along, ContactState::Separated)] {
+//! for (first, state) in [(down, ContactState::Sticking), (along, ContactState::Separated)] {
 //!     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
 //!     path.run();
 //!     let end = path.state_at(1, 1.0).ok_or("the path is completed")?;
@@ -50,8 +50,8 @@
 //!
 //! [`Grasp::solve`](crate::ask::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this order:
 //!
-//! * everything rolls;
-//! * everything that touches rolls;
+//! * everything sticks;
+//! * everything that touches sticks;
 //! * in space and from 32 contacts on, where Newton's method arrives from the elastic trial state;
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations.

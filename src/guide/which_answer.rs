@@ -22,11 +22,11 @@
 //!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
 //!   no digit of a force, however small the residual.
 //! * [`distinct`](crate::ask::Grasp::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
-//!   sliding, rolling and sliding are the same forces; which word is used depends on rounding, and the flag says so.
+//!   sliding, sticking and sliding are the same forces; which word is used depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. Where friction is known to 10 %, a contact with a margin below
 //!   10 % of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
 //! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, the twist is one of many.
-//! * [`rule`](crate::equilibrium::Equilibrium::rule): how it was found. Anything but [`EverythingRolls`](crate::equilibrium::Rung::EverythingRolls)
+//! * [`rule`](crate::equilibrium::Equilibrium::rule): how it was found. Anything but [`EverythingSticks`](crate::equilibrium::Rung::EverythingSticks)
 //!   may be one of several: see [`several_equilibria`](super::several_equilibria).
 //!
 //! # Which question to ask

@@ -255,7 +255,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         let mut slid = frictions.iter();
         let force = |((state, site), drive): ((&State<C>, &Site<D, C>), &SVector<f64, C>)| {
             let force = site.springs.force(&site.stretch(drive, twist));
-            match (state.slides().then(|| slid.next()).flatten(), state.is_rolling()) {
+            match (state.slides().then(|| slid.next()).flatten(), state.is_sticking()) {
                 (Some(friction), _) => {
                     let size = tangential_norm(friction);
                     let part = if size > 0.0 { site.friction.limit(force[0]) / size } else { 0.0 };

@@ -12,7 +12,7 @@ impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::At(event) => event.fmt(f),
-            Self::Never => f.write_str("never: everything keeps rolling however far the load goes"),
+            Self::Never => f.write_str("never: everything keeps sticking however far the load goes"),
             Self::AlreadySliding(state) => write!(f, "something slides already at factor 0: {state}"),
             Self::NoBase(none) => write!(f, "no equilibrium exists at factor 0: {none}"),
             Self::GivesWay { factor, reason } => {
@@ -40,7 +40,7 @@ impl<const C: usize> fmt::Display for Change<C> {
     }
 }
 
-/// The factor, and who leaves rolling.
+/// The factor, and who stops sticking.
 impl<const C: usize> fmt::Display for OnsetEvent<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at factor {:.12}:", self.factor)?;

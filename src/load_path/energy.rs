@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::segment::{Here, Segment};
-use super::turned::Turned;
+use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
 use crate::numerics::{Harmonic, Size};
@@ -99,7 +99,7 @@ impl Energy {
         &mut self,
         segment: &Segment<D, C>,
         states: &[State<C>],
-        turned: &Turned<D, C>,
+        turned: &TurningState<D, C>,
         step: f64,
     ) {
         let angle = turned.angle * step;

@@ -40,7 +40,7 @@ pub struct Event<const C: usize> {
 /// What a contact does from an event on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change<const C: usize> {
-    /// A rolling contact starts to slide, `|F_t| = μ F_n`.
+    /// A sticking contact starts to slide, `|F_t| = μ F_n`.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
         direction: SVector<f64, C>,

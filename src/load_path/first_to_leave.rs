@@ -1,4 +1,4 @@
-//! The onset where everything clearly rolls to begin with, and one contact reaches the edge of its cone before all others.
+//! The onset where everything clearly sticks to begin with, and one contact reaches the edge of its cone before all others.
 //!
 //! That is the common case and the cheap one: one factorisation for two loads, a ratio test, and one more solve at the onset, which gives its
 //! factor the last digits. Everything else is for [`super::walk`].
@@ -9,10 +9,10 @@ use super::onset::{Leaving, Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
 use super::segment::Segment;
 use super::turn::Turn;
-use crate::contact::{At, Exit, Line, LocalLaw, Stand};
+use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
-use crate::numerics::{Harmonic, Size, Vector, anew};
+use crate::numerics::{Harmonic, Size, Vector, cleared_for};
 use crate::object::PieceState;
 use crate::search::{Found, Rung};
 
@@ -26,7 +26,7 @@ const ROUGHLY: f64 = 1e-6;
 /// A factor at which the forces would be so many times as large as at the base may be that of rates which are rounding.
 const FAR: f64 = 1e6;
 
-/// Which contact leaves rolling first, and the state there.
+/// Which contact stops sticking first, and the state there.
 pub(super) struct FirstToLeave<D: Size, const C: usize> {
     pub(super) factor: f64,
     contact: usize,
@@ -68,7 +68,7 @@ pub(super) fn first_to_leave<D: Size, const C: usize>(
 pub(super) enum WhileTurning<D: Size, const C: usize> {
     /// One contact leaves before all others.
     First(FirstToLeave<D, C>),
-    /// Everything keeps rolling.
+    /// Everything keeps sticking.
     Never,
 }
 
@@ -96,7 +96,7 @@ pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
     let base = PieceState { forces, twist };
     let largest = problem.largest_force(&base.forces, &base.twist);
     let at = |i: usize| problem.at(i, &base.forces[i], &base.twist, largest);
-    if !problem.locals().enumerate().all(|(i, local)| clearly_rolls(&local, &at(i))) {
+    if !problem.locals().enumerate().all(|(i, local)| clearly_sticks(&local, &at(i))) {
         return None;
     }
     let mut turned = segment.turned(inside, 1.0, &parts);
@@ -141,28 +141,29 @@ impl<D: Size, const C: usize> FirstToLeave<D, C> {
     ) -> Onset<C> {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, stands, leaving, sites, .. } = memory;
-        anew(states, segment.problem.len());
+        cleared_for(states, segment.problem.len());
         states.extend(segment.problem.locals().map(|local| local.unjumped()));
-        stands.iter_mut().for_each(Stand::leave);
-        stands.resize(states.len(), Stand::NOWHERE);
+        stands.iter_mut().for_each(ActiveSet::leave);
+        stands.resize(states.len(), ActiveSet::NOWHERE);
         stands[contact].reach(&states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
-        anew(leaving, 1);
+        cleared_for(leaving, 1);
         leaving.push(Leaving::driven_out(contact, &stands[contact], frame));
-        anew(sites, 1);
+        cleared_for(sites, 1);
         sites.push(contact);
         let found = Found::new(std::mem::take(states), there.forces, there.twist);
         let leaving = (std::mem::take(leaving), std::mem::take(sites));
         let stands = std::mem::take(stands);
         memory.lists.laws = std::mem::take(&mut segment.problem.laws);
-        let rolls = (found, Rung::EverythingRolls);
-        let event = OnsetEvent::new(segment, (factor, load), leaving, stands, rolls, &mut memory.coordinates);
+        let sticks = (found, Rung::EverythingSticks);
+        let event =
+            OnsetEvent::new(segment, (factor, load), leaving, stands, sticks, &mut memory.coordinates);
         Onset::At(memory.put(event))
     }
 }
 
 /// Whether a contact meets all conditions of its unjumped state by more than rounding.
-fn clearly_rolls<const C: usize>(local: &LocalLaw<'_, C>, at: &At<'_, C>) -> bool {
+fn clearly_sticks<const C: usize>(local: &LocalLaw<'_, C>, at: &At<'_, C>) -> bool {
     let mut clear = true;
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > CLEARLY * size);
     clear
@@ -175,7 +176,7 @@ struct First<const C: usize> {
     line: Line<C>,
 }
 
-/// The first way out, if everything clearly rolls at the base and no other comes near it.
+/// The first way out, if everything clearly sticks at the base and no other comes near it.
 fn first_exit<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     base: &PieceState<D, C>,
@@ -188,7 +189,7 @@ fn first_exit<D: Size, const C: usize>(
     let mut next = f64::INFINITY;
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         let at = problem.at(contact, &base.forces[contact], &base.twist, largest);
-        if !clearly_rolls(&local, &at) {
+        if !clearly_sticks(&local, &at) {
             return None;
         }
         let span_rate = site.span(&segment.change[contact], &rate.twist);

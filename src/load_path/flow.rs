@@ -271,7 +271,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
                 let normal = force[0] + more[0];
                 force = frictions.next().unwrap_or(force);
                 force[0] = normal;
-            } else if state.is_rolling() {
+            } else if state.is_sticking() {
                 force += more;
             }
             sum += force.dot(change);

@@ -35,7 +35,7 @@ pub(crate) struct Edge<'g, D: Size, const C: usize> {
 /// far; which leg, and what comes after it, is for the path to say.
 pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     /// What there is to tell on the way.
-    type Told;
+    type Report;
 
     /// The method that takes straight legs alone, if this is its follower.
     const STRAIGHT_ONLY: Option<&'static str> = None;
@@ -50,7 +50,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Told>, PathEnd<C>>;
+    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Report>, PathEnd<C>>;
 
     /// The fraction of the leg that has been gone.
     fn fraction(&self) -> f64;
@@ -68,7 +68,11 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     ///
     /// # Errors
     /// As for [`Self::go_on`].
-    fn go_up_to(&mut self, journey: &Journey<'g, D, C>, _most: f64) -> Result<Came<Self::Told>, PathEnd<C>> {
+    fn go_up_to(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        _most: f64,
+    ) -> Result<Came<Self::Report>, PathEnd<C>> {
         self.go_on(journey)
     }
 

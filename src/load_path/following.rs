@@ -56,8 +56,8 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
     /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
     pub(super) fn go(
         &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Told>, PathEnd<C>>,
-    ) -> Option<F::Told> {
+        on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Report>, PathEnd<C>>,
+    ) -> Option<F::Report> {
         match on(self.follower.as_mut()?, &self.journey) {
             Ok(Came::To(told)) => return Some(told),
             Ok(Came::OnTheWay) => {}
@@ -87,8 +87,8 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn contacts_looked_at(&self) -> usize;
 }
 
-impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Told> for Following<'g, D, C, F> {
-    fn next(&mut self) -> Option<F::Told> {
+impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> for Following<'g, D, C, F> {
+    fn next(&mut self) -> Option<F::Report> {
         while self.end.is_none() {
             if let told @ Some(_) = self.go(F::go_on) {
                 return told;
@@ -97,7 +97,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Told> for
         None
     }
 
-    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<F::Told> {
+    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<F::Report> {
         loop {
             let follower = self.follower.as_ref()?;
             let (here, stop) = (self.place(), (leg, fraction));

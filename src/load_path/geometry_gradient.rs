@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
 
-/// Derivatives of the load factor (without unit) at which one contact leaves rolling, by the geometry of every contact. Commands,
+/// Derivatives of the load factor (without unit) at which one contact stops sticking, by the geometry of every contact. Commands,
 /// clearances and stiffnesses stay along the axes of the contact frames, changes of commands along a ramp too.
 ///
 /// A command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the

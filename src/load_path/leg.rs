@@ -4,8 +4,8 @@ use std::ops::Add;
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::ramp::{Ramp, vectors};
+use super::trajectory::Trajectory;
 use super::turn::{Turn, inside};
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
@@ -218,7 +218,7 @@ enum LoadGoal<const C: usize> {
 
 impl<const C: usize> LoadGoal<C> {
     /// The way from a load on, and where it ends.
-    fn course(&self, from: &Wrench<C>) -> (Course<Wrench<C>>, Wrench<C>) {
+    fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(Goal::Stay) => *from,
             Self::Straight(Goal::By(change)) => *from + *change,
@@ -228,7 +228,7 @@ impl<const C: usize> LoadGoal<C> {
                 return (course, course.at(1.0));
             }
         };
-        (Course::Straight { from: *from, rate: to - *from }, to)
+        (Trajectory::Straight { from: *from, rate: to - *from }, to)
     }
 }
 
@@ -256,7 +256,7 @@ pub(super) struct Program<const C: usize> {
     /// The present leg; as many as there are legs when all are done.
     pub(super) leg: usize,
     /// How the load goes along the present leg.
-    pub(super) course: Course<Wrench<C>>,
+    pub(super) course: Trajectory<Wrench<C>>,
     /// The load at the end of the present leg.
     goal: Wrench<C>,
     /// Finger commands at the beginning and at the end of the present leg.
@@ -274,7 +274,7 @@ impl<const C: usize> Program<C> {
             legs: Vec::new(),
             done: 0,
             leg: 0,
-            course: Course::Straight { from: start, rate: Wrench::ZERO },
+            course: Trajectory::Straight { from: start, rate: Wrench::ZERO },
             goal: start,
             commands: [commands.clone(), commands],
             joints: [joints.clone(), joints],
@@ -341,14 +341,14 @@ impl<const C: usize> Program<C> {
     }
 
     /// How the load goes along the present leg, in inside coordinates.
-    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Course<Vector<D>> {
+    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
         match &self.course {
-            Course::Straight { from, .. } => {
+            Trajectory::Straight { from, .. } => {
                 let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
                 let rate = to - &from;
-                Course::Straight { from, rate }
+                Trajectory::Straight { from, rate }
             }
-            Course::Turn { load, angle } => Course::Turn { load: inside(grasp, load), angle: *angle },
+            Trajectory::Turn { load, angle } => Trajectory::Turn { load: inside(grasp, load), angle: *angle },
         }
     }
 

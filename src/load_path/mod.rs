@@ -1,7 +1,7 @@
 //! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory.
 //!
-//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything rolls, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
-//! at which a condition of rolling is used up, found from two linear solves and no stepping:
+//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
+//! at which a condition of sticking is used up, found from two linear solves and no stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
@@ -44,10 +44,11 @@
 
 mod arc;
 mod beyond;
-mod course;
+mod contacts_and_drives;
 mod crossing;
 mod display;
 mod drive_change;
+mod end_of_path;
 mod energy;
 mod event;
 mod first_exits;
@@ -59,7 +60,6 @@ mod geometry;
 mod geometry_gradient;
 mod journey;
 mod leg;
-mod loss;
 mod node;
 mod onset;
 mod onset_gradient;
@@ -69,6 +69,7 @@ mod onset_workspace;
 mod pace;
 mod patch;
 mod path;
+mod path_state;
 mod pieces;
 mod questions;
 mod ramp;
@@ -76,18 +77,17 @@ mod relaxation;
 mod response;
 mod segment;
 mod sensitivity;
-mod standing;
 mod stepped;
+mod sticking_path;
 mod straight;
 mod stretch;
-mod told_apart;
+mod trajectory;
 mod transition;
 mod turn;
 mod turn_questions;
-mod turned;
 mod turning;
 mod turning_load;
-mod walk;
+mod turning_state;
 mod watch;
 
 pub use beyond::{Beyond, Continuation};
@@ -102,7 +102,7 @@ pub use onset_margins::Leaver;
 pub(crate) use onset_margins::OnsetMargins;
 pub use patch::PatchEvent;
 pub use path::{LoadPath, PatchPath, Path, SteppedPath};
-pub use questions::{Reserve, RollingRange};
+pub use questions::{Reserve, StickingRange};
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};

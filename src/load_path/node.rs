@@ -2,14 +2,14 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::course::Course;
+use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
 use super::follower::Edge;
 use super::journey::Journey;
-use super::loss::end_of_path;
 use super::segment::{Here, Segment};
+use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
-use crate::contact::{Law, Mode, Stand, State, ZERO_SLACK};
+use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
@@ -41,7 +41,7 @@ pub(super) struct Node<D: Size, const C: usize> {
     pub(super) states: Vec<State<C>>,
     /// Directions in which contacts slide, coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, C>>>,
-    pub(super) stands: Vec<Stand<C>>,
+    pub(super) stands: Vec<ActiveSet<C>>,
     /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
     pub(super) holds: Vec<bool>,
     /// A contact slides from the apex of its cone on: it has a direction, and no friction force yet.
@@ -119,7 +119,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             };
             Decided { ahead, rates, settled, effort }
         };
-        let Course::Turn { angle, .. } = segment.course else { return at(factor) };
+        let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
         for little in AHEAD {
             let decided = at(factor + little / angle);
@@ -160,7 +160,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             if let holds @ Verdict::Holds(_) = try_states(rates, sliding.clone()) {
                 return holds;
             }
-            let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Rolling } else { sliding[i] });
+            let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Sticking } else { sliding[i] });
             let found = [closed.collect(), sliding.clone()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
@@ -219,7 +219,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 }
 
-/// A contact that rolls along a tangent of the round cone slides, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// A contact that sticks along a tangent of the round cone slides, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {

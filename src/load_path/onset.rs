@@ -4,13 +4,13 @@ use nalgebra::{SMatrix, SVector};
 
 use super::drive_change::DriveChange;
 use super::segment::Segment;
-use crate::contact::Stand;
+use crate::contact::ActiveSet;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::grasp::{Coordinates, HandPart, Wrench};
 use crate::numerics::Size;
 use crate::search::{Found, Kept, Rung};
 
-/// The answer to "at which load factor τ >= 0 does the first contact leave rolling?", or at which angle of a load that turns.
+/// The answer to "at which load factor τ >= 0 does the first contact stop sticking?", or at which angle of a load that turns.
 ///
 /// Of a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is where the turn begins.
 #[derive(Debug, Clone)]
@@ -18,13 +18,13 @@ use crate::search::{Found, Kept, Rung};
 pub enum Onset<const C: usize> {
     /// At this factor.
     At(Box<OnsetEvent<C>>),
-    /// However far the load goes along this direction, everything keeps rolling; of a turn, up to its last angle.
+    /// However far the load goes along this direction, everything keeps sticking; of a turn, up to its last angle.
     Never,
-    /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there rolls, and may leave at 0.)
+    /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there sticks, and may leave at 0.)
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at factor 0.
     NoBase(NoEquilibrium<C>),
-    /// No contact leaves rolling, but from this factor on nothing resists the load: the reason.
+    /// No contact stops sticking, but from this factor on nothing resists the load: the reason.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
@@ -45,8 +45,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches rolls: that of the event, or from which on nothing resists; infinite for never.
-    /// `None` where there is no rolling equilibrium to start from, or nothing can be said.
+    /// The load factor up to which everything that touches sticks: that of the event, or from which on nothing resists; infinite for never.
+    /// `None` where there is no sticking equilibrium to start from, or nothing can be said.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -58,7 +58,7 @@ impl<const C: usize> Onset<C> {
     }
 }
 
-/// The first contact leaves rolling. The equilibrium there is one call further
+/// The first contact stops sticking. The equilibrium there is one call further
 /// ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and so is what comes next
 /// ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
 #[derive(Debug, Clone)]
@@ -75,16 +75,16 @@ pub struct OnsetEvent<const C: usize> {
     /// The friction cone that the event is for.
     pub cone: Cone,
     /// What the questions to the event start from.
-    pub(super) local: RollingState<C>,
+    pub(super) local: StickingState<C>,
 }
 
-/// Where everything rolls and some contacts stand on the edge of their cone, and where the ramp leads from there. Loads are in inside
+/// Where everything sticks and some contacts stand on the edge of their cone, and where the ramp leads from there. Loads are in inside
 /// coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct RollingState<const C: usize> {
+pub(super) struct StickingState<const C: usize> {
     pub(super) found: Kept<C>,
     pub(super) rule: Rung,
-    pub(super) stands: Vec<Stand<C>>,
+    pub(super) stands: Vec<ActiveSet<C>>,
     /// The sites that leave.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates<C>,
@@ -96,12 +96,12 @@ pub(super) struct RollingState<const C: usize> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// The event at a factor, with the load and the rolling state there and what contacts stand on, in lists that are there.
+    /// The event at a factor, with the load and the sticking state there and what contacts stand on, in lists that are there.
     pub(super) fn new<D: Size>(
         segment: Segment<'_, D, C>,
         (factor, load): (f64, Wrench<C>),
         (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),
-        stands: Vec<Stand<C>>,
+        stands: Vec<ActiveSet<C>>,
         (found, rule): (Found<D, C>, Rung),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
@@ -110,7 +110,7 @@ impl<const C: usize> OnsetEvent<C> {
         let Segment { grasp, cone, problem, change: drive_rates, course, .. } = segment;
         let mut drives = problem.drives;
         drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);
-        let local = RollingState {
+        let local = StickingState {
             found: Kept::of(found, list()),
             rule,
             stands,
@@ -128,7 +128,7 @@ impl<const C: usize> OnsetEvent<C> {
 
 impl<const C: usize> Leaving<C> {
     /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.
-    pub(super) fn driven_out(contact: usize, stand: &Stand<C>, frame: &SMatrix<f64, C, C>) -> Self {
+    pub(super) fn driven_out(contact: usize, stand: &ActiveSet<C>, frame: &SMatrix<f64, C, C>) -> Self {
         let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() == 0.0 {
             Departure::Opens
@@ -139,7 +139,7 @@ impl<const C: usize> Leaving<C> {
     }
 }
 
-/// A contact that leaves rolling.
+/// A contact that stops sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
@@ -149,7 +149,7 @@ pub struct Leaving<const C: usize> {
     pub how: Departure<C>,
 }
 
-/// How a contact leaves rolling.
+/// How a contact stops sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Departure<const C: usize> {
     /// It slides, `|F_t| = μ F_n`.

@@ -8,7 +8,7 @@ use super::sensitivity::Parameter;
 use crate::grasp::{Engine, of_the_object};
 use crate::numerics::Size;
 
-/// Derivatives of the load factor (without unit) at which one contact leaves rolling. Those by positions and normals of contacts are a
+/// Derivatives of the load factor (without unit) at which one contact stops sticking. Those by positions and normals of contacts are a
 /// question of their own, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

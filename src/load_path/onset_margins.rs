@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::onset::{OnsetEvent, RollingState};
+use super::onset::{OnsetEvent, StickingState};
 use super::sensitivity::{Local, Parameter};
 use crate::contact::tangential;
 use crate::equilibrium::Cone;
@@ -41,13 +41,13 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
         let state = grasp.state_at_onset(event)?;
         let local = Local::new(grasp, &state)?;
         let has_slipped = |i: usize| {
-            let sticks = local.states[i].is_rolling() && !local.problem.local(i).is_frictionless();
+            let sticks = local.states[i].is_sticking() && !local.problem.local(i).is_frictionless();
             sticks && state.contacts[i].slip.norm() != 0.0
         };
         if (0..grasp.len()).any(has_slipped) {
             return None;
         }
-        let RollingState { drive_rates, wrench_rate, leaving, .. } = &event.local;
+        let StickingState { drive_rates, wrench_rate, leaving, .. } = &event.local;
         // What slides as soon as it touches leaves at a gap, not at a margin.
         if leaving.iter().any(|&site| local.states[site].is_open()) {
             return None;

@@ -1,21 +1,21 @@
 //! The onset of sliding, found directly.
 //!
-//! While everything rolls, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is
+//! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is
 //! the smallest τ at which a contact reaches the edge of its cone (a linear equation for each facet, a quadratic one
 //! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
-//! close on the way; it starts with F_t = 0 and rolls on if the rates lie in its cone.
+//! close on the way; it starts with F_t = 0 and sticks on if the rates lie in its cone.
 
 use super::beyond::{Beyond, End, beyond_end, continuation};
-use super::course::Course;
+use super::end_of_path::leaving_motion;
 use super::first_to_leave::first_to_leave;
-use super::loss::leaving_motion;
 use super::onset::{Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
 use super::ramp::Ramp;
 use super::segment::Segment;
+use super::sticking_path::StickingPath;
+use super::trajectory::Trajectory;
 use super::turn::Touch;
 use super::turn_questions::TurnOnset;
-use super::walk::Walk;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{Cone, Equilibrium, Outcome};
 use crate::error::Error;
@@ -54,12 +54,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         ramp.drive_changes_into(self, &mut memory.change)?;
-        let segment = memory.segment(self, settings, Course::Straight { from: base, rate: direction });
+        let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate: direction });
         if let Some(first) = first_to_leave(&segment, memory) {
             let load = ramp.load_at(first.factor);
             return Ok(first.onset(segment, load, memory));
         }
-        let course = Course::Straight { from: ramp.base, rate: ramp.direction };
+        let course = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
         Ok(self.walked(segment, (course, f64::INFINITY), settings).onset)
     }
 
@@ -67,14 +67,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(super) fn walked<'a>(
         &'a self,
         segment: Segment<'a, D, C>,
-        (course, end): (Course<Wrench<C>>, f64),
+        (course, end): (Trajectory<Wrench<C>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<C> {
-        let (found, rule) = match self.rolling_base(&segment, &course, settings) {
+        let (found, rule) = match self.sticking_base(&segment, &course, settings) {
             Ok(base) => base,
             Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
         };
-        let mut walk = Walk { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
+        let mut walk =
+            StickingPath { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
         let touch = |(site, angle)| Some(Touch { of: self.leaver(site)?, angle });
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).collect() }
@@ -92,7 +93,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let problem = self.problem_at_onset(event)?;
         let (local, cone) = (&event.local, event.cone);
         let change = local.drive_rates.clone();
-        let course = Course::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
+        let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
         let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
         let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
@@ -118,10 +119,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The equilibrium at factor 0 if nothing slides there.
-    fn rolling_base(
+    fn sticking_base(
         &self,
         segment: &Segment<'_, D, C>,
-        course: &Course<Wrench<C>>,
+        course: &Trajectory<Wrench<C>>,
         settings: &Settings,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<C>>> {
         let (problem, cone) = (&segment.problem, segment.cone);

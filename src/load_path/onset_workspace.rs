@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::onset::{Leaving, Onset, OnsetEvent};
 use super::segment::Segment;
-use crate::contact::{Polygon, PolygonCone, Stand, State};
+use super::trajectory::Trajectory;
+use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::Cone;
 use crate::grasp::{Coordinates, Engine};
 use crate::numerics::{Size, Vector};
@@ -27,7 +27,7 @@ pub(super) struct OnsetMemory<D: Size, const C: usize> {
     pub(super) there: PieceState<D, C>,
     pub(super) driven: Vec<SVector<f64, C>>,
     pub(super) states: Vec<State<C>>,
-    pub(super) stands: Vec<Stand<C>>,
+    pub(super) stands: Vec<ActiveSet<C>>,
     pub(super) leaving: Vec<Leaving<C>>,
     /// The sites that leave.
     pub(super) sites: Vec<usize>,
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
         &mut self,
         grasp: &'g Engine<D, C>,
         settings: &Settings,
-        course: Course<Vector<D>>,
+        course: Trajectory<Vector<D>>,
     ) -> Segment<'g, D, C> {
         let cone = Cone::of::<C>(settings);
         let mut lists = std::mem::take(&mut self.lists);

@@ -8,7 +8,6 @@
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::energy::Energy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
@@ -21,6 +20,7 @@ use super::pace::Pace;
 use super::path::{LoadPath, Path};
 use super::segment::{Here, Segment};
 use super::stretch::{Bend, Stretch};
+use super::trajectory::Trajectory;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
@@ -60,7 +60,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
-    type Told = Event<C>;
+    type Report = Event<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
@@ -124,7 +124,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let found = journey.start(problem)?;
         // At rest: nothing changes yet.
         let change = journey.grasp.drive_changes(None, None);
-        let course = Course::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
+        let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, cone, problem) = (journey.grasp, journey.cone(), problem.clone());
         let mut segment = Segment { grasp, cone, problem, change, course, largest: 0.0 };
         Ok(Self {
@@ -159,7 +159,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let free_motions = onward.here.free_motions.iter().map(|v| grasp.motion_outside(v)).collect();
         self.here = Some(onward.here);
         self.pace = self.pace.at_node();
-        let (changes, drives) = grasp.told_apart(onward.changes);
+        let (changes, drives) = grasp.contacts_and_drives(onward.changes);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) {
             return Ok(None);
         }

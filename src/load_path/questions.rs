@@ -13,7 +13,7 @@ use crate::search::Settings;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Reserve<const C: usize> {
-    /// When the first contact leaves rolling (on the same cone as the path: in space the round one unless the settings say otherwise).
+    /// When the first contact stops sticking (on the same cone as the path: in space the round one unless the settings say otherwise).
     pub onset: Onset<C>,
     /// The largest load factor that the grasp holds on its path, if equilibrium was lost. `None` if it
     /// holds as far as was asked, and where nothing can be said: `completed` tells which.
@@ -29,17 +29,17 @@ pub struct Reserve<const C: usize> {
     pub events: usize,
 }
 
-/// The range of load factors in which nothing leaves rolling; see [`Grasp::rolling_range`](crate::ask::Grasp::rolling_range).
+/// The range of load factors in which nothing stops sticking; see [`Grasp::sticking_range`](crate::ask::Grasp::sticking_range).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct RollingRange {
+pub struct StickingRange {
     /// The least factor, at most 0; minus infinity if there is none.
     pub from: f64,
     /// The largest factor, at least 0; infinity if there is none.
     pub to: f64,
 }
 
-impl RollingRange {
+impl StickingRange {
     /// Whether a factor lies in the range, ends included.
     #[must_use]
     pub fn contains(&self, factor: f64) -> bool {
@@ -72,14 +72,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Reserve { onset, limit, completed, held_to, loss, events })
     }
 
-    /// [`Grasp::rolling_range`](crate::ask::Grasp::rolling_range).
-    pub(crate) fn rolling_range(
+    /// [`Grasp::sticking_range`](crate::ask::Grasp::sticking_range).
+    pub(crate) fn sticking_range(
         &self,
         ramp: &Ramp<C>,
         settings: &Settings,
-    ) -> Result<Option<RollingRange>, Error> {
+    ) -> Result<Option<StickingRange>, Error> {
         let back = ramp.times(-1.0);
         let (to, from) = (self.onset(ramp, settings)?.factor(), self.onset(&back, settings)?.factor());
-        Ok(to.zip(from).map(|(to, from)| RollingRange { from: -from, to }))
+        Ok(to.zip(from).map(|(to, from)| StickingRange { from: -from, to }))
     }
 }

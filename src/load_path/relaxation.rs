@@ -138,8 +138,8 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
 mod tests {
     use nalgebra::DMatrix;
 
-    use super::super::course::Course;
     use super::super::segment::Segment;
+    use super::super::trajectory::Trajectory;
     use super::*;
     use crate::PolygonCone;
     use crate::contact::{Polygon, Slide, State};
@@ -170,14 +170,14 @@ mod tests {
             let problem = grasp.problem(polygon, true, grasp.drives(), &load);
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
             let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]).into();
-            let course = Course::Straight { from: Vector::zeros(), rate };
+            let course = Trajectory::Straight { from: Vector::zeros(), rate };
             let segment = Segment { grasp: &grasp, cone: Cone::Round, problem, change, course, largest: 0.0 };
             let angle = |i: u8| 0.7 * f64::from(i) + 0.4;
             let frictions: Vec<_> = (1..5)
                 .map(|i| SVector::from([0.0, angle(i).cos(), angle(i).sin()]) * (0.2 + 0.1 * f64::from(i)))
                 .collect();
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
-            let states: Vec<_> = std::iter::once(State::Rolling).chain(sliding).collect();
+            let states: Vec<_> = std::iter::once(State::Sticking).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, &[], 0.5);
             let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
             let way = way.expect("one direction");

@@ -3,13 +3,13 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::course::Course;
-use super::first_exits::{FirstExits, Standing};
-use super::turned::Turned;
-use crate::contact::{Exit, GapLine, Law, Line, Stand, State};
+use super::first_exits::{FirstExits, PathState};
+use super::trajectory::Trajectory;
+use super::turning_state::TurningState;
+use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Size, Vector, anew};
+use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
@@ -22,7 +22,7 @@ pub(super) struct Segment<'g, D: Size, const C: usize> {
     /// Rates of the drives; zero while the load turns.
     pub(super) change: Vec<SVector<f64, C>>,
     /// The load.
-    pub(super) course: Course<Vector<D>>,
+    pub(super) course: Trajectory<Vector<D>>,
     /// The largest force on the way so far, N. Where all forces vanish together none of them is a yardstick for the others.
     pub(super) largest: f64,
 }
@@ -45,7 +45,7 @@ pub(super) struct Here<D: Size, const C: usize> {
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// How everything goes on while the load turns; `None` where rates stay or nothing is known beyond them.
-    pub(super) turned: Option<std::sync::Arc<Turned<D, C>>>,
+    pub(super) turned: Option<std::sync::Arc<TurningState<D, C>>>,
 }
 
 impl<D: Size, const C: usize> Here<D, C> {
@@ -86,8 +86,8 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
-            Course::Straight { rate, .. } => rate,
-            Course::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
+            Trajectory::Straight { rate, .. } => rate,
+            Trajectory::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
         };
         let base = piece
             .solve(self.problem.sites, &self.problem.drives, self.problem.load())
@@ -233,7 +233,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
 
     /// [`Self::drives`] in memory that is there.
     pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
-        anew(drives, self.change.len());
+        cleared_for(drives, self.change.len());
         drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
@@ -267,7 +267,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     }
 
     /// The law of the rates of every contact that stands here.
-    pub(super) fn laws_of_rates(&self, stands: &[Stand<C>], states: &[State<C>]) -> Vec<Law<C>> {
+    pub(super) fn laws_of_rates(&self, stands: &[ActiveSet<C>], states: &[State<C>]) -> Vec<Law<C>> {
         let locals = self.problem.locals().zip(stands).zip(states);
         locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
@@ -281,8 +281,8 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
     }
 
-    fn first_on_lines(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, Standing<C>)> {
-        let ways: Standing<C> =
+    fn first_on_lines(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, PathState<C>)> {
+        let ways: PathState<C> =
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
             ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;

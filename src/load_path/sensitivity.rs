@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
-//! friction     sliding:  f = F_n p (the unit edge p)             rolling: 0
+//! friction     sliding:  f = F_n p (the unit edge p)             sticking: 0
 //! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a less its part across the facet
 //! ```
 //!
@@ -244,7 +244,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
             return f;
         }
         let stretch = local.springs.give_along(axis, force[axis]);
-        if state.is_rolling() {
+        if state.is_sticking() {
             f[axis] = stretch;
         } else if axis == 0 {
             f = local.edge(state).pull * local.cone().limit(stretch);

@@ -2,7 +2,7 @@
 //! load turns, everything turns with it, and the event is a root ([`super::turned`]).
 
 use super::event::PathEnd;
-use super::first_exits::Standing;
+use super::first_exits::PathState;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
@@ -25,7 +25,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
         // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
-        let at_the_end = |standing: &Standing<C>| {
+        let at_the_end = |standing: &PathState<C>| {
             standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
         let (step, standing, leg_done) = match exits {
@@ -68,7 +68,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.
-    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &Standing<C>) -> f64 {
+    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &PathState<C>) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
             return step;

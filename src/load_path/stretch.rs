@@ -3,9 +3,9 @@
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::flow::{Flow, Rule};
 use super::segment::{Here, Segment};
+use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Wrench};
@@ -22,9 +22,9 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     /// The local problem at fraction 0 of the leg, with the slip so far, the rates of its drives, and how its load goes.
     pub(super) problem: Problem<'g, D, C>,
     pub(super) change: Vec<SVector<f64, C>>,
-    pub(super) course: Course<Vector<D>>,
+    pub(super) course: Trajectory<Vector<D>>,
     /// How the load of the question goes.
-    pub(super) load: Course<Wrench<C>>,
+    pub(super) load: Trajectory<Wrench<C>>,
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,

@@ -32,10 +32,10 @@ pub(super) fn change<const C: usize>(
     (is, direction): (State<C>, Option<SVector<f64, C>>),
 ) -> Option<Change<C>> {
     match (was, is, direction) {
-        (Mode::Open, Mode::Rolling, _) => Some(Change::Closes),
+        (Mode::Open, Mode::Sticking, _) => Some(Change::Closes),
         (Mode::Open, _, Some(direction)) if is.slides() => Some(Change::ClosesSliding { direction }),
-        (Mode::Rolling, _, Some(direction)) if is.slides() => Some(Change::Slides { direction }),
-        (_, Mode::Rolling, _) if was.slides() => Some(Change::Sticks),
+        (Mode::Sticking, _, Some(direction)) if is.slides() => Some(Change::Slides { direction }),
+        (_, Mode::Sticking, _) if was.slides() => Some(Change::Sticks),
         (_, Mode::Open, _) if !was.is_open() => Some(Change::Opens),
         (_, _, Some(direction)) if was.slides() && is.slides() && !was.is_kind_of(&is) => {
             let back = before.is_some_and(|before| before.dot(&direction) < -0.5);

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::onset_margins::Leaver;
+use super::trajectory::Trajectory;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Harmonic, Size, Vector};
@@ -84,9 +84,9 @@ impl<const C: usize> Turn<C> {
     }
 
     /// What the load does from here on that changes as this one does: for one unit of the factor the whole turn.
-    pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Course<Wrench<C>> {
+    pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
-        Course::Turn { load, angle: self.angle }
+        Trajectory::Turn { load, angle: self.angle }
     }
 
     /// How far it turns, or a full turn if that is less: all loads that there are.

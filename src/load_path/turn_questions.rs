@@ -1,19 +1,19 @@
 //! The onset of sliding while a load turns.
 //!
-//! While everything rolls, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone where its
+//! While everything sticks, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone where its
 //! margin, a trigonometric polynomial, first falls below zero: one of degree one for each facet, one of degree two on the round cone.
 
-use super::course::Course;
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
 use super::onset_workspace::OnsetMemory;
+use super::trajectory::Trajectory;
 use super::turn::{Touch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::search::Settings;
 
-/// The answer to "at which angle does the first contact leave rolling?"
+/// The answer to "at which angle does the first contact stop sticking?"
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
@@ -31,7 +31,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let inside = turn.inside(self);
         let mut memory = OnsetMemory::default();
         memory.change = self.drive_changes(None, None);
-        let segment = memory.segment(self, settings, Course::Turn { load: inside.clone(), angle: 1.0 });
+        let segment = memory.segment(self, settings, Trajectory::Turn { load: inside.clone(), angle: 1.0 });
         if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
             let onset = match happens {
                 WhileTurning::Never => Onset::Never,
@@ -42,7 +42,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             };
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
-        let course = Course::Turn { load: turn.load, angle: 1.0 };
+        let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
         Ok(self.walked(segment, (course, turn.angle), settings))
     }
 }

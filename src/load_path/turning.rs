@@ -3,7 +3,7 @@
 //! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these reaches zero,
 //!
 //! ```text
-//! rolling   μ F_n - |F_t|, or F_n where friction has no limit or is none
+//! sticking  μ F_n - |F_t|, or F_n where friction has no limit or is none
 //! open      the gap
 //! sliding   the rate at which it slips, and F_n
 //! path      the rate of the load factor, and what is left of the leg
@@ -15,16 +15,16 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::crossing::End;
 use super::event::{LossKind, PathEnd};
-use super::first_exits::Standing;
+use super::first_exits::PathState;
 use super::flow::{Flow, Rule};
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
+use super::trajectory::Trajectory;
 use super::watch::{Watched, watch};
-use crate::contact::{Exit, Line, Mode, Stand, State, ZERO_SLACK, tangential};
+use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::Size;
 use crate::search::Doubt;
 
@@ -108,7 +108,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// How far the object moves for one unit of the factor to begin with; while the load turns, at a place where it moves fast.
     fn displacement_rate(&self, here: &Here<D, C>) -> f64 {
         let mut size = here.twist_rate.norm();
-        if let Course::Turn { angle, .. } = self.segment.course {
+        if let Trajectory::Turn { angle, .. } = self.segment.course {
             let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
             let at_rest = vec![SVector::zeros(); self.node.states.len()];
             if let Ok(rate) = here.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
@@ -121,8 +121,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// The length on which the load turns as far as one step may: a condition may be broken and hold again on a longer one.
     fn part_of_a_turn(&self, here: &Here<D, C>) -> f64 {
         match self.segment.course {
-            Course::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
-            Course::Straight { .. } => f64::INFINITY,
+            Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
+            Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
 
@@ -178,7 +178,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
             // What has just closed has no direction yet.
-            let touches = Stand::is_weightless(f, line.force_size);
+            let touches = ActiveSet::is_weightless(f, line.force_size);
             if C == 3 && state.slides() && !touches {
                 let turn = (f[1] * df[C - 1] - f[C - 1] * df[1]).abs() / (f[1] * f[1] + f[C - 1] * f[C - 1]);
                 if turn.is_finite() && turn * length > FIRST_TURN {
@@ -194,7 +194,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             if state.slides()
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
-                && !Stand::is_weightless(&line.force, line.force_size)
+                && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
                 way = way.min((1.0 - APPROACH) * line.force[0] / -line.rate[0]);
             }
@@ -215,7 +215,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let leg_done = to >= 1.0;
         let tops = end.located.is_some_and(|k| end.watches[k].what == Watched::Growth);
         let there = end.reached.here.clone();
-        let mut standing: Standing<C> = Vec::new();
+        let mut standing: PathState<C> = Vec::new();
         let (mut sticks, mut stops) = (Vec::new(), false);
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
@@ -225,7 +225,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             let line = &there.lines[contact];
             match self.node.states[contact] {
                 Mode::Open => standing.push((contact, vec![apex()])),
-                Mode::Rolling => {
+                Mode::Sticking => {
                     let rubs = self.segment.problem.local(contact).may_slide();
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     standing.push((contact, vec![Exit { facet, ..apex() }]));
@@ -239,7 +239,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
         let weightless = |i: usize| {
             let (size, force) = (there.lines[i].force_size, &there.lines[i].force);
-            self.node.states[i].slides() && Stand::is_weightless(force, size)
+            self.node.states[i].slides() && ActiveSet::is_weightless(force, size)
         };
         stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
         self.take(journey, here, (end.length, end.rule), &end.reached);

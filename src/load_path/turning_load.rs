@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::course::Course;
 use super::segment::{Here, Segment};
-use super::turned::Turned;
+use super::trajectory::Trajectory;
+use super::turning_state::TurningState;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::{Harmonic, Size, Vector};
@@ -18,7 +18,7 @@ const TURNS_BACK: f64 = 1e-12;
 impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// Whether the load turns back at a factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
-        let Course::Turn { load, angle } = &self.course else { return false };
+        let Trajectory::Turn { load, angle } = &self.course else { return false };
         load.rate_at(angle * factor).norm() <= TURNS_BACK * (load.cosine.norm() + load.sine.norm())
     }
 
@@ -82,7 +82,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         load: &Harmonic<Vector<D>>,
         angle: f64,
         parts: &Harmonic<PieceState<D, C>>,
-    ) -> Turned<D, C> {
+    ) -> TurningState<D, C> {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
         let states = Harmonic {
@@ -106,6 +106,6 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
             [force, Wave { of, size, turning_size }]
         };
         let waves = (0..sites.len()).map(wave).collect();
-        Turned { waves, twist: parts.map(|part| part.twist.clone()), load: load.clone(), angle }
+        TurningState { waves, twist: parts.map(|part| part.twist.clone()), load: load.clone(), angle }
     }
 }

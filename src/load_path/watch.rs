@@ -82,15 +82,15 @@ pub(super) fn watch<D: Size, const C: usize>(
                 let gap = &here.gaps[contact];
                 push(gap.gap, Some(gap.rate), gap.size);
             }
-            Mode::Rolling if local.may_slide() => {
+            Mode::Sticking if local.may_slide() => {
                 let (friction, change) = (tangential(&line.force), tangential(&line.rate));
                 let used = friction.norm();
                 let rate = if used > 0.0 { friction.dot(&change) / used } else { change.norm() };
                 let (cone, size) = (local.cone(), line.force_size * local.cone().round_weight());
                 push(cone.limit(line.force[0]) - used, Some(cone.limit(line.rate[0]) - rate), size);
             }
-            Mode::Rolling if local.may_open() => push(line.force[0], Some(line.rate[0]), line.force_size),
-            Mode::Rolling => {}
+            Mode::Sticking if local.may_open() => push(line.force[0], Some(line.rate[0]), line.force_size),
+            Mode::Sticking => {}
             // Whether what is about to vanish sticks on the way there is decided by rounding.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {

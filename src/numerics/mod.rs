@@ -24,10 +24,10 @@
 //! | `waiting_line` | numbered things that wait for their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
-//! | `anew` | lists that are filled anew |
+//! | `cleared_for` | lists that are filled anew |
 
-mod anew;
 mod bordered;
+mod cleared_for;
 mod complete_pivoting;
 mod coordinates;
 mod cores;
@@ -52,8 +52,8 @@ mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
 
-pub(crate) use anew::anew;
 pub(crate) use bordered::Bordered;
+pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use coordinates::{Any, Fixed, Map, Seen, Size, Square, Vector};
 pub(crate) use cores::{each_taken, in_order};

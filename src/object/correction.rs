@@ -151,7 +151,7 @@ fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force:
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);
     let facets = local.facets();
     match state {
-        Mode::Open | Mode::Rolling => {}
+        Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
             // |F_t| by the difference of the squares.
             let length = force[1].high.hypot(force[2].high);

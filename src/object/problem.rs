@@ -16,7 +16,7 @@ use super::precise::PreciseTwist;
 use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
 use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
-use crate::numerics::{DoubleDouble, anew};
+use crate::numerics::{DoubleDouble, cleared_for};
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
 #[derive(Debug, Clone)]
@@ -36,7 +36,7 @@ pub(crate) struct Problem<'g, D: Size, const C: usize> {
     pub(crate) wrench_rest: Vector<D>,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_edges: bool,
-    /// In space: rolling contacts are held by the round cone; the polygon only proposes.
+    /// In space: sticking contacts are held by the round cone; the polygon only proposes.
     pub(crate) round: bool,
     /// Where the factors of the elastic trial are kept, at rest.
     pub(crate) trial: Option<&'g Remembered>,
@@ -105,9 +105,9 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         Lists { mut laws, drives, mut slips }: Lists<C>,
         load: &Load<D>,
     ) -> Self {
-        anew(&mut laws, sites.len());
+        cleared_for(&mut laws, sites.len());
         laws.extend(sites.iter().map(Site::whole_law));
-        anew(&mut slips, sites.len());
+        cleared_for(&mut slips, sites.len());
         slips.resize(sites.len(), SVector::zeros());
         Self {
             sites,

@@ -14,7 +14,7 @@ use super::piece::Piece;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::grasp::Site;
-use crate::numerics::{DoubleDouble, Size, Vector, anew, without};
+use crate::numerics::{DoubleDouble, Size, Vector, cleared_for, without};
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;
@@ -96,7 +96,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         self.right.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.right.preimage(&step));
         // Again for what is left of the equations.
-        anew(change, x.len());
+        cleared_for(change, x.len());
         change.resize(x.len(), 0.0);
         for _ in 0..MOST_CORRECTIONS {
             let rest = self.excess(sites, (drives, &load), (x, &twist), change);
@@ -177,7 +177,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     fn stretched_into(&self, x: &mut Vec<f64>, stretch: impl Fn(usize) -> SVector<f64, C>) {
-        anew(x, self.springs.len());
+        cleared_for(x, self.springs.len());
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
             x.extend(springs.iter().map(|spring| spring.right.dot(&stretch)));
@@ -191,7 +191,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     fn forces_into(&self, forces: &mut Vec<SVector<f64, C>>, x: &[f64], contacts: usize) {
-        anew(forces, contacts);
+        cleared_for(forces, contacts);
         forces.resize(contacts, SVector::zeros());
         for (contact, springs, range) in self.of_each_contact() {
             for (spring, x) in springs.iter().zip(&x[range]) {

@@ -8,7 +8,7 @@ use crate::grasp::Contact;
 
 /// Friction in reserve, as a part of the normal force, that is rounding: answers are good to some
 /// 1e-15 of it, and a contact that really has a reserve has far more. With 0 a contact at its onset
-/// would be called rolling.
+/// would be called sticking.
 const NO_RESERVE: f64 = 1e-12;
 /// A cone with a larger coefficient of friction is drawn with this one: its edges then lie across
 /// the normal to less than a pixel, while an infinite one could not be drawn.
@@ -42,7 +42,7 @@ pub(super) fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {
         ContactState::Separated => "separated",
         ContactState::Sliding { .. } => "sliding",
         ContactState::Frictionless => "frictionless",
-        ContactState::Rolling if no_friction_left(answer) => "about to slide",
-        ContactState::Rolling => "rolling",
+        ContactState::Sticking if no_friction_left(answer) => "about to slide",
+        ContactState::Sticking => "sticking",
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) displacement: SVector<f64, C>,
     /// Where all of it slides, the direction of the finger over the object.
     pub(super) slides: Option<SVector<f64, C>>,
-    /// It slides where nothing rolls, and is open where nothing touches.
+    /// It slides where nothing sticks, and is open where nothing touches.
     pub(super) word: &'static str,
 }
 
@@ -74,7 +74,7 @@ impl Fingertip {
             true => answer.normal_force().max(0.0) / pressed,
             false => 1.0 / answers.len() as f64,
         };
-        let words = ["rolling", "about to slide", "sliding", "frictionless", "separated"];
+        let words = ["sticking", "about to slide", "sliding", "frictionless", "separated"];
         let does = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
         let word = words.into_iter().find(does).unwrap_or("separated");
         let points = contacts[self.contacts.clone()].iter().zip(answers);

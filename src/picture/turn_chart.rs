@@ -14,7 +14,7 @@ const SAMPLES: u32 = 180;
 const APART: f64 = 0.15;
 
 /// A chart of `|F_t| / (μ F_n)` of each contact against the angle, from angle 0 on along the path under the load that turns: to its last
-/// angle, or to where the path ends. The first contact that leaves rolling is marked, and so is the end. Contacts that are open, without
+/// angle, or to where the path ends. The first contact that stops sticking is marked, and so is the end. Contacts that are open, without
 /// friction or never slide are left out; of more than eight those are drawn that use most.
 ///
 /// ```
@@ -83,7 +83,7 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
 /// The part of its friction that a contact uses; not a number where that says nothing.
 fn part_used<const C: usize>(answer: &ContactAnswer<C>, friction: f64) -> f64 {
     match answer.state {
-        ContactState::Rolling | ContactState::Sliding { .. } if answer.margin.is_finite() => {
+        ContactState::Sticking | ContactState::Sliding { .. } if answer.margin.is_finite() => {
             answer.friction_used() / friction
         }
         _ => f64::NAN,
@@ -103,7 +103,7 @@ fn fullest(mut curves: Vec<Series>) -> Vec<Series> {
     curves
 }
 
-/// Who leaves rolling at an event, and how, if anybody does.
+/// Who stops sticking at an event, and how, if anybody does.
 fn left_by<const C: usize>(grasp: &Grasp<C>, event: &Event<C>) -> Option<String> {
     let word = |change: &Change<C>| match change {
         Change::Slides { .. } => Some("slides"),

@@ -46,7 +46,7 @@ pub struct Brief {
     /// Of an equilibrium the least margin `μ F_n - |F_t|` among contacts that have one, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
-    /// The first contact, joint or tendon that leaves rolling, or the contact of the least margin: its name, or what it is and its number.
+    /// The first contact, joint or tendon that stops sticking, or the contact of the least margin: its name, or what it is and its number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
     /// What that does.
@@ -153,7 +153,7 @@ impl Places {
 fn doing<const C: usize>(contact: &ContactAnswer<C>) -> &'static str {
     match Doing::from(contact.state) {
         Doing::Separated => "separated",
-        Doing::Rolling => "rolling",
+        Doing::Sticking => "sticking",
         Doing::Sliding { .. } => "sliding",
         Doing::Frictionless => "frictionless",
     }

@@ -1,4 +1,4 @@
-//! Answers to "at which load does the first contact leave rolling?"
+//! Answers to "at which load does the first contact stop sticking?"
 
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use crate::equilibrium::{Doubt, Rung};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path as path;
 
-/// When the first contact leaves rolling; see [`path::Onset`].
+/// When the first contact stops sticking; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -20,7 +20,7 @@ use crate::load_path as path;
 pub enum OnsetAnswer<const C: usize> {
     /// At a load factor.
     At(Box<Onset<C>>),
-    /// However far the load goes along this direction, everything keeps rolling.
+    /// However far the load goes along this direction, everything keeps sticking.
     Never,
     /// At factor 0 something slides already.
     AlreadySliding {
@@ -29,7 +29,7 @@ pub enum OnsetAnswer<const C: usize> {
     },
     /// No equilibrium exists at factor 0.
     NoBase(Proof<C>),
-    /// No contact leaves rolling, but from this factor on nothing resists the load's direction.
+    /// No contact stops sticking, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
         #[serde(with = "AsFound::<f64>")]
@@ -44,7 +44,7 @@ pub enum OnsetAnswer<const C: usize> {
     },
 }
 
-/// The first contact leaves rolling; see [`path::OnsetEvent`].
+/// The first contact stops sticking; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -65,7 +65,7 @@ pub struct Onset<const C: usize> {
     pub state: Equilibrium<C>,
 }
 
-/// A contact that leaves rolling.
+/// A contact that stops sticking.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -78,7 +78,7 @@ pub struct Leaving<const C: usize> {
     pub how: Departure<C>,
 }
 
-/// How a contact leaves rolling.
+/// How a contact stops sticking.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "how", rename_all = "snake_case")]

@@ -140,7 +140,7 @@ pub struct Change<const C: usize> {
 #[serde(tag = "what", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Turn<const C: usize> {
-    /// A rolling contact starts to slide.
+    /// A sticking contact starts to slide.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
         #[serde(with = "AsFound::<SVector<f64, C>>")]

@@ -47,7 +47,7 @@ pub enum Doing<const C: usize> {
     /// Open, or touching without force.
     Separated,
     /// Closed and stuck.
-    Rolling,
+    Sticking,
     /// Closed and on the edge of its cone.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
@@ -62,7 +62,7 @@ impl<const C: usize> From<ContactState<C>> for Doing<C> {
     fn from(state: ContactState<C>) -> Self {
         match state {
             ContactState::Separated => Self::Separated,
-            ContactState::Rolling => Self::Rolling,
+            ContactState::Sticking => Self::Sticking,
             ContactState::Sliding { direction } => Self::Sliding { direction },
             ContactState::Frictionless => Self::Frictionless,
         }

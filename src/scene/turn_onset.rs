@@ -1,4 +1,4 @@
-//! Answers to "at which angle does the first contact leave rolling while a load turns?"
+//! Answers to "at which angle does the first contact stop sticking while a load turns?"
 
 use serde::{Deserialize, Serialize};
 
@@ -39,14 +39,14 @@ use crate::load_path as path;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnAnswer<const C: usize> {
-    /// When the first contact leaves rolling.
+    /// When the first contact stops sticking.
     #[serde(flatten)]
     pub onset: TurnOnset<C>,
     /// Where contacts and drives come as near to their edge as rounding without crossing it, up to the onset.
     pub touches: Vec<EdgeTouch>,
 }
 
-/// When the first contact leaves rolling while a load turns; see [`path::Onset`].
+/// When the first contact stops sticking while a load turns; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
@@ -54,7 +54,7 @@ pub struct TurnAnswer<const C: usize> {
 pub enum TurnOnset<const C: usize> {
     /// At an angle.
     At(Box<TurnEvent<C>>),
-    /// Everything keeps rolling up to the last angle.
+    /// Everything keeps sticking up to the last angle.
     Never,
     /// At angle 0 something slides already.
     AlreadySliding {
@@ -63,7 +63,7 @@ pub enum TurnOnset<const C: usize> {
     },
     /// No equilibrium exists at angle 0.
     NoBase(Proof<C>),
-    /// No contact leaves rolling, but from this angle on nothing resists the load.
+    /// No contact stops sticking, but from this angle on nothing resists the load.
     GivesWay {
         /// The angle up to which the grasp holds, rad.
         #[serde(with = "AsFound::<f64>")]
@@ -78,7 +78,7 @@ pub enum TurnOnset<const C: usize> {
     },
 }
 
-/// The first contact leaves rolling while a load turns; see [`path::OnsetEvent`].
+/// The first contact stops sticking while a load turns; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]

@@ -1,4 +1,4 @@
-//! The stiffness of the object with every contact rolling, `T = Σ G_i K_i G_iᵀ`, in factors.
+//! The stiffness of the object with every contact sticking, `T = Σ G_i K_i G_iᵀ`, in factors.
 //!
 //! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 

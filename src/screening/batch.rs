@@ -3,13 +3,13 @@
 use super::block::{Block, Parted};
 use super::fingers::Fingers;
 use super::load_cases::LoadCases;
+use super::method::Method;
+use super::prepared::Prepared;
 use super::pull::Pull;
 use super::question::{Question, Scenes};
-use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
-use super::way::Way;
 use crate::numerics::{Loop, wide};
 
 /// Scenes side by side.
@@ -94,7 +94,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.len = 0;
     }
 
-    /// When the first contact of each grasp leaves rolling as each of the loads grows, on one
+    /// When the first contact of each grasp stops sticking as each of the loads grows, on one
     /// thread; for all cores there is [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch).
     /// The answers come grasp by grasp, for each in the order of the loads: what does not depend on
     /// the load is done once. What `answers` held before is lost; then it holds the one of grasp g and pull
@@ -128,7 +128,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.ask_into(pulls, answers);
     }
 
-    /// At which angle the first contact of each grasp leaves rolling while each of the loads turns, on
+    /// At which angle the first contact of each grasp stops sticking while each of the loads turns, on
     /// one thread; for all cores there is [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch).
     /// Answers come as from [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
     pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
@@ -187,8 +187,8 @@ impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for
         let blocks = self.blocks.iter().zip(self.parted);
         for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * self.questions.len())) {
             // Not a loop: which way it is must be known where it is compiled.
-            answer(Way::Edges, (block, parted), self.questions, answers);
-            answer(Way::Motions, (block, parted), self.questions, answers);
+            answer(Method::Edges, (block, parted), self.questions, answers);
+            answer(Method::Motions, (block, parted), self.questions, answers);
         }
     }
 }
@@ -196,7 +196,7 @@ impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for
 /// Asks the scenes that go this way.
 #[inline(always)]
 fn answer<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
-    way: Way,
+    way: Method,
     (block, parted): (&Block<C, N, LANES>, &Parted<N, LANES>),
     questions: &[Q],
     answers: &mut [Q::Answer],
@@ -205,7 +205,7 @@ fn answer<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
     if these == [false; LANES] {
         return;
     }
-    let ready = Ready::new(block, way);
+    let ready = Prepared::new(block, way);
     let squeezed = ready.squeezed(block);
     let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
     for (k, question) in questions.iter().enumerate() {

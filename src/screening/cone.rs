@@ -8,7 +8,7 @@ use super::lanes::{Lanes, dot};
 pub(super) const LEAST: f64 = 1e-140;
 pub(super) const MOST: f64 = 1e150;
 
-/// What a contact must obey to roll, `α F_n >= β |F_t|`: α and β are the friction coefficient and
+/// What a contact must obey to stick, `α F_n >= β |F_t|`: α and β are the friction coefficient and
 /// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cone<const L: usize> {
@@ -16,7 +16,7 @@ pub(super) struct Cone<const L: usize> {
     pub(super) beta: Lanes<L>,
 }
 
-/// Instead of a friction coefficient: the contact leaves rolling only by opening, for it has no
+/// Instead of a friction coefficient: the contact stops sticking only by opening, for it has no
 /// friction, or infinite friction.
 pub(super) const OPENS_ONLY: f64 = -1.0;
 /// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed

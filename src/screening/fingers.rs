@@ -5,18 +5,18 @@ use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
 use super::lanes::Lanes;
 use super::load_cases::LoadCases;
+use super::method::Method;
+use super::prepared::Prepared;
 use super::pull::Pull;
 use super::question::{Question, Scenes};
-use super::ready::Ready;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
-use super::way::Way;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold, assert_plane_or_space};
 
 /// A grasp of `N` contacts, two to five, made ready for the question at which load the first of
-/// them leaves rolling: what does not depend on the load is done once.
+/// them stops sticking: what does not depend on the load is done once.
 ///
 /// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see
 /// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
@@ -38,7 +38,7 @@ use crate::grasp::{Contact, Hold, assert_plane_or_space};
 pub struct Fingers<const D: usize, const C: usize, const N: usize> {
     pub(super) block: Block<C, N, 1>,
     pub(super) parted: Parted<N, 1>,
-    ready: Ready<D, C, N, 1>,
+    ready: Prepared<D, C, N, 1>,
     squeezed: Forces<C, N, 1>,
 }
 
@@ -98,14 +98,14 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         if C == 2 && N == 2 {
             super::pair::to_compliances(&mut block, &mut parted);
         } else if C == 3 && N == 3 {
-            super::way::to_compliances(&mut block);
+            super::method::to_compliances(&mut block);
         }
-        let way = if Way::Edges.of(&block) == [true] { Way::Edges } else { Way::Motions };
-        let ready = Ready::new(&block, way);
+        let way = if Method::Edges.of(&block) == [true] { Method::Edges } else { Method::Motions };
+        let ready = Prepared::new(&block, way);
         Ok(Self { squeezed: ready.squeezed(&block), ready, block, parted })
     }
 
-    /// When the first contact leaves rolling as the load grows, and which ones do; or why screening
+    /// When the first contact stops sticking as the load grows, and which ones do; or why screening
     /// does not know.
     #[must_use]
     #[inline(never)]
@@ -113,7 +113,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         self.ask(pull)
     }
 
-    /// At which angle the first contact leaves rolling while the load turns, and which ones do; or why
+    /// At which angle the first contact stops sticking while the load turns, and which ones do; or why
     /// screening does not know.
     ///
     /// ```
@@ -139,7 +139,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         self.ask(turn)
     }
 
-    /// The least common factor of all commands with which every contact touches and rolls under each
+    /// The least common factor of all commands with which every contact touches and sticks under each
     /// of the loads; or why screening does not know. Clearances stay as they are.
     ///
     /// ```

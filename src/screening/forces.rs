@@ -3,7 +3,7 @@
 use super::lanes::Lanes;
 
 /// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
-/// be on it. With a smaller part rounding would decide whether it rolls; with a larger one more
+/// be on it. With a smaller part rounding would decide whether it sticks; with a larger one more
 /// grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 

@@ -1,6 +1,6 @@
 //! The loads that a grasp is to hold, one at a time.
 
-use super::enough::Enough;
+use super::least_factor::LeastFactor;
 use super::question::{Question, Scenes};
 use super::screened_squeeze::ScreenedSqueeze;
 use crate::error::Error;
@@ -34,7 +34,7 @@ impl<const D: usize, const C: usize> Question<D, C> for LoadCases<C> {
     #[inline(always)]
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedSqueeze; L] {
         let [commands, overlaps] = scenes.apart();
-        let mut enough = Enough::new();
+        let mut enough = LeastFactor::new();
         for (number, load) in self.loads.iter().enumerate() {
             let others = overlaps.with(&scenes.under(load), 1.0);
             enough.under(number, &scenes.block.friction, [&commands, &others]);

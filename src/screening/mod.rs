@@ -1,8 +1,8 @@
-//! At which load does the first contact leave rolling, for millions of grasps of two to five
+//! At which load does the first contact stop sticking, for millions of grasps of two to five
 //! contacts?
 //!
 //! This is the commonest question of a planner. Screening answers it without memory of its own and
-//! without a branch: it stretches all springs as if every contact rolled, once at factor zero of
+//! without a branch: it stretches all springs as if every contact stuck, once at factor zero of
 //! the load and once for its rate. A ratio test on the exact cone then says where the first contact
 //! leaves.
 //!
@@ -18,7 +18,7 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! The method of the whole finds the same wherever every contact rolls to begin with and the numbers
+//! The method of the whole finds the same wherever every contact sticks to begin with and the numbers
 //! are not extreme. Elsewhere screening says why it has no answer ([`Verdict`], [`SqueezeVerdict`])
 //! and leaves the question to it. Screening does not ask what comes beyond the onset.
 //!
@@ -36,32 +36,32 @@ mod balance;
 mod batch;
 mod block;
 mod cone;
-mod enough;
-mod exit;
 mod factors;
 mod finger;
 mod fingers;
-mod first;
+mod first_exit;
+mod first_slip;
 mod forces;
 mod lanes;
+mod least_factor;
 mod load_cases;
+mod method;
 mod pair;
+mod prepared;
 mod pull;
 mod question;
-mod ready;
-mod rolling;
 mod screened;
 mod screened_squeeze;
+mod sticking;
 mod triangle;
 mod turning;
 mod turning_pull;
 mod verdict;
-mod way;
 
 pub use batch::Batch;
 pub(crate) use batch::Part;
 pub use fingers::Fingers;
-pub use first::Verdict;
+pub use first_slip::Verdict;
 pub use load_cases::LoadCases;
 pub use pull::Pull;
 pub(crate) use question::Question;

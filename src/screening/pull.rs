@@ -1,7 +1,7 @@
 //! The load on a grasp in screening.
 
-use super::exit::judge;
-use super::first::First;
+use super::first_exit::judge;
+use super::first_slip::FirstSlip;
 use super::question::{Question, Scenes};
 use super::screened::Screened;
 use crate::error::Error;
@@ -33,7 +33,7 @@ impl<const C: usize> Pull<C> {
 
 impl<const D: usize, const C: usize> Question<D, C> for Pull<C> {
     type Answer = Screened;
-    const UNKNOWN: Screened = Screened(First::UNKNOWN);
+    const UNKNOWN: Screened = Screened(FirstSlip::UNKNOWN);
 
     #[inline(always)]
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {

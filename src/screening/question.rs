@@ -3,7 +3,7 @@
 use super::block::{Block, Parted};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
-use super::ready::Ready;
+use super::prepared::Prepared;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::grasp::Wrench;
 
@@ -12,7 +12,7 @@ use crate::grasp::Wrench;
 pub(crate) struct Scenes<'a, const D: usize, const C: usize, const N: usize, const L: usize> {
     pub(super) block: &'a Block<C, N, L>,
     pub(super) parted: &'a Parted<N, L>,
-    pub(super) ready: &'a Ready<D, C, N, L>,
+    pub(super) ready: &'a Prepared<D, C, N, L>,
     /// Forces that the commands alone bring about, clearances included.
     pub(super) squeezed: &'a Forces<C, N, L>,
 }

@@ -2,17 +2,17 @@
 
 use std::fmt;
 
-use super::first::{First, Verdict};
+use super::first_slip::{FirstSlip, Verdict};
 
 /// The onset of sliding of one grasp as a load grows, or why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Screened(pub(super) First);
+pub struct Screened(pub(super) FirstSlip);
 
 /// The onset of sliding of one grasp as a load turns, or why screening does not know it. An angle is
 /// not a factor: this type has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedTurn {
-    pub(super) first: First,
+    pub(super) first: FirstSlip,
     /// How far is asked, rad; infinite for a full turn, beyond which nothing new comes.
     pub(super) most: f64,
 }
@@ -24,14 +24,14 @@ impl Screened {
         self.0.verdict()
     }
 
-    /// The factor of the direction at which the first contact leaves rolling, positive; `None` for
+    /// The factor of the direction at which the first contact stops sticking, positive; `None` for
     /// every verdict but [`Verdict::Leaves`], so also where none ever does.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.place()
     }
 
-    /// Whether the grasp is known to hold, every contact rolling, up to this factor and including
+    /// Whether the grasp is known to hold, every contact sticking, up to this factor and including
     /// it. For negative factors nothing is known.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
@@ -52,14 +52,14 @@ impl ScreenedTurn {
         self.first.verdict()
     }
 
-    /// The angle at which the first contact leaves rolling, rad, between 0 and 2π; `None` for every
+    /// The angle at which the first contact stops sticking, rad, between 0 and 2π; `None` for every
     /// verdict but [`Verdict::Leaves`], so also where none does as far as the load turns.
     #[must_use]
     pub fn angle(&self) -> Option<f64> {
         self.first.place()
     }
 
-    /// Whether the grasp is known to hold, every contact rolling, up to this angle (rad) and including
+    /// Whether the grasp is known to hold, every contact sticking, up to this angle (rad) and including
     /// it. Of negative angles nothing is known, nor of those beyond the turn that was asked for unless
     /// that is a full turn.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::enough::{GIVES_WAY, NO_FACTOR, UNCLEAR};
+use super::least_factor::{GIVES_WAY, NO_FACTOR, UNCLEAR};
 
 /// The least squeeze of one grasp under a list of loads, or why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
@@ -17,7 +17,7 @@ pub struct ScreenedSqueeze {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SqueezeVerdict {
-    /// With its commands times the [factor](ScreenedSqueeze::factor) everything touches and rolls
+    /// With its commands times the [factor](ScreenedSqueeze::factor) everything touches and sticks
     /// under every load.
     Suffices,
     /// No factor suffices.

@@ -19,8 +19,8 @@ use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
 use super::cone::{Cone, LEAST, MOST};
-use super::exit::SHARP;
-use super::first::UNCLEAR;
+use super::first_exit::SHARP;
+use super::first_slip::UNCLEAR;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Lanes, dot};
 use super::screened::ScreenedTurn;
@@ -125,7 +125,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// Where the margin falls below zero.
     #[inline(always)]
-    fn fall(&self, cone: &Cone<L>, rolling: Lanes<L>) -> Fall<L> {
+    fn fall(&self, cone: &Cone<L>, sticking: Lanes<L>) -> Fall<L> {
         if C == 2 {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
@@ -137,7 +137,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
             };
             return side(-1.0).or(&side(1.0));
         }
-        let round = self.round_fall(cone, rolling);
+        let round = self.round_fall(cone, sticking);
         let straight = straight(&self.n, self.noise);
         let choose = |round, straight| cone.beta.above(Lanes::ZERO, round, straight);
         Fall {
@@ -147,9 +147,9 @@ impl<const C: usize, const L: usize> Waves<C, L> {
         }
     }
 
-    /// The same of a round cone with friction, where the scenes roll at the beginning.
+    /// The same of a round cone with friction, where the scenes stick at the beginning.
     #[inline(always)]
-    fn round_fall(&self, cone: &Cone<L>, rolling: Lanes<L>) -> Fall<L> {
+    fn round_fall(&self, cone: &Cone<L>, sticking: Lanes<L>) -> Fall<L> {
         let zero = Lanes::ZERO;
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
@@ -163,7 +163,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
         let mut found = Lanes::all(f64::NEG_INFINITY);
         for lane in 0..L {
             let cleared = least.0[lane] > self.noise.0[lane];
-            if rolling.0[lane] >= 0.0 && cone.beta.0[lane] > 0.0 && !cleared {
+            if sticking.0[lane] >= 0.0 && cone.beta.0[lane] > 0.0 && !cleared {
                 found.0[lane] = self.root_of_square(lane, size.0[lane]);
             }
         }

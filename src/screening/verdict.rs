@@ -1,6 +1,6 @@
 //! From what contacts do to the verdict on their grasp.
 
-use super::first::{First, GIVES_WAY, NOT_ROLLING, UNCLEAR};
+use super::first_slip::{FirstSlip, GIVES_WAY, NOT_STICKING, UNCLEAR};
 use super::lanes::Lanes;
 
 /// Contacts that leave at factors or angles less than this part apart leave together, as those of
@@ -20,14 +20,14 @@ pub(super) struct Start<const L: usize> {
 }
 
 /// The verdicts: the factor or angle at which contacts leave first, infinite or a code, holds if all
-/// of them roll at the beginning and forces balance.
+/// of them stick at the beginning and forces balance.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, const L: usize>(
     (first, leaving): (Lanes<L>, Lanes<L>),
     &Start { margin, sure, free }: &Start<L>,
     unbalanced: Lanes<L>,
     freed: Lanes<L>,
-    answer: impl Fn(First) -> A,
+    answer: impl Fn(FirstSlip) -> A,
 ) -> [A; L] {
     let zero = Lanes::ZERO;
     // Where there are no forces this is not a number; what never leaves has a margin of zero, as
@@ -37,11 +37,11 @@ pub(super) fn verdicts<A: Copy, const L: usize>(
     let code = balanced(unbalanced, code, Lanes::all(UNCLEAR));
     let code = freed.above(zero, Lanes::all(GIVES_WAY), code);
     // What the smaller may be off is at most their difference.
-    let code = (sure - margin).above(margin, Lanes::all(NOT_ROLLING), code);
+    let code = (sure - margin).above(margin, Lanes::all(NOT_STICKING), code);
     let code = free.above(zero, Lanes::all(GIVES_WAY), code);
-    let mut verdicts = [answer(First::UNKNOWN); L];
+    let mut verdicts = [answer(FirstSlip::UNKNOWN); L];
     for lane in 0..L {
-        verdicts[lane] = answer(First { code: code.0[lane], leaving: leaving.0[lane] });
+        verdicts[lane] = answer(FirstSlip { code: code.0[lane], leaving: leaving.0[lane] });
     }
     verdicts
 }

@@ -12,11 +12,11 @@ use crate::numerics::{Size, Vector};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Rung {
-    /// Everything rolls: the elastic trial state satisfies every condition. No complementarity problem was made.
-    EverythingRolls,
-    /// Everything that touches rolls: with the contacts open that would pull, the rest satisfies every condition stuck. No
+    /// Everything sticks: the elastic trial state satisfies every condition. No complementarity problem was made.
+    EverythingSticks,
+    /// Everything that touches sticks: with the contacts open that would pull, the rest satisfies every condition stuck. No
     /// complementarity problem was made.
-    EverythingTouchingRolls,
+    EverythingTouchingSticks,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
     /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried on the

@@ -7,7 +7,7 @@ use super::least_motion::at_the_least_motion;
 use super::rungs::{
     every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_on_states,
     kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
-    separating_motion_of_many, touching_contacts_roll,
+    separating_motion_of_many, touching_contacts_stick,
 };
 use super::scene::{Attempt, Log, Scene};
 use super::settings::Settings;
@@ -22,7 +22,7 @@ pub(crate) fn settle<D: Size, const C: usize>(
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
     let ladder: [TryRung<D, C>; 12] = [
-        touching_contacts_roll,
+        touching_contacts_stick,
         newton_on_answers,
         newton_on_the_round_cone,
         everything_yields,
@@ -46,11 +46,11 @@ pub(crate) fn settle<D: Size, const C: usize>(
             return (unbalanced.motion.map_or(on_the_boundary, Settled::FreeMotion), log.effort);
         }
     };
-    // The lowest rung: everything rolls.
+    // The lowest rung: everything sticks.
     let (unjumped, state) = match admit(problem, unjumped, &trial, state) {
         Ok(found) => {
             let found = at_the_least_motion(problem, found);
-            return (Settled::Found(found, Rung::EverythingRolls), log.effort);
+            return (Settled::Found(found, Rung::EverythingSticks), log.effort);
         }
         Err(Refused { states, at, .. }) => (states, at),
     };

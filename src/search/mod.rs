@@ -7,7 +7,7 @@
 //! | `scene` | what a rung is given, and what it has to say |
 //! | `ladder` | the list of rungs and the loop over them |
 //! | `rungs` | each way to find an equilibrium or a proof |
-//! | `touching` | everything that touches rolls |
+//! | `touching` | everything that touches sticks |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
 //! | `newton`, `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |

@@ -68,10 +68,10 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
             if state.slides() && !local.is_on_an_edge() {
                 // Without friction force nothing says which way.
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
-                return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Rolling };
+                return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Sticking };
             }
             // At the apex of its cone a polygon calls open what is kept closed.
-            if state.is_open() && local.excludes(state) { Mode::Rolling } else { *state }
+            if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
         Self { states, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist.clone()) }
@@ -195,7 +195,7 @@ fn next_state<const C: usize>(
     [touches, pulls]: [bool; 2],
 ) -> State<C> {
     match state {
-        Mode::Open if touches && local.may_open() => Mode::Rolling,
+        Mode::Open if touches && local.may_open() => Mode::Sticking,
         Mode::Open => Mode::Open,
         _ if local.may_open() && pulls => {
             force.fill(0.0);
@@ -207,7 +207,7 @@ fn next_state<const C: usize>(
             let give = local.springs.give(force);
             let known =
                 SVector::from_fn(
-                    |axis, _| if axis == 0 || state.is_rolling() { give[axis] } else { stretch[axis] },
+                    |axis, _| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] },
                 );
             let near = state.slide().map_or(0.0, |slide| slide.lambda);
             let answer = local.answer(&known, near);
@@ -216,7 +216,7 @@ fn next_state<const C: usize>(
                     *force = answer.force;
                     answer.state
                 }
-                _ => Mode::Rolling,
+                _ => Mode::Sticking,
             }
         }
     }

@@ -19,12 +19,12 @@ use crate::structured::propose_by_newton;
 const STRUCTURED_FROM: usize = 8;
 
 /// What would pull is open, and the rest sticks.
-pub(super) fn touching_contacts_roll<D: Size, const C: usize>(
+pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
     scene: &Scene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
-    Attempt::by(Rung::EverythingTouchingRolls, found)
+    Attempt::by(Rung::EverythingTouchingSticks, found)
 }
 
 /// Newton's method on the answers of many contacts.

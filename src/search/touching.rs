@@ -1,4 +1,4 @@
-//! The rolling equilibrium of what touches: contacts that would pull are open, and everything closed sticks.
+//! The sticking equilibrium of what touches: contacts that would pull are open, and everything closed sticks.
 
 use super::answer::Found;
 use super::candidate::admit;
@@ -40,7 +40,7 @@ pub(super) fn touching_contacts<D: Size, const C: usize>(
         {
             changed = vec![first];
         }
-        let next = if changed.is_empty() { Mode::Rolling } else { Mode::Open };
+        let next = if changed.is_empty() { Mode::Sticking } else { Mode::Open };
         if changed.is_empty() {
             changed.extend((0..states.len()).filter(may_open).filter(penetrates));
             if states.len() <= ONE_BY_ONE

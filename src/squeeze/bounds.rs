@@ -9,7 +9,7 @@ use crate::numerics::Size;
 /// What is allowed.
 const ALLOWED: &str = "from 0 to 1e50";
 
-/// Bounds of what enters the forces of a rolling grasp linearly: each number may be off by its bound to either side, whatever the others
+/// Bounds of what enters the forces of a sticking grasp linearly: each number may be off by its bound to either side, whatever the others
 /// are. Without bounds nothing is off.
 ///
 /// ```

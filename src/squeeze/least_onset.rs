@@ -1,6 +1,6 @@
 //! The least onset of sliding over all commands and loads within bounds, exact.
 //!
-//! While everything rolls, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
+//! While everything sticks, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
 //! factors τ >= 0, the one that each datum's own sign says:
 //!
 //! ```text
@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::bounds::Bounds;
-use super::rolling::{Forces, Rolling, is_broken, round_row};
+use super::sticking::{Forces, Sticking, is_broken, round_row};
 use crate::contact::{Edges, Line};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
@@ -28,7 +28,7 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastOnset<const C: usize> {
-    /// At this factor a contact leaves rolling in the worst case, in no case before.
+    /// At this factor a contact stops sticking in the worst case, in no case before.
     #[non_exhaustive]
     At {
         /// The load factor, exact up to rounding.
@@ -40,10 +40,10 @@ pub enum LeastOnset<const C: usize> {
         /// Its base load and load direction.
         ramp: Ramp<C>,
     },
-    /// Whatever is off, everything keeps rolling however far the load goes.
+    /// Whatever is off, everything keeps sticking however far the load goes.
     Never,
     /// In some case this contact is open or slides at factor 0 already.
-    NotRolling {
+    NotSticking {
         /// The contact, from 0.
         contact: usize,
     },
@@ -82,17 +82,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let base = self.load_alone(&ramp.base, "base load")?;
         ramp.direction.check("load direction")?;
         let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
-        let rolling = Rolling::new(self, settings);
+        let sticking = Sticking::new(self, settings);
         let known = || -> Result<_, Motion<C>> {
-            let base = rolling.forces(&self.drives(), &base)?;
-            Ok((base, rolling.forces(&changes, &direction)?, shares(&rolling, bounds)?))
+            let base = sticking.forces(&self.drives(), &base)?;
+            Ok((base, sticking.forces(&changes, &direction)?, shares(&sticking, bounds)?))
         };
         let (base, rate, shares) = match known() {
             Ok(known) => known,
             Err(motion) => return Ok(LeastOnset::GivesWay { motion }),
         };
         let mut least: Option<(f64, usize, Vec<f64>)> = None;
-        for (contact, edges) in rolling.edges.iter().enumerate() {
+        for (contact, edges) in sticking.edges.iter().enumerate() {
             for row in worst_rows(edges, &shares, contact) {
                 let signs: Vec<f64> =
                     shares.iter().map(|share| -row.dot(&share.forces.of[contact]).signum()).collect();
@@ -101,9 +101,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
                     .worst(&line.force)
                     .is_some_and(|(row, value)| is_broken(value, &row, line.force_size))
                 {
-                    return Ok(LeastOnset::NotRolling { contact });
+                    return Ok(LeastOnset::NotSticking { contact });
                 }
-                let Some((exit, _)) = rolling.law(contact).first_exit(&line) else { continue };
+                let Some((exit, _)) = sticking.law(contact).first_exit(&line) else { continue };
                 if least.as_ref().is_none_or(|(factor, ..)| exit.step < *factor) {
                     least = Some((exit.step, contact, signs));
                 }
@@ -137,17 +137,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
 /// What each datum with a bound does.
 fn shares<D: Size, const C: usize>(
-    rolling: &Rolling<D, C>,
+    sticking: &Sticking<D, C>,
     bounds: &Bounds<C>,
 ) -> Result<Vec<Share<C>>, Motion<C>> {
-    let grasp = rolling.grasp;
+    let grasp = sticking.grasp;
     let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
     let mut shares = Vec::new();
     for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
         for (axis, &bound) in bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
             let mut drives = at_rest.clone();
             drives[contact][axis] = bound;
-            let forces = rolling.forces(&drives, &nothing)?;
+            let forces = sticking.forces(&drives, &nothing)?;
             shares.push(Share { datum: Datum::Command(contact, axis), bound, forces });
         }
     }
@@ -157,7 +157,7 @@ fn shares<D: Size, const C: usize>(
         for (k, &bound) in bounds.components().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
             let mut load = Vector::<D>::zeros();
             load[k] = bound;
-            let forces = rolling.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
+            let forces = sticking.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
             shares.push(Share { datum: datum(k), bound, forces });
         }
     }

@@ -1,8 +1,8 @@
-//! The least factor of the commands with which everything rolls under a set of loads.
+//! The least factor of the commands with which everything sticks under a set of loads.
 
 use super::loads::Loads;
 use super::parts::{Condition, Parts};
-use super::rolling::Rolling;
+use super::sticking::Sticking;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::numerics::Size;
@@ -15,7 +15,7 @@ const MOST_CUTS: usize = 1000;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastSqueeze<const C: usize> {
-    /// With the commands of the grasp times this factor everything touches and rolls under every load; with less something does not.
+    /// With the commands of the grasp times this factor everything touches and sticks under every load; with less something does not.
     #[non_exhaustive]
     Factor {
         /// At least zero, exact up to rounding.
@@ -23,7 +23,7 @@ pub enum LeastSqueeze<const C: usize> {
         /// The contact that stands on the edge of its cone then, from 0, and the load under which it does; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. Under this load the contact does not roll with this factor, nor with any larger one; smaller ones do not do for another
+    /// No factor suffices. Under this load the contact does not stick with this factor, nor with any larger one; smaller ones do not do for another
     /// load or contact.
     #[non_exhaustive]
     NoFactor {
@@ -52,14 +52,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<LeastSqueeze<C>, Error> {
         self.refuse_hands("least_squeeze")?;
         loads.check(self)?;
-        let rolling = Rolling::new(self, settings);
-        let parts = match Parts::of(&rolling, loads) {
+        let sticking = Sticking::new(self, settings);
+        let parts = match Parts::of(&sticking, loads) {
             Ok(parts) => parts,
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
         for _ in 0..MOST_CUTS {
-            let Some((contact, Condition { row, value, load, .. })) = parts.broken(&rolling, factor) else {
+            let Some((contact, Condition { row, value, load, .. })) = parts.broken(&sticking, factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });
             };
             let gain = parts.gain(contact, &row);

@@ -1,6 +1,6 @@
 //! How much squeeze suffices, which direction is weakest, and the least onset within bounds of the data: found directly, not by sampling.
 //!
-//! While everything rolls, forces are linear in the load and in the commands. A contact asks of its force that `a·F >= 0` for each facet of
+//! While everything sticks, forces are linear in the load and in the commands. A contact asks of its force that `a·F >= 0` for each facet of
 //! its cone. The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the worst of all forces of size r through a point
 //! is known for each facet,
 //!
@@ -16,7 +16,7 @@
 //! |---|---|
 //! | `loads` | the loads that a grasp is to hold |
 //! | `parts` | what is broken under them at some squeeze |
-//! | `rolling` | forces of every contact while everything rolls |
+//! | `sticking` | forces of every contact while everything sticks |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which something slides |
 //! | `bounds` | how far commands and loads may be off |
@@ -27,7 +27,7 @@ mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
-mod rolling;
+mod sticking;
 mod weakest_direction;
 
 pub use bounds::Bounds;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::loads::Loads;
-use super::rolling::{Forces, Push, Rolling, is_broken, push, round_parts, round_row};
+use super::sticking::{Forces, Push, Sticking, is_broken, push, round_parts, round_row};
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
@@ -29,28 +29,28 @@ pub(super) struct Parts<'l, const C: usize> {
 }
 
 impl<'l, const C: usize> Parts<'l, C> {
-    pub(super) fn of<D: Size>(rolling: &Rolling<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
-        let grasp = rolling.grasp;
+    pub(super) fn of<D: Size>(sticking: &Sticking<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
+        let grasp = sticking.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
-        let squeeze = rolling.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
+        let squeeze = sticking.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
         let mut without = grasp.drives();
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
         let at_rest = vec![SVector::zeros(); without.len()];
-        let under = |load: &Wrench<C>| rolling.forces(&without, &grasp.load_unchecked(load));
+        let under = |load: &Wrench<C>| sticking.forces(&without, &grasp.load_unchecked(load));
         let mut pushes = Vec::new();
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
             Loads::AnyForce { base, point, .. } => {
-                pushes = rolling.pushes(point)?;
+                pushes = sticking.pushes(point)?;
                 vec![under(base)?]
             }
             Loads::Turn(turn) => {
                 let inside = turn.inside(grasp);
                 vec![
-                    rolling.forces(&without, &inside.constant)?,
-                    rolling.forces(&at_rest, &inside.cosine)?,
-                    rolling.forces(&at_rest, &inside.sine)?,
+                    sticking.forces(&without, &inside.constant)?,
+                    sticking.forces(&at_rest, &inside.cosine)?,
+                    sticking.forces(&at_rest, &inside.sine)?,
                 ]
             }
         };
@@ -60,11 +60,11 @@ impl<'l, const C: usize> Parts<'l, C> {
     /// The condition that is broken at a factor and asks for most squeeze, with its contact.
     pub(super) fn broken<D: Size>(
         &self,
-        rolling: &Rolling<'_, D, C>,
+        sticking: &Sticking<'_, D, C>,
         factor: f64,
     ) -> Option<(usize, Condition<C>)> {
         let mut most: Option<(f64, usize, Condition<C>)> = None;
-        for (contact, edges) in rolling.edges.iter().enumerate() {
+        for (contact, edges) in sticking.edges.iter().enumerate() {
             let conditions = match self.loads {
                 Loads::Each(list) => self.under_each(list, edges, (contact, factor)),
                 Loads::AnyForce { base, size, point } => {

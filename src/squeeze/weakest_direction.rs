@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::SVector;
 
 use super::loads::check_point;
-use super::rolling::{Push, Rolling, is_broken, push, round_parts, round_row};
+use super::sticking::{Push, Sticking, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
@@ -29,10 +29,10 @@ pub enum WeakestDirection<const C: usize> {
         direction: [f64; C],
         /// The base load with that force.
         load: Wrench<C>,
-        /// The contact that leaves rolling, or the drive of a hand that reaches its limit.
+        /// The contact that stops sticking, or the drive of a hand that reaches its limit.
         leaver: Leaver,
     },
-    /// However large the force is, everything keeps rolling in every direction.
+    /// However large the force is, everything keeps sticking in every direction.
     Never,
     /// Some force works on this motion, which nothing resists.
     GivesWay {
@@ -40,7 +40,7 @@ pub enum WeakestDirection<const C: usize> {
         motion: Motion<C>,
     },
     /// Under the base load something slides, is open, or has no equilibrium.
-    NotRolling,
+    NotSticking,
     /// Rounding keeps the search from ending.
     Undecided,
 }
@@ -56,22 +56,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let point = point.into();
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
-        let rolling = Rolling::new(self, settings);
-        let Ok(forces) = rolling.forces(&self.drives(), &load) else {
-            return Ok(WeakestDirection::NotRolling);
+        let sticking = Sticking::new(self, settings);
+        let Ok(forces) = sticking.forces(&self.drives(), &load) else {
+            return Ok(WeakestDirection::NotSticking);
         };
-        let rolls = |((edges, force), size): ((&Edges<C>, &SVector<f64, C>), &f64)| {
+        let sticks = |((edges, force), size): ((&Edges<C>, &SVector<f64, C>), &f64)| {
             edges.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, *size))
         };
-        if !rolling.edges.iter().zip(&forces.of).zip(&forces.sizes).all(rolls) {
-            return Ok(WeakestDirection::NotRolling);
+        if !sticking.edges.iter().zip(&forces.of).zip(&forces.sizes).all(sticks) {
+            return Ok(WeakestDirection::NotSticking);
         }
-        let pushes = match rolling.pushes(&point) {
+        let pushes = match sticking.pushes(&point) {
             Ok(pushes) => pushes,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
         let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), site: 0 };
-        let sites = rolling.edges.iter().zip(&forces.of).zip(&pushes);
+        let sites = sticking.edges.iter().zip(&forces.of).zip(&pushes);
         for (site, ((edges, force), pushes)) in sites.enumerate() {
             match edges {
                 Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(site, force, pushes, row)),

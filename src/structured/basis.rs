@@ -96,7 +96,7 @@ pub(super) struct Jumps<const C: usize> {
 
 impl<const C: usize> Reaction<C> {
     /// That of a contact without jumps.
-    pub(super) fn rolling() -> Self {
+    pub(super) fn sticking() -> Self {
         let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; C], of_x: SVector::zeros() });
         Self { hold: SMatrix::identity(), multipliers: [zero; C], cover: none, tie: none }
     }
@@ -172,12 +172,12 @@ pub(super) struct Basis<const C: usize> {
     pub(super) active: Vec<Active<C>>,
     /// Only those of contacts that jump mean anything.
     reactions: Vec<Reaction<C>>,
-    rolling: Reaction<C>,
+    sticking: Reaction<C>,
 }
 
 impl<const C: usize> Default for Basis<C> {
     fn default() -> Self {
-        Self { active: Vec::new(), reactions: Vec::new(), rolling: Reaction::rolling() }
+        Self { active: Vec::new(), reactions: Vec::new(), sticking: Reaction::sticking() }
     }
 }
 
@@ -187,12 +187,12 @@ impl<const C: usize> Basis<C> {
         self.active.clear();
         self.active.resize(contacts, Active::NONE);
         if self.reactions.len() < contacts {
-            self.reactions.resize(contacts, self.rolling);
+            self.reactions.resize(contacts, self.sticking);
         }
     }
 
     pub(super) fn reaction(&self, contact: usize) -> &Reaction<C> {
-        self.jumped(contact).unwrap_or(&self.rolling)
+        self.jumped(contact).unwrap_or(&self.sticking)
     }
 
     /// The reaction of a contact that jumps.

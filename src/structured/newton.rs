@@ -54,7 +54,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     found.forces.clear();
     found.states.clear();
     found.forces.resize(problem.len(), SVector::zeros());
-    found.states.resize(problem.len(), Mode::Rolling);
+    found.states.resize(problem.len(), Mode::Sticking);
     let sums = stick(problem);
     let start = regular(&sums)?.solve(&(&sums.left + &problem.wrench));
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
@@ -123,7 +123,7 @@ fn answer<D: Size, const C: usize>(
 fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, tangent: &Tangent<C>) {
     match tangent {
         Tangent::Open => {}
-        Tangent::Rolling(k) => {
+        Tangent::Sticking(k) => {
             for (axis, k) in k.iter().enumerate() {
                 let g = site.map.column(axis);
                 t.add_times_product(*k, &g, &g);

@@ -58,7 +58,7 @@ impl<'a, const C: usize> View<'a, C> {
         self.workspace.residual()
     }
 
-    /// Pivots of Lemke's method, on all paths; 0 if every contact rolls or Newton's method led to
+    /// Pivots of Lemke's method, on all paths; 0 if every contact sticks or Newton's method led to
     /// the equilibrium.
     #[must_use]
     pub fn pivots(&self) -> usize {
@@ -72,7 +72,7 @@ impl<'a, const C: usize> View<'a, C> {
     }
 
     /// The pairs of the kinematic form whose jump (gap or slip) is basic, contact by contact. A
-    /// contact that rolls has none, and one that is open has its [`Row::Gap`]. One that slides
+    /// contact that sticks has none, and one that is open has its [`Row::Gap`]. One that slides
     /// across a facet has one [`Row::Slip`], at a corner of the polygon it has two. On the round cone
     /// the facet that touches it has the number 0.
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {

@@ -9,7 +9,7 @@ use crate::screening::{
 /// work than handing it out, and small enough that every core gets some of a batch of ten thousand.
 const BLOCKS: usize = 256;
 
-/// When the first contact of each grasp of a batch leaves rolling as each of the loads grows:
+/// When the first contact of each grasp of a batch stops sticking as each of the loads grows:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
 /// the loads. What `answers` held before is lost; its memory is used again. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
@@ -20,7 +20,7 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     ask(batch, pulls, answers);
 }
 
-/// At which angle the first contact of each grasp of a batch leaves rolling while each of the loads
+/// At which angle the first contact of each grasp of a batch stops sticking while each of the loads
 /// turns: [`Batch::turn_onsets_into`] on all cores. Answers come as from [`onsets_of_batch`].
 pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,

@@ -60,7 +60,7 @@ pub struct LeaverSpread {
 impl OnsetSpread {
     /// The factor with so many standard deviations in reserve: `τ - number · |g_j|`, the least over what leaves.
     ///
-    /// One leaver keeps rolling there with probability Φ(number), 0.977 for two and 0.99865 for three; of several all do at least with
+    /// One leaver keeps sticking there with probability Φ(number), 0.977 for two and 0.99865 for three; of several all do at least with
     /// one less the sum of what each fails with.
     #[must_use]
     pub fn held_with(&self, number: f64) -> f64 {

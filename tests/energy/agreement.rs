@@ -1,8 +1,8 @@
-//! While everything rolls the minimum of the paper's program is the equilibrium: to 1e-12 whatever the stiffness ratios, by
+//! While everything sticks the minimum of the paper's program is the equilibrium: to 1e-12 whatever the stiffness ratios, by
 //! three roads that share no solver.
 //!
 //! * the minimum on orthogonal factors, against complementarity and against the orthogonal decomposition of
-//!   `support::rolling`;
+//!   `support::sticking`;
 //! * the program as printed, in all displacements, by Lemke's method on its optimality conditions;
 //! * the program as printed and the reduced one by an interior-point method of another library.
 
@@ -17,8 +17,8 @@ use proptest::prelude::*;
 
 use support::interior_point::{Oracle, interior_point};
 use support::random::{Spread, for_all, scene};
-use support::rolling;
 use support::scene::{Scene, displacement};
+use support::sticking;
 
 const CASES: u32 = 1500;
 
@@ -88,7 +88,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         let difference = comparison.difference.expect("both have an answer");
         raise(&worst.complementarity, difference.relative());
         let forces: Vec<_> = minimum.contacts.iter().map(|c| c.force).collect();
-        let truth = rolling::forces(&scene).expect("balances");
+        let truth = sticking::forces(&scene).expect("balances");
         let size = largest(&truth);
         raise(&worst.decomposition, apart(&forces, &truth) / size);
 
@@ -148,7 +148,7 @@ fn spatial_grasps_with_springs_over_eight_decades() {
 /// Whether constraints bind or not, the minimum is that of the interior-point method, of the printed program and of the
 /// reduced ones.
 fn same_minimum<const D: usize, const C: usize>(counts: std::ops::Range<usize>, cases: u32) -> (u32, u32) {
-    let (rolling, binding, compared) = (Cell::new(0), Cell::new(0), Cell::new(0));
+    let (sticking, binding, compared) = (Cell::new(0), Cell::new(0), Cell::new(0));
     let settings = Settings::default();
     for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.1), |scene| {
         let grasp = with_both_springs(&scene);
@@ -192,23 +192,23 @@ fn same_minimum<const D: usize, const C: usize>(counts: std::ops::Range<usize>, 
         if let QpOutcome::Minimum(fewer) = twist_only.program.solve().unwrap() {
             prop_assert!(fewer.value + twist_only.constant >= value - 1e-9 * size);
         }
-        let counter = if minimum.binding.is_empty() { &rolling } else { &binding };
+        let counter = if minimum.binding.is_empty() { &sticking } else { &binding };
         counter.set(counter.get() + 1);
         Ok(())
     });
-    println!("D = {D}: {} rolling, {} binding, {} compared", rolling.get(), binding.get(), compared.get());
-    assert!(10 * compared.get() >= 9 * (rolling.get() + binding.get()));
-    (rolling.get(), binding.get())
+    println!("D = {D}: {} sticking, {} binding, {} compared", sticking.get(), binding.get(), compared.get());
+    assert!(10 * compared.get() >= 9 * (sticking.get() + binding.get()));
+    (sticking.get(), binding.get())
 }
 
 #[test]
 fn planar_minimum_by_an_interior_point_method() {
-    let (rolling, binding) = same_minimum::<3, 2>(1..6, 400);
-    assert!(rolling >= 50 && binding >= 50);
+    let (sticking, binding) = same_minimum::<3, 2>(1..6, 400);
+    assert!(sticking >= 50 && binding >= 50);
 }
 
 #[test]
 fn spatial_minimum_by_an_interior_point_method() {
-    let (rolling, binding) = same_minimum::<6, 3>(2..5, 150);
-    assert!(rolling >= 5 && binding >= 50);
+    let (sticking, binding) = same_minimum::<6, 3>(2..5, 150);
+    assert!(sticking >= 5 && binding >= 50);
 }

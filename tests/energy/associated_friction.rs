@@ -147,9 +147,9 @@ fn it_holds_what_coulomb_friction_does_not() {
     }
 }
 
-/// While everything rolls the three laws are one.
+/// While everything sticks the three laws are one.
 #[test]
-fn one_answer_while_everything_rolls() {
+fn one_answer_while_everything_sticks() {
     let grasp = support::paper::two_fingers().unwrap();
     let laws = grasp.energy().three_laws(&(support::paper::down() * 0.1)).unwrap();
     let state = laws.comparison.equilibrium.equilibrium().unwrap();

@@ -1,5 +1,5 @@
 //! The load at which a friction constraint of the paper's program first binds is the onset of sliding, on random ramps of
-//! loads and commands. The onset is found by a walk along rolling states, the binding load by Lemke's method with the load as
+//! loads and commands. The onset is found by a walk along sticking states, the binding load by Lemke's method with the load as
 //! parameter on the program's optimality conditions.
 
 use std::cell::Cell;
@@ -19,7 +19,7 @@ struct Tally {
     finite: Cell<u32>,
     opens: Cell<u32>,
     never: Cell<u32>,
-    not_rolling: Cell<u32>,
+    not_sticking: Cell<u32>,
     worst: Cell<f64>,
 }
 
@@ -48,14 +48,14 @@ fn same_onset<const D: usize, const C: usize>(
         let grasp = scene.grasp();
         let ramp = change.ramp(&scene);
         // Where a contact carries nothing the object may stand in many places, and a contact with friction that hangs open is
-        // held by the program's rolling row: the question is about ramps that start from rolling.
+        // held by the program's sticking row: the question is about ramps that start from sticking.
         let base = grasp.with(&settings).solve(&scene.wrench()).unwrap();
-        let rolls = base.equilibrium().is_some_and(|e| {
+        let sticks = base.equilibrium().is_some_and(|e| {
             let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
-            e.contacts.iter().all(|c| c.state == ContactState::Rolling && c.force[0] > 1e-9 * most)
+            e.contacts.iter().all(|c| c.state == ContactState::Sticking && c.force[0] > 1e-9 * most)
         });
-        if !rolls {
-            add(&tally.not_rolling);
+        if !sticks {
+            add(&tally.not_sticking);
             return Ok(());
         }
         let onset = grasp.with(&settings.on_the_polygon()).onset(&ramp).unwrap();
@@ -64,7 +64,7 @@ fn same_onset<const D: usize, const C: usize>(
             event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))
         };
         match (&onset, &agreement) {
-            // A contact opens through the apex of its cone. Held by its rolling row it may hang there without a force: then
+            // A contact opens through the apex of its cone. Held by its sticking row it may hang there without a force: then
             // the minimum stays an equilibrium.
             (Onset::At(event), _) if !slides(event) => {
                 add(&tally.opens);

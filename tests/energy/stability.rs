@@ -71,7 +71,7 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
         let grasp = scene.grasp();
         let outcome = grasp.solve(&scene.wrench()).unwrap();
         let Some(state) = outcome.equilibrium() else { return Ok(()) };
-        if state.contacts.iter().any(|c| c.state != ContactState::Rolling) {
+        if state.contacts.iter().any(|c| c.state != ContactState::Sticking) {
             return Ok(());
         }
         let stability = grasp.energy().stability(state);
@@ -208,7 +208,7 @@ fn second_order_equilibrium<const D: usize, const C: usize>(counts: std::ops::Ra
         let grasp = scene.grasp();
         let outcome = grasp.energy().second_order(&scene.wrench()).unwrap();
         let SecondOrderOutcome::Equilibrium(state) = outcome else { return Ok(()) };
-        if state.states.iter().any(|s| *s != ContactState::Rolling) {
+        if state.states.iter().any(|s| *s != ContactState::Sticking) {
             return Ok(());
         }
         let q = SVector::<f64, D>::from_column_slice(state.twist.components());

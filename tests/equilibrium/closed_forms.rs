@@ -38,7 +38,7 @@ fn planar_pinch() {
     let state = hold(&grasp, planar::Wrench::force([0.0, -w]));
     assert_close!(state.twist.translation()[1], -w / (2.0 * kt));
     for contact in &state.contacts {
-        assert_eq!(contact.state, planar::ContactState::Rolling);
+        assert_eq!(contact.state, planar::ContactState::Sticking);
         assert_close!(contact.normal_force(), k * a);
         assert_close!(contact.force_world[1], w / 2.0);
         assert_close!(contact.margin, mu * k * a - w / 2.0);
@@ -79,7 +79,7 @@ fn block_on_an_incline_held_by_a_spring() {
         // Downhill is -x, so the foot at -b carries more: the one at +b goes first.
         if !sticks {
             assert!(matches!(state.contacts[1].state, planar::ContactState::Sliding { .. }));
-            assert!(matches!(state.contacts[0].state, planar::ContactState::Rolling));
+            assert!(matches!(state.contacts[0].state, planar::ContactState::Sticking));
         }
     }
     // Beyond tan α = μ the feet alone cannot hold the block; a spring uphill with stiffness ks does. Both feet slide:
@@ -135,7 +135,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
                 .onset(&ramp)
                 .unwrap()
                 .factor()
-                .expect("a rolling base");
+                .expect("a sticking base");
             assert!(factor >= exact * low * (1.0 - TIGHT) && factor <= exact * high * (1.0 + TIGHT));
         }
     }
@@ -158,7 +158,7 @@ fn quadratic_onset_from_a_loaded_base() {
     let onset = grasp.onset_of_sliding(&base, &spatial::Wrench::new([0.0; 3], [0.0, 0.0, m])).unwrap();
     let limit = mu * k * a;
     let exact = (limit * limit - (w / 3.0) * (w / 3.0)).sqrt() * 3.0 * radius / m;
-    assert_close!(onset.factor().expect("a rolling base"), exact);
+    assert_close!(onset.factor().expect("a sticking base"), exact);
 }
 
 /// Two point contacts on the x axis resist everything but a turn about the line through them.

@@ -144,7 +144,7 @@ struct Tally {
     without_equilibrium: usize,
     without_by_trying_all: usize,
     several_equilibria: usize,
-    everything_rolls: usize,
+    everything_sticks: usize,
     kinematic_form: usize,
     force_form: usize,
     enumeration: usize,
@@ -213,7 +213,7 @@ impl Tally {
 
     fn count(&mut self, returned: &Equilibrium) {
         *match returned.rule {
-            Rung::EverythingRolls | Rung::EverythingTouchingRolls => &mut self.everything_rolls,
+            Rung::EverythingSticks | Rung::EverythingTouchingSticks => &mut self.everything_sticks,
             Rung::KinematicForm => &mut self.kinematic_form,
             Rung::ForceForm => &mut self.force_form,
             _ => &mut self.enumeration,
@@ -249,7 +249,7 @@ impl Tally {
             ("without an equilibrium", self.without_equilibrium, 20),
             ("without, by trying all combinations", self.without_by_trying_all, 3),
             ("several equilibria", self.several_equilibria, 15),
-            ("everything rolls", self.everything_rolls, 4),
+            ("everything sticks", self.everything_sticks, 4),
             ("kinematic form", self.kinematic_form, 15),
             ("sliding", self.sliding, 20),
             ("separated", self.separated, 20),

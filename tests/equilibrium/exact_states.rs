@@ -17,7 +17,7 @@ const NONE: f64 = 1e-18;
 /// What came up, and the worst of it.
 #[derive(Debug, Default)]
 struct Tally {
-    rolling: usize,
+    sticking: usize,
     sliding: usize,
     /// Without an equilibrium that was found.
     none: usize,
@@ -26,7 +26,7 @@ struct Tally {
     /// Some state could be another, as the answer says.
     not_distinct: usize,
     /// Force, component, motion.
-    worst_rolling: [f64; 3],
+    worst_sticking: [f64; 3],
     worst_sliding: [f64; 3],
     /// Largest ratios of error and estimate: force, displacement.
     underestimated: [f64; 2],
@@ -58,7 +58,7 @@ impl Tally {
         let (count, worst) = if slides {
             (&mut self.sliding, &mut self.worst_sliding)
         } else {
-            (&mut self.rolling, &mut self.worst_rolling)
+            (&mut self.sticking, &mut self.worst_sticking)
         };
         *count += 1;
         for (worst, error) in worst.iter_mut().zip([errors.force, errors.component, errors.motion]) {
@@ -119,10 +119,10 @@ fn tally<const D: usize, const C: usize>(count: std::ops::Range<usize>, spread: 
 }
 
 fn assert_accurate(tally: &Tally) {
-    assert!(tally.worst_rolling[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
+    assert!(tally.worst_sticking[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
     // Of each component by itself, too.
-    assert!(tally.worst_rolling[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
-    assert!(tally.worst_rolling[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
+    assert!(tally.worst_sticking[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
+    assert!(tally.worst_sticking[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
     assert!(tally.overestimated <= 3.0, "{tally:?}");
 }
 
@@ -130,20 +130,20 @@ fn assert_accurate(tally: &Tally) {
 fn stiff_scenes_in_the_plane() {
     let tally = tally::<3, 2>(2..7, Spread::Stiff, 8500);
     assert_accurate(&tally);
-    assert!(tally.rolling > 300 && tally.sliding > 1000, "{tally:?}");
+    assert!(tally.sticking > 300 && tally.sliding > 1000, "{tally:?}");
 }
 
 #[test]
 fn stiff_scenes_in_space() {
     let tally = tally::<6, 3>(3..7, Spread::Stiff, 1500);
     assert_accurate(&tally);
-    assert!(tally.rolling > 150 && tally.sliding > 900, "{tally:?}");
+    assert!(tally.sticking > 150 && tally.sliding > 900, "{tally:?}");
 }
 
 #[test]
 fn ordinary_scenes() {
     for tally in [tally::<3, 2>(2..7, Spread::Narrow, 500), tally::<6, 3>(3..7, Spread::Narrow, 300)] {
         assert_accurate(&tally);
-        assert!(tally.rolling > 10 && tally.sliding > 100, "{tally:?}");
+        assert!(tally.sticking > 10 && tally.sliding > 100, "{tally:?}");
     }
 }

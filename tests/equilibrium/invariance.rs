@@ -1,8 +1,8 @@
 //! What must not change an equilibrium: the order of the contacts, the coordinates, the units, and what is not felt.
 //!
-//! Where there is one equilibrium only, or where everything rolls (which is the one returned first), the grasp seen
+//! Where there is one equilibrium only, or where everything sticks (which is the one returned first), the grasp seen
 //! from another side must give the same forces and displacements. Splitting a contact into two of half the stiffness
-//! shares its force; more friction at a contact that rolls, or a contact far out of reach, is not felt. No expected
+//! shares its force; more friction at a contact that sticks, or a contact far out of reach, is not felt. No expected
 //! numbers are needed: each scene is compared with its own image.
 
 use std::cell::Cell;
@@ -58,18 +58,18 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
     let grasp = scene.grasp();
     let outcome = grasp.with(&settings()).solve(&scene.wrench()).expect("a finite load");
     let e = outcome.equilibrium()?;
-    if e.rule != Rung::EverythingRolls {
+    if e.rule != Rung::EverythingSticks {
         let all = grasp.with(&settings()).equilibria(&scene.wrench()).ok()?;
         if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
             return None;
         }
     }
-    // A contact that touches without force may as well be open or slide, one that rolls on the very edge of its cone may
+    // A contact that touches without force may as well be open or slide, one that sticks on the very edge of its cone may
     // as well slide: then the displacements are not unique.
     let least = 1e-9 * scene.sizes(e).force;
     let tied = |c: &ContactAnswer<C>| match c.state {
         ContactState::Separated => false,
-        ContactState::Rolling => c.normal_force() <= least || c.margin <= least,
+        ContactState::Sticking => c.normal_force() <= least || c.margin <= least,
         _ => c.normal_force() <= least,
     };
     if e.contacts.iter().any(tied) {
@@ -189,7 +189,7 @@ fn check_split<const D: usize, const C: usize>(
 }
 
 /// The grasp changed in a way that this equilibrium does not feel. The change may bring equilibria of its own; the old one
-/// must still be one of all, and must be returned where it is the only one or where everything that can touch rolls.
+/// must still be one of all, and must be returned where it is the only one or where everything that can touch sticks.
 fn not_felt<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     e: &Equilibrium<C>,
@@ -202,7 +202,7 @@ fn not_felt<const D: usize, const C: usize>(
         prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
         alone = all.len() == 1;
     }
-    if alone || e.rule == Rung::EverythingRolls {
+    if alone || e.rule == Rung::EverythingSticks {
         let returned = solve(changed)?;
         prop_assert!(off(&returned) <= AGREEMENT, "off by {:e}\n{e:?}\n{returned:?}", off(&returned));
         tally.count(e);
@@ -218,7 +218,7 @@ fn check_friction<const D: usize, const C: usize>(
     let Some(e) = only(scene) else { return Ok(()) };
     let mut rougher = scene.clone();
     for (datum, c) in rougher.contacts.iter_mut().zip(&e.contacts) {
-        if c.state == ContactState::Rolling {
+        if c.state == ContactState::Sticking {
             datum.friction *= more;
         }
     }
@@ -301,7 +301,7 @@ in_plane_and_space! {
     splitting_a_contact(scene, tally, _nothing in Just(())) {
         check_split(&scene, &tally)
     }
-    more_friction_where_it_rolls(scene, tally, more in 1.0..100.0_f64) {
+    more_friction_where_it_sticks(scene, tally, more in 1.0..100.0_f64) {
         check_friction(&scene, more, &tally)
     }
 }

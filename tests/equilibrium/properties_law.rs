@@ -1,10 +1,10 @@
-//! Every equilibrium satisfies the conditions of the problem, and where everything rolls it is the minimum of energy.
+//! Every equilibrium satisfies the conditions of the problem, and where everything sticks it is the minimum of energy.
 //!
 //! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and equilibrium are recomputed here from the data of
 //! the scene (`support::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
 //! grasps, each contact with its own friction (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6, and
-//! symmetric grasps, in which several contacts reach the edge of their cone at once. Rolling grasps are compared
-//! with the linear least-squares problem they solve (`support::rolling`).
+//! symmetric grasps, in which several contacts reach the edge of their cone at once. Sticking grasps are compared
+//! with the linear least-squares problem they solve (`support::sticking`).
 
 use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
@@ -14,8 +14,8 @@ use grasp_lcp::equilibrium::{ContactState, Equilibrium, NoEquilibrium, Outcome, 
 use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{Spread, for_all, scene};
-use support::rolling;
 use support::scene::{Datum, Scene};
+use support::sticking;
 
 /// Conditions hold to this, relative to the sizes of the scene.
 const LAW: f64 = 1e-10;
@@ -25,10 +25,10 @@ const FACETS: usize = 8;
 #[derive(Debug, Clone, Default)]
 struct Tally {
     equilibria: u32,
-    everything_rolls: u32,
+    everything_sticks: u32,
     sliding: u32,
     separated: u32,
-    /// A rolling contact on the very edge of its cone, or a sliding or open one that just begins to.
+    /// A sticking contact on the very edge of its cone, or a sliding or open one that just begins to.
     tied: u32,
     /// With motions that no contact resists.
     free: u32,
@@ -43,13 +43,13 @@ impl Tally {
         let size = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
         let any = |what: &dyn Fn(usize) -> bool| u32::from((0..e.contacts.len()).any(what));
         self.equilibria += 1;
-        self.everything_rolls += u32::from(e.rule == Rung::EverythingRolls);
+        self.everything_sticks += u32::from(e.rule == Rung::EverythingSticks);
         self.sliding += any(&|i| matches!(e.contacts[i].state, ContactState::Sliding { .. }));
         self.separated += any(&|i| e.contacts[i].state == ContactState::Separated);
         self.tied += any(&|i| {
             let c = &e.contacts[i];
             let still = c.gap.max(c.slip.norm()) <= 1e-12 * c.body_core.norm();
-            if c.state == ContactState::Rolling { c.margin.abs() <= 1e-12 * size } else { still }
+            if c.state == ContactState::Sticking { c.margin.abs() <= 1e-12 * size } else { still }
         });
         self.free += u32::from(!e.free_motions.is_empty());
     }
@@ -117,15 +117,15 @@ fn symmetric() -> impl Strategy<Value = Scene<3, 2>> {
     })
 }
 
-/// Everything rolls: the forces are those of the linear least-squares problem, and the energy is its minimum.
+/// Everything sticks: the forces are those of the linear least-squares problem, and the energy is its minimum.
 fn check_minimum<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
-    rolling_scenes: &Cell<u32>,
+    sticking_scenes: &Cell<u32>,
 ) -> Result<(), TestCaseError> {
     // Only the first rung of the ladder is looked at here. Long searches on the last rung would say nothing about it.
     let settings = Settings::default().with_most_states(0);
     let outcome = scene.grasp().with(&settings).solve(&scene.wrench()).expect("a finite load");
-    let expected = rolling::forces(scene);
+    let expected = sticking::forces(scene);
     if let (Outcome::NoEquilibrium(NoEquilibrium { proof: Proof::FreeMotion { .. }, .. }), None) =
         (&outcome, &expected)
     {
@@ -153,15 +153,15 @@ fn check_minimum<const D: usize, const C: usize>(
     };
     let e = outcome.equilibrium();
     if slack(1.0) < -1e-9 * size {
-        prop_assert!(e.is_none_or(|e| e.rule != Rung::EverythingRolls), "not all contacts can roll");
+        prop_assert!(e.is_none_or(|e| e.rule != Rung::EverythingSticks), "not all contacts can stick");
     }
     if slack(narrower) < 1e-9 * size {
         return Ok(());
     }
-    prop_assert!(e.is_some(), "everything could roll: {outcome:?}");
+    prop_assert!(e.is_some(), "everything could stick: {outcome:?}");
     let e = e.expect("just checked");
-    prop_assert_eq!(e.rule, Rung::EverythingRolls);
-    rolling_scenes.set(rolling_scenes.get() + 1);
+    prop_assert_eq!(e.rule, Rung::EverythingSticks);
+    sticking_scenes.set(sticking_scenes.get() + 1);
     let mut energy = 0.0;
     for ((c, f), datum) in e.contacts.iter().zip(&expected).zip(&scene.contacts) {
         prop_assert!((c.force - f).norm() <= 1e-10 * size, "{} instead of {f}", c.force);
@@ -177,7 +177,7 @@ fn the_law_holds_in_the_plane() {
     for_all(file!(), 4000, &scene::<3, 2>(2..5, Spread::Wide, 0.2), |scene| check(&scene, true, &tally));
     let t = tally.into_inner();
     t.assert_at_least(&[("sliding", t.sliding, 1500), ("separated", t.separated, 700)]);
-    t.assert_at_least(&[("rolling", t.everything_rolls, 500), ("several equilibria", t.several, 500)]);
+    t.assert_at_least(&[("sticking", t.everything_sticks, 500), ("several equilibria", t.several, 500)]);
     t.assert_at_least(&[("no equilibrium", t.no_equilibrium, 30), ("free motions", t.free, 50)]);
     assert_eq!(t.undecided, 0);
 }
@@ -188,7 +188,7 @@ fn the_law_holds_where_everything_is_symmetric() {
     for_all(file!(), 4000, &symmetric(), |scene| check(&scene, true, &tally));
     let t = tally.into_inner();
     t.assert_at_least(&[("sliding", t.sliding, 800), ("separated", t.separated, 800)]);
-    t.assert_at_least(&[("rolling", t.everything_rolls, 1000), ("several equilibria", t.several, 150)]);
+    t.assert_at_least(&[("sticking", t.everything_sticks, 1000), ("several equilibria", t.several, 150)]);
     t.assert_at_least(&[("ties", t.tied, 250), ("free motions", t.free, 100)]);
     assert_eq!(t.undecided, 0);
 }
@@ -210,20 +210,24 @@ fn the_law_holds_in_space() {
     for_all(file!(), CASES, &scene::<6, 3>(2..6, Spread::Wide, 0.2), |scene| check(&scene, false, &tally));
     let t = tally.into_inner();
     t.assert_at_least(&[("sliding", t.sliding, 800), ("separated", t.separated, 400)]);
-    t.assert_at_least(&[("rolling", t.everything_rolls, 200), ("free motions", t.free, 200)]);
+    t.assert_at_least(&[("sticking", t.everything_sticks, 200), ("free motions", t.free, 200)]);
     assert!(t.undecided <= CASES / 20, "{} of {CASES} undecided", t.undecided);
 }
 
 #[test]
-fn rolling_is_the_minimum_of_energy_in_the_plane() {
-    let rolling = Cell::new(0);
-    for_all(file!(), 3000, &scene::<3, 2>(2..6, Spread::Wide, 0.03), |scene| check_minimum(&scene, &rolling));
-    assert!(rolling.get() > 300, "only {} scenes roll", rolling.get());
+fn sticking_is_the_minimum_of_energy_in_the_plane() {
+    let sticking = Cell::new(0);
+    for_all(file!(), 3000, &scene::<3, 2>(2..6, Spread::Wide, 0.03), |scene| {
+        check_minimum(&scene, &sticking)
+    });
+    assert!(sticking.get() > 300, "only {} scenes stick", sticking.get());
 }
 
 #[test]
-fn rolling_is_the_minimum_of_energy_in_space() {
-    let rolling = Cell::new(0);
-    for_all(file!(), 3000, &scene::<6, 3>(2..6, Spread::Wide, 0.03), |scene| check_minimum(&scene, &rolling));
-    assert!(rolling.get() > 300, "only {} scenes roll", rolling.get());
+fn sticking_is_the_minimum_of_energy_in_space() {
+    let sticking = Cell::new(0);
+    for_all(file!(), 3000, &scene::<6, 3>(2..6, Spread::Wide, 0.03), |scene| {
+        check_minimum(&scene, &sticking)
+    });
+    assert!(sticking.get() > 300, "only {} scenes stick", sticking.get());
 }

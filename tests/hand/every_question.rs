@@ -35,7 +35,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(held.residuals.worst() < 1e-14, "{:?}", held.residuals);
         let ramp = Ramp::load(Wrench::ZERO, load);
 
-        // Where everything rolls the paper's minimum of energy is the equilibrium, joints included.
+        // Where everything sticks the paper's minimum of energy is the equilibrium, joints included.
         let MinimumOutcome::Minimum(minimum) = grasp.energy().minimum(&load).expect("a load") else {
             panic!()
         };
@@ -81,16 +81,16 @@ fn nothing_panics_and_what_agrees_agrees() {
         grasp.beyond(event).expect("its own");
         assert!(!grasp.sensitivity().onset_gradients(event).is_empty());
         // A load that turns along a line goes as far as the ramp.
-        let straight = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads").factor().expect("rolls");
+        let straight = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads").factor().expect("sticks");
         let most = 1.5 * straight;
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
-        let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("rolls");
+        let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("sticks");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
         refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
         refused(grasp.sensitivity().onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         grasp.reserve(&ramp, 50.0).expect("a ramp");
-        grasp.rolling_range(&ramp).expect("a ramp");
+        grasp.sticking_range(&ramp).expect("a ramp");
         let mut path = grasp
             .follow(&Wrench::ZERO, &[Leg::load_to(load * 30.0), Leg::load_to(Wrench::ZERO)])
             .expect("loads");

@@ -69,15 +69,15 @@ fn d(x: f64) -> Dyadic {
     Dyadic::new(x)
 }
 
-/// Contact forces, exact up to the last division, where everything rolls.
-struct Rolling {
+/// Contact forces, exact up to the last division, where everything sticks.
+struct Sticking {
     matrix: Vec<Vec<Dyadic>>,
     /// Rows over (q, φ) of each axis of each contact, and stiffnesses.
     rows: Vec<[Vec<Dyadic>; 3]>,
     k: Vec<[f64; 3]>,
 }
 
-impl Rolling {
+impl Sticking {
     fn new(tips: &[Tip], grasp: &Grasp) -> Self {
         let n = 6 + JOINTS * tips.len();
         let mut matrix = vec![vec![Dyadic::zero(); n]; n];
@@ -169,16 +169,16 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
         let grasp = grasp(&tips);
         let load = Wrench::new(numbers.three(), numbers.three().map(|m| 0.02 * m));
         let outcome = grasp.solve(&Wrench::ZERO).expect("a load");
-        let Some(rest) = outcome.equilibrium().filter(|e| e.rule == Rung::EverythingRolls) else { continue };
-        let rolling = Rolling::new(&tips, &grasp);
-        let base = rolling.forces(&tips, &Wrench::ZERO, true);
+        let Some(rest) = outcome.equilibrium().filter(|e| e.rule == Rung::EverythingSticks) else { continue };
+        let sticking = Sticking::new(&tips, &grasp);
+        let base = sticking.forces(&tips, &Wrench::ZERO, true);
         let largest = rest.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
         for (exact, found) in base.iter().zip(&rest.contacts) {
             for a in 0..3 {
                 worst_force = worst_force.max((&exact[a] - &d(found.force[a])).float().abs() / largest);
             }
         }
-        let rate = rolling.forces(&tips, &load, false);
+        let rate = sticking.forces(&tips, &load, false);
         let onset = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads");
         let Some(event) = onset.event() else { continue };
         for (i, tip) in tips.iter().enumerate() {

@@ -33,8 +33,8 @@ fn the_elastic_stiffness_is_the_one_that_loads_feel() -> Result<(), Box<dyn std:
             .with_joint_torques(&load.as_slice()[3..])?
             .solve(&Wrench::from_components(load.as_slice()))?;
         let planar::Outcome::Equilibrium(held) = outcome else { return Err("holds".into()) };
-        if held.contacts.iter().any(|c| c.state != planar::ContactState::Rolling) {
-            return Err("rolls".into());
+        if held.contacts.iter().any(|c| c.state != planar::ContactState::Sticking) {
+            return Err("sticks".into());
         }
         Ok(held)
     };

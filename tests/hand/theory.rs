@@ -61,14 +61,14 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
         let load = Wrench::new([0.2 * numbers.signed(), 0.2 * numbers.signed()], 0.1 * numbers.signed());
         let all = grasp.equilibria(&load).expect("few states");
         several += usize::from(all.len() > 1);
-        let rolling = all
+        let sticking = all
             .iter()
-            .filter(|e| e.contacts.iter().all(|c| c.state == grasp_lcp::planar::ContactState::Rolling))
+            .filter(|e| e.contacts.iter().all(|c| c.state == grasp_lcp::planar::ContactState::Sticking))
             .count();
-        assert!(rolling <= 1);
-        stuck += rolling;
+        assert!(sticking <= 1);
+        stuck += sticking;
         let first = grasp.solve(&load).expect("a load").equilibrium().map(|e| e.rule);
-        assert!(rolling == 0 || first == Some(Rung::EverythingRolls), "{first:?}");
+        assert!(sticking == 0 || first == Some(Rung::EverythingSticks), "{first:?}");
     }
     assert!(several > 5 && stuck > 20, "{several} {stuck}");
 }

@@ -61,7 +61,7 @@ fn a_wedge_locks_at_its_angle() {
             for contact in &rest.contacts[..2] {
                 assert_close!(contact.normal_force(), n);
                 assert_close!(contact.friction_force(), n * tan);
-                assert_eq!(contact.state, planar::ContactState::Rolling);
+                assert_eq!(contact.state, planar::ContactState::Sticking);
             }
             path.continue_with(&[planar::Leg::load_to(down(2.0 * pulls_out))]).unwrap();
             events.extend(path.run());

@@ -150,7 +150,7 @@ fn a_body_that_slides_away_from_the_finger_folds() {
     }
 }
 
-/// (N, F_x, F_y, λ) where sliding begins: on the line through two states that roll.
+/// (N, F_x, F_y, λ) where sliding begins: on the line through two states that stick.
 fn forces_at_onset(path: &LoadPath<'_>) -> [f64; 4] {
     let at = |fraction: f64| {
         let state = path.state_at(1, fraction).unwrap();

@@ -33,7 +33,7 @@ fn samples<const C: usize>(
     pieces
 }
 
-/// At every sample the law holds; within a piece a rolling contact keeps its slip, and a sliding one slips so that friction takes
+/// At every sample the law holds; within a piece a sticking contact keeps its slip, and a sliding one slips so that friction takes
 /// as much as it can: (F_t - p)·Δs >= 0 for every corner p of the cone, which makes F_t·Δs >= 0.
 fn law_holds<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
@@ -61,7 +61,7 @@ fn law_holds<const D: usize, const C: usize>(
                 let same = std::mem::discriminant(&x.state) == std::mem::discriminant(&y.state);
                 prop_assert!(same, "contact {i} changes without an event after {leg} {fraction}");
                 match x.state {
-                    ContactState::Rolling => {
+                    ContactState::Sticking => {
                         prop_assert!(slip.norm() <= 1e-12 * motion, "contact {i} slips: {slip}");
                     }
                     ContactState::Sliding { .. } => {

@@ -78,7 +78,7 @@ fn sliding_at_the_end_of_a_leg() {
         assert_story(&path.run(), &[slides(1)]);
         let mut path = body.up_to_the_edge(edge, 0.0);
         let stands = path.state().unwrap();
-        assert_eq!(stands.contacts[0].state, ContactState::Rolling);
+        assert_eq!(stands.contacts[0].state, ContactState::Sticking);
         assert!(stands.contacts[0].margin.abs() < 1e-12 * body.n);
         path.continue_with(&[body.leg(1.5 * edge, 0.0)]).unwrap();
         assert_story(&path.run(), &[slides(1)]);

@@ -75,7 +75,7 @@ fn it_sticks_where_its_force_vanishes() {
     assert_close!(end.contacts[0].force[0], C * a);
     assert_close!(end.contacts[0].force[1], 0.0);
     assert_close!(end.contacts[0].slip[1], 2.0 * l);
-    assert_eq!(end.contacts[0].state, ContactState::Rolling);
+    assert_eq!(end.contacts[0].state, ContactState::Sticking);
 }
 
 /// Lifted past N = 0 (after μN has shrunk to its T, it slides: T = e b = μ c a there), it opens, travels, comes down elsewhere: pressed and

@@ -63,14 +63,14 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
 }
 
 /// Where a contact slides at both of two near states it has slipped along the friction force between them, but for what that
-/// turns; where it rolls at both, not at all.
+/// turns; where it sticks at both, not at all.
 fn slips_along_friction(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Result<usize, TestCaseError> {
     let (_, motion) = sizes(a);
     let mut sliding = 0;
     for (x, y) in a.contacts.iter().zip(&b.contacts) {
         let slip = y.slip - x.slip;
         match (x.state, y.state) {
-            (ContactState::Rolling, ContactState::Rolling) => {
+            (ContactState::Sticking, ContactState::Sticking) => {
                 prop_assert!(slip.norm() <= 1e-12 * motion, "{slip:?}");
             }
             (ContactState::Sliding { .. }, ContactState::Sliding { .. }) if slip.norm() > 1e-9 * motion => {
@@ -306,7 +306,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
         forces = state.contacts.iter().map(|c| c.force).collect();
         for (slip, contact) in slips.iter_mut().zip(&state.contacts) {
             // Also that of an open contact, whose surfaces move past each other: it closes without friction.
-            if !matches!(contact.state, ContactState::Rolling | ContactState::Frictionless) {
+            if !matches!(contact.state, ContactState::Sticking | ContactState::Frictionless) {
                 *slip += contact.slip;
             }
         }

@@ -36,7 +36,7 @@ pub(crate) fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds:
     })
 }
 
-/// Fingers that point more towards the middle, with more friction and less shear: most of them roll before a load acts.
+/// Fingers that point more towards the middle, with more friction and less shear: most of them stick before a load acts.
 pub(crate) fn firmer<const C: usize>(mut data: Vec<Datum<C>>) -> Vec<Datum<C>> {
     for datum in &mut data {
         datum.normal -= datum.point * 2.0;

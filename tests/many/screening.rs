@@ -43,10 +43,10 @@ fn check<const D: usize, const C: usize, const N: usize>(
         }
         (Verdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),
         (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
-        | (Verdict::NotRolling, Onset::AlreadySliding(_) | Onset::NoBase(_))
-        | (Verdict::NotRolling | Verdict::Unclear, Onset::Undecided(_)) => {}
+        | (Verdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (Verdict::NotSticking | Verdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the base may well close on the way.
-        (Verdict::NotRolling, onset) => {
+        (Verdict::NotSticking, onset) => {
             let state = grasp.solve(&base).unwrap();
             let open = state
                 .equilibrium()
@@ -87,7 +87,7 @@ fn agrees_in_the_plane() {
     random::<3, 2, 4>(500, Spread::Narrow, &tally);
     random::<3, 2, 5>(500, Spread::Narrow, &tally);
     let counts = tally.borrow();
-    assert!(counts["Leaves"] > 1000 && counts["Never"] > 20 && counts["NotRolling"] > 1000, "{counts:?}");
+    assert!(counts["Leaves"] > 1000 && counts["Never"] > 20 && counts["NotSticking"] > 1000, "{counts:?}");
     assert!(counts.get("Unclear").is_none_or(|&n| n <= 5), "{counts:?}");
 }
 

@@ -1,7 +1,7 @@
 //! Screening against exact rational arithmetic: how far is the factor off?
 //!
 //! Every number of a planar scene whose normals are Pythagorean is rational. Forces at factor zero and their rates are solved for
-//! exactly, with every contact rolling, and so is the first facet that is reached. The factor may be off by the rounding of the forces over the rate at which the
+//! exactly, with every contact sticking, and so is the first facet that is reached. The factor may be off by the rounding of the forces over the rate at which the
 //! facet's slack closes, no more, over twelve decades of stiffness.
 
 use std::cell::Cell;
@@ -91,8 +91,8 @@ fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Ration
 
 /// What is exactly true.
 enum Truth {
-    /// Not every contact rolls clearly at factor zero.
-    NotRolling,
+    /// Not every contact sticks clearly at factor zero.
+    NotSticking,
     Never,
     /// At this factor, with the change of it that the rounding of forces may cause.
     Leaves(Rational, f64),
@@ -101,7 +101,7 @@ enum Truth {
 fn onset(data: &[Datum], direction: [f64; 3]) -> Truth {
     let contacts: Vec<_> = data.iter().map(Exact::new).collect();
     let (Some(q), Some(dq)) = (motion(&contacts, [0.0; 3], true), motion(&contacts, direction, false)) else {
-        return Truth::NotRolling;
+        return Truth::NotSticking;
     };
     let forces: Vec<_> = contacts.iter().map(|c| c.force(&q, true)).collect();
     let rates: Vec<_> = contacts.iter().map(|c| c.force(&dq, false)).collect();
@@ -113,7 +113,7 @@ fn onset(data: &[Datum], direction: [f64; 3]) -> Truth {
             let slack = |f: &[Rational; 2]| &contact.mu * &f[0] - &side * &f[1];
             let (margin, closing) = (slack(force), -slack(rate));
             if float(&margin) < 1e-8 * size {
-                return Truth::NotRolling;
+                return Truth::NotSticking;
             }
             if closing.is_positive() {
                 let factor = margin / &closing;
@@ -163,7 +163,7 @@ fn worst<const N: usize>(decades: f64, cases: u32, normals: &[[i32; 3]], across:
         let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector(direction)).unwrap();
         let screened = Fingers::new(&contacts).unwrap().onset(&pull);
         match (screened.verdict(), onset(&data, direction)) {
-            (_, Truth::NotRolling) | (Verdict::Never, Truth::Never) => {}
+            (_, Truth::NotSticking) | (Verdict::Never, Truth::Never) => {}
             (Verdict::Leaves, Truth::Leaves(factor, off)) => {
                 let error = float(&(&exact_of(screened.factor()) - factor)).abs() / off;
                 worst.set(worst.get().max(error));

@@ -1,6 +1,6 @@
 //! Screening of three contacts in space against exact rational arithmetic: how far from the edges of their cones are contacts at the factor?
 //!
-//! Numbers of a scene are rational where normals are. Forces at factor zero and their rates are solved for exactly, with every contact rolling. At the
+//! Numbers of a scene are rational where normals are. Forces at factor zero and their rates are solved for exactly, with every contact sticking. At the
 //! factor of screening no contact is outside of its cone, and one is on the edge, but for the rounding of forces: for even triangles and slim ones, and
 //! over twelve decades of stiffness, where some grasps go by the edges of their triangle and some by motions.
 
@@ -198,7 +198,7 @@ fn worst(decades: f64, narrow: f64, cases: u32, normals: &[[i32; 4]]) -> Worst {
                 worst.off.set(worst.off.get().max(off));
                 worst.leaving.set(worst.leaving.get() + 1);
             }
-            Verdict::NotRolling => prop_assert!(least(&base) < 1e-11 * size(&base)),
+            Verdict::NotSticking => prop_assert!(least(&base) < 1e-11 * size(&base)),
             Verdict::Never => {
                 let far = exact(1e9 * size(&base) / size(&rates));
                 let at = |(f, d): (&Vector, &Vector)| [0, 1, 2].map(|a| &f[a] + &far * &d[a]);

@@ -51,10 +51,10 @@ fn check<const D: usize, const C: usize, const N: usize>(
             prop_assert_eq!(screened.holds_up_to(7.0), turn.angle() >= TAU);
         }
         (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_) | Onset::AlreadySliding(_))
-        | (Verdict::NotRolling, Onset::AlreadySliding(_) | Onset::NoBase(_))
-        | (Verdict::NotRolling | Verdict::Unclear, Onset::Undecided(_)) => {}
+        | (Verdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (Verdict::NotSticking | Verdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the beginning may well close on the way.
-        (Verdict::NotRolling, onset) => {
+        (Verdict::NotSticking, onset) => {
             let state = grasp.solve(&turn.load_at(0.0)).unwrap();
             let open = state
                 .equilibrium()

@@ -13,18 +13,18 @@ use support::ramps::{Change, Tally, for_both};
 use support::scene::Scene;
 
 fn polygon(facets: usize, fit: Fit) -> Settings {
-    // Rolling states need no search through all combinations.
+    // Sticking states need no search through all combinations.
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
 
-/// Everything that touches rolls. These two rules look at the cone only to accept or to refuse what they propose; by others a
-/// smaller cone may come to rest on fewer contacts, which then roll for longer.
-fn rolls(outcome: &Outcome) -> bool {
+/// Everything that touches sticks. These two rules look at the cone only to accept or to refuse what they propose; by others a
+/// smaller cone may come to rest on fewer contacts, which then stick for longer.
+fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
-    matches!(rule, Some(Rung::EverythingRolls | Rung::EverythingTouchingRolls))
+    matches!(rule, Some(Rung::EverythingSticks | Rung::EverythingTouchingSticks))
 }
 
-/// Factors of a bracket are in order up to rounding, each from a base that rolls on the smaller cone. An onset may stay undecided
+/// Factors of a bracket are in order up to rounding, each from a base that sticks on the smaller cone. An onset may stay undecided
 /// where contacts touch without force; `undecided` counts those.
 fn check_order(
     scene: &Scene<6, 3>,
@@ -34,7 +34,7 @@ fn check_order(
 ) -> Result<(), TestCaseError> {
     let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
     let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
-    if !rolls(&grasp.with(&on_circumscribed).solve(&scene.wrench()).unwrap()) {
+    if !sticks(&grasp.with(&on_circumscribed).solve(&scene.wrench()).unwrap()) {
         return Ok(());
     }
     let round = grasp.onset(&ramp).unwrap();
@@ -43,7 +43,7 @@ fn check_order(
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
         let base = grasp.with(&polygon(facets, Fit::Inscribed)).bracket(&scene.wrench()).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
-            if !rolls(base) {
+            if !sticks(base) {
                 continue;
             }
             if matches!(less, Onset::Undecided(_)) || matches!(more, Onset::Undecided(_)) {
@@ -68,11 +68,11 @@ fn polygons_bracket_the_onset() {
     assert!(undecided.get() <= 10, "{} undecided", undecided.get());
 }
 
-/// If everything rolls on the inscribed polygon the three answers are one, and the inscribed polygon rolls only where the
+/// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the
 /// others do.
-fn check_rolling(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
+fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
     let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(&scene.wrench()).unwrap();
-    let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(rolls);
+    let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(sticks);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
         let spread = bracket.spread.expect("three equilibria");
@@ -85,8 +85,8 @@ fn check_rolling(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result
 }
 
 #[test]
-fn where_everything_rolls_the_cone_does_not_matter() {
-    for_both::<6, 3>(file!(), &(1..6), check_rolling).assert_at_least(500, 0, 500);
+fn where_everything_sticks_the_cone_does_not_matter() {
+    for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(500, 0, 500);
 }
 
 /// A foot pressed by N onto the floor, its block held by a tether of stiffness c in all directions, both at the origin, drawn

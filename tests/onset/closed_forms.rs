@@ -35,7 +35,7 @@ fn never_and_opening() {
     assert!(matches!(onset(&sticky, Wrench::ZERO, Wrench::force([0.0, -1.0])), Onset::Never));
     let Onset::At(event) = onset(&sticky, Wrench::ZERO, sideways) else { panic!("opens") };
     assert!((event.factor - 2.0).abs() < 1e-14);
-    // A load that presses straight onto both never uses friction up: rolling rates stay inside the cone.
+    // A load that presses straight onto both never uses friction up: sticking rates stay inside the cone.
     let on_two_feet = Grasp::new(
         [-1.0, 1.0].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 5.0).friction(0.5)),
     )
@@ -113,7 +113,7 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     assert!((event.factor - exact).abs() < 1e-14 * exact, "{} {exact}", event.factor);
     assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [2]);
     let beyond = grasp.beyond(&event).expect("its own event");
-    assert!(matches!(&beyond, Beyond::Continues(next) if next.states[0] == ContactState::Rolling));
+    assert!(matches!(&beyond, Beyond::Continues(next) if next.states[0] == ContactState::Sticking));
 }
 
 /// The same three feet under a base load that went sideways before the middle one touches, and then along (b, -1) with

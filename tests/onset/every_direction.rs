@@ -25,7 +25,7 @@ fn pull(angle: f64) -> Wrench {
 }
 
 fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
-    Ok(grasp.onset_of_sliding(&Wrench::ZERO, &pull(angle))?.factor().ok_or("rolls without load")?)
+    Ok(grasp.onset_of_sliding(&Wrench::ZERO, &pull(angle))?.factor().ok_or("sticks without load")?)
 }
 
 /// Rows (c, g) with c + g·W >= 0 while nothing slides or opens, from the equilibria under three small loads.
@@ -146,7 +146,7 @@ fn in_space_the_region_is_convex_and_as_symmetric_as_the_grasp() -> Result<(), F
     }))?;
     let onset = |d: [f64; 3]| -> Result<f64, Failure> {
         let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force(d));
-        Ok(grasp.onset(&ramp)?.factor().ok_or("rolls without load")?)
+        Ok(grasp.onset(&ramp)?.factor().ok_or("sticks without load")?)
     };
     let (sin, cos) = (TAU / 3.0).sin_cos();
     let directions = SphereGrid::new(8, 19).directions();

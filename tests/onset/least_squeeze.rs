@@ -35,10 +35,10 @@ impl Ball {
     }
 }
 
-/// Whether everything touches and rolls under a load.
-fn rolls(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
+/// Whether everything touches and sticks under a load.
+fn sticks(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
     match grasp.solve(load).expect("a load") {
-        Outcome::Equilibrium(e) => e.rule == Rung::EverythingRolls,
+        Outcome::Equilibrium(e) => e.rule == Rung::EverythingSticks,
         _ => false,
     }
 }
@@ -68,14 +68,14 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         for _ in 0..2000 {
             let v = numbers.three();
             let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("rolls at rest"));
+            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("sticks at rest"));
         }
         // Beside it, too: where it would be weaker if it were not the least near by.
         for step in [1e-2, 1e-4] {
             let near = numbers.three();
             let v: [f64; 3] = std::array::from_fn(|a| direction[a] + step * near[a]);
             let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("rolls at rest"));
+            least = least.min(onset(v.map(|x| x / norm))?.factor().expect("sticks at rest"));
         }
         assert!(least >= size * (1.0 - 1e-12) && least < 1.05 * size, "{number}: {least} {size}");
     }
@@ -117,10 +117,10 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
             other => panic!("{other:?}"),
         };
         let enough = ball.pressed(factor * (1.0 + 1e-9))?;
-        assert!(samples.iter().all(|load| rolls(&enough, load)), "{number}: {factor}");
-        assert!(rolls(&enough, &worst), "{number}: {factor}");
+        assert!(samples.iter().all(|load| sticks(&enough, load)), "{number}: {factor}");
+        assert!(sticks(&enough, &worst), "{number}: {factor}");
         let less = ball.pressed(factor * (1.0 - 1e-9))?;
-        assert!(!rolls(&less, &worst), "{number}: {factor}");
+        assert!(!sticks(&less, &worst), "{number}: {factor}");
     }
     assert!(factors.iter().all(|count| *count > 8), "{factors:?}");
     Ok(())
@@ -163,7 +163,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     assert!((size - 0.8_f64.sqrt()).abs() < 1e-15, "{size}");
     // A base load that slides already.
     let heavy = spatial::Wrench::force([0.0, 0.0, -1.5]);
-    assert!(matches!(pinch.weakest_direction(&heavy, [0.0; 3])?, WeakestDirection::NotRolling));
+    assert!(matches!(pinch.weakest_direction(&heavy, [0.0; 3])?, WeakestDirection::NotSticking));
     Ok(())
 }
 

@@ -1,9 +1,9 @@
 //! The onset of sliding against a search that knows nothing of how it was found.
 //!
-//! While everything rolls the forces solve a linear least-squares problem (`support::rolling`); the largest load factor at
+//! While everything sticks the forces solve a linear least-squares problem (`support::sticking`); the largest load factor at
 //! which all of them lie in their cones is found here by bisection and must be the onset, in the plane and in space, on
 //! the round cone and on the polygon, for loads and for finger commands. Just below the onset the solver must find that
-//! everything rolls, just above it must not.
+//! everything sticks, just above it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Outcome, Rung};
@@ -12,19 +12,19 @@ use proptest::prelude::*;
 use support::ramps::{Change, Friction, Tally, close, for_both, slack};
 use support::scene::Scene;
 
-/// The factor at which rolling ends, by doubling and bisection; infinite if it does not end before 2^40.
+/// The factor at which sticking ends, by doubling and bisection; infinite if it does not end before 2^40.
 fn bisected<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
     friction: Friction,
 ) -> Option<f64> {
-    let rolls = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
+    let sticks = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
     // A base clearly inside, so that the edge is where it is and not where rounding puts it.
     if !slack(scene, friction).is_some_and(|slack| slack > 1e-3) {
         return None;
     }
     let mut above = 1.0;
-    while rolls(above) {
+    while sticks(above) {
         above *= 2.0;
         if above > 2_f64.powi(40) {
             return Some(f64::INFINITY);
@@ -33,7 +33,7 @@ fn bisected<const D: usize, const C: usize>(
     let mut below = if above > 1.0 { above / 2.0 } else { 0.0 };
     for _ in 0..60 {
         let middle = 0.5 * (below + above);
-        *(if rolls(middle) { &mut below } else { &mut above }) = middle;
+        *(if sticks(middle) { &mut below } else { &mut above }) = middle;
     }
     Some(below)
 }
@@ -66,7 +66,7 @@ fn check_bisection<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Just below the onset everything rolls, just above something does not.
+/// Just below the onset everything sticks, just above something does not.
 fn check_both_sides<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
@@ -101,8 +101,8 @@ fn check_both_sides_on<const D: usize, const C: usize>(
         there.grasp().with(&settings).solve(&there.wrench()).expect("a finite load")
     };
     let below = solve(1.0 - 1e-9);
-    let rolls = below.equilibrium().is_some_and(|e| e.rule == Rung::EverythingRolls);
-    prop_assert!(rolls, "below the onset {event:?}\n{below:?}");
+    let sticks = below.equilibrium().is_some_and(|e| e.rule == Rung::EverythingSticks);
+    prop_assert!(sticks, "below the onset {event:?}\n{below:?}");
     let above = solve(1.0 + 1e-9);
     let leaves = match &above {
         Outcome::Equilibrium(e) => e

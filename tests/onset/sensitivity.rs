@@ -105,10 +105,10 @@ impl<const D: usize, const C: usize> Scene<D, C> {
 
 fn states<const C: usize>(e: &Equilibrium<C>) -> Vec<u8> {
     let word = |c: &grasp_lcp::equilibrium::ContactAnswer<C>| {
-        use grasp_lcp::equilibrium::ContactState::{Frictionless, Rolling, Separated, Sliding};
+        use grasp_lcp::equilibrium::ContactState::{Frictionless, Separated, Sliding, Sticking};
         match c.state {
             Separated => 0,
-            Rolling => 1,
+            Sticking => 1,
             Sliding { .. } => 2,
             Frictionless => 3,
         }

@@ -47,7 +47,7 @@ impl Spring {
     }
 }
 
-/// Forces of all contacts under a load while everything rolls, exact up to the last division; with the commands if they count.
+/// Forces of all contacts under a load while everything sticks, exact up to the last division; with the commands if they count.
 fn forces(springs: &[Spring], load: &[f64], commanded: bool) -> Vec<Vec<Dyadic>> {
     let n = load.len();
     let mut matrix = vec![vec![Dyadic::zero(); n]; n];
@@ -208,7 +208,7 @@ struct Tally {
 type Datum<const C: usize> = ([f64; C], [f64; 4]);
 
 impl Tally {
-    /// Compares the onset of a turn from where everything touches and rolls.
+    /// Compares the onset of a turn from where everything touches and sticks.
     fn compare<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,
@@ -216,7 +216,7 @@ impl Tally {
         turn: &Turn<C>,
     ) -> Result<(), Error> {
         let rest = grasp.solve(&turn.load_at(0.0))?;
-        if rest.equilibrium().is_none_or(|rest| rest.rule != Rung::EverythingRolls) {
+        if rest.equilibrium().is_none_or(|rest| rest.rule != Rung::EverythingSticks) {
             return Ok(());
         }
         let spring =

@@ -150,10 +150,10 @@ fn without_bounds_it_is_the_onset() {
 }
 
 #[test]
-fn what_does_not_roll_in_some_case_is_told() {
+fn what_does_not_stick_in_some_case_is_told() {
     let open = planar::Bounds::none().with_commands([[0.011, 0.0]; 2]);
     let answer = palms().least_onset_within(&weight(), &open).unwrap();
-    assert!(matches!(answer, LeastOnset::NotRolling { .. }), "{answer:?}");
+    assert!(matches!(answer, LeastOnset::NotSticking { .. }), "{answer:?}");
     // Pressed further together however far the load goes.
     let tighter = planar::Ramp::commands(planar::Wrench::ZERO, [[1e-3, 0.0]; 2]);
     let slightly = planar::Bounds::none().with_commands([[1e-3, 1e-3]; 2]);

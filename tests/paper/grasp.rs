@@ -22,7 +22,7 @@ fn second_table_to_the_digits_printed() {
             continue;
         }
         let state = outcome.equilibrium().expect("holds");
-        assert_eq!(state.rule, Rung::EverythingRolls);
+        assert_eq!(state.rule, Rung::EverythingSticks);
         assert_eq!(state.work.pivots, 0);
         let ours: Vec<f64> =
             state.contacts.iter().flat_map(|c| [c.normal_force(), c.tangential_force()]).collect();
@@ -47,7 +47,7 @@ fn second_grasp_slides_first_at_root_65_over_66() {
     for c in &state.contacts {
         assert!((c.normal_force() - 65.0 / 132.0).abs() < 1e-15);
         assert!((c.friction_force() - 65.0 / 528.0).abs() < 1e-15);
-        assert_eq!(c.state, ContactState::Rolling);
+        assert_eq!(c.state, ContactState::Sticking);
     }
     assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [0, 1], "both at once");
     for leaving in &event.leaving {
@@ -68,10 +68,10 @@ fn w_star_is_the_limit_load_to_one_part_in_a_thousand_million() {
     }
     let below = grasp.solve(&(down() * (exact * (1.0 - 1e-9)))).unwrap();
     let state = below.equilibrium().expect("holds");
-    assert_eq!((state.rule, state.work.pivots), (Rung::EverythingRolls, 0));
+    assert_eq!((state.rule, state.work.pivots), (Rung::EverythingSticks, 0));
 }
 
-/// Below W* there are four equilibria: both fingers rolling, either one sliding, both sliding. They meet at W*.
+/// Below W* there are four equilibria: both fingers sticking, either one sliding, both sliding. They meet at W*.
 #[test]
 fn four_equilibria_below_w_star() {
     let grasp = two_fingers().unwrap();

@@ -196,7 +196,7 @@ fn regrasping_starts_without_tangential_force() {
     for c in &end.contacts[2..] {
         assert_close!(c.normal_force(), 1.0);
         assert_close!(c.force_world[1], 0.0);
-        assert_eq!(c.state, ContactState::Rolling);
+        assert_eq!(c.state, ContactState::Sticking);
     }
     for energy in path.energies() {
         assert!(energy.residual().abs() < 1e-13, "{energy:?}");

@@ -104,7 +104,7 @@ fn two_fingers_as_printed() {
 
     let says = |k: usize| qp.equalities[k];
     assert_eq!(says(0), Equality::SpringContinuity { contact: 0, axis: 0 });
-    assert_eq!(says(5), Equality::Rolling { contact: 1, axis: 1 });
+    assert_eq!(says(5), Equality::Sticking { contact: 1, axis: 1 });
     assert_eq!(says(9), Equality::BodyMotion { contact: 1, axis: 1 });
     assert_eq!(qp.inequalities[1], Inequality::NoPenetration { contact: 0 });
     assert_eq!(qp.inequalities[9], Inequality::Friction { contact: 1, facet: 1 });
@@ -155,10 +155,10 @@ fn shapes_in_space_and_of_other_contacts() {
     let count = |contact: usize, of: &dyn Fn(&Equality) -> Option<usize>| {
         qp.equalities.iter().filter(|e| of(e) == Some(contact)).count()
     };
-    let rolling =
-        |e: &Equality| if let Equality::Rolling { contact, .. } = e { Some(*contact) } else { None };
+    let sticking =
+        |e: &Equality| if let Equality::Sticking { contact, .. } = e { Some(*contact) } else { None };
     let closed = |e: &Equality| if let Equality::Closed { contact } = e { Some(*contact) } else { None };
-    assert_eq!((0..5).map(|i| count(i, &rolling)).collect::<Vec<_>>(), [2, 0, 2, 2, 2]);
+    assert_eq!((0..5).map(|i| count(i, &sticking)).collect::<Vec<_>>(), [2, 0, 2, 2, 2]);
     assert_eq!((0..5).map(|i| count(i, &closed)).collect::<Vec<_>>(), [0, 0, 0, 1, 1]);
     let inequalities = |contact: usize| {
         let of = |e: &&Inequality| match e {

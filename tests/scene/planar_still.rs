@@ -8,7 +8,7 @@ use crate::svg::{Failure, Shape, shapes};
 const LOAD: &str = "#000000";
 const FINGER: &str = "#B0B0B0";
 const GREY: &str = "#6E6E6E";
-const ROLLING: &str = "#0072B2";
+const STICKING: &str = "#0072B2";
 /// Widths of the arrow of a force and of the arc of a moment, pixels.
 const FORCE: f64 = 3.0;
 const ARC: f64 = 2.0;
@@ -93,7 +93,7 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
     }
     // As long beside the force of the foot as it is large.
     let foot = state.contacts[0].force_world;
-    let tips = drawn.tips(ROLLING);
+    let tips = drawn.tips(STICKING);
     let of_foot =
         tips.iter().find(|tip| (tip[0] / tip[1] - foot[0] / foot[1]).abs() < 0.01).ok_or("the foot's")?;
     let [long, short] = [arrows[0][0][1] - tip[1], of_foot[0].hypot(of_foot[1])];
@@ -143,7 +143,7 @@ fn forces_do_not_leave_through_the_back() -> Result<(), Failure> {
     let grasp = Grasp::new([finger(-0.02), finger(0.02)])?;
     let box_ = [[-0.02, -0.1], [0.02, -0.1], [0.02, 0.1], [-0.02, 0.1]];
     let drawn = Drawn::new(&grasp, &state(&grasp, &Wrench::ZERO)?, Some(&box_))?;
-    let tips = drawn.tips(ROLLING);
+    let tips = drawn.tips(STICKING);
     // A cone and an arrow for each.
     assert_eq!(tips.len(), 4);
     assert!(tips.iter().all(|tip| tip[0].abs() <= 0.02 + NEAR * drawn.metres), "{tips:?}");

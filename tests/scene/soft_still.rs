@@ -6,7 +6,7 @@ use grasp_lcp::{planar, spatial};
 
 use crate::svg::{Failure, Shape, circles, shapes};
 
-const ROLLING: &str = "#0072B2";
+const STICKING: &str = "#0072B2";
 /// Width of the arrow of a force, pixels.
 const FORCE: f64 = 3.0;
 /// Points of a fingertip, and fingertips.
@@ -26,7 +26,7 @@ fn pinch() -> Result<(Grasp, Equilibrium), Failure> {
     // Its weight acts beside the line of the pinch, so that pressure is not even.
     let state = grasp.solve(&Wrench::force_at([0.0, 0.0, -1.0], [0.02, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or("it holds")?.clone();
-    assert!(state.contacts.iter().all(|c| matches!(c.state, spatial::ContactState::Rolling)));
+    assert!(state.contacts.iter().all(|c| matches!(c.state, spatial::ContactState::Sticking)));
     Ok((grasp, state))
 }
 
@@ -41,10 +41,10 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
     let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let shapes = shapes(&svg)?;
     // In the legend stands one more.
-    let mut starts = thick(&shapes, ROLLING);
+    let mut starts = thick(&shapes, STICKING);
     starts.retain(|at| at[0] < 620.0);
     assert_eq!(starts.len(), TIPS);
-    let mut dots = circles(&svg, ROLLING)?;
+    let mut dots = circles(&svg, STICKING)?;
     dots.retain(|at| at[0] < 620.0);
     assert_eq!(dots.len(), TIPS * POINTS);
     // Pixels of a metre from the two outermost points of the disc, seen from the side.
@@ -79,7 +79,7 @@ fn the_same_points_under_other_names_are_drawn_one_by_one() -> Result<(), Failur
     let renamed = grasp.contacts().iter().enumerate().map(|(i, c)| c.clone().name(format!("p{i}")));
     let grasp = Grasp::new(renamed.collect::<Vec<_>>())?;
     let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
-    let mut starts = thick(&shapes(&svg)?, ROLLING);
+    let mut starts = thick(&shapes(&svg)?, STICKING);
     starts.retain(|at| at[0] < 620.0);
     assert_eq!(starts.len(), TIPS * POINTS);
     Ok(())
@@ -98,8 +98,8 @@ fn a_planar_fingertip_has_one_force() -> Result<(), Failure> {
     let state = grasp.solve(&planar::Wrench::force([0.0, -1.0]))?;
     let state = state.equilibrium().ok_or("it holds")?;
     let svg = draw_grasp(&grasp, state, None, "A pinch")?;
-    assert_eq!(thick(&shapes(&svg)?, ROLLING).len(), TIPS);
-    assert_eq!(circles(&svg, ROLLING)?.len(), grasp.len());
+    assert_eq!(thick(&shapes(&svg)?, STICKING).len(), TIPS);
+    assert_eq!(circles(&svg, STICKING)?.len(), grasp.len());
     // Both together carry the weight: each says half of it and the squeeze.
     let total: f64 = state.contacts[..grasp.len() / TIPS].iter().map(|c| c.force_world[1]).sum();
     assert!((total - 0.5).abs() < 1e-9);

@@ -20,7 +20,7 @@ const FINGER: f64 = 0.12;
 const NEAR: f64 = 0.0051;
 
 const SLIDING: &str = "#D55E00";
-const ROLLING: &str = "#0072B2";
+const STICKING: &str = "#0072B2";
 const GREY: &str = "#6E6E6E";
 
 fn finger(point: [f64; 3], towards: [f64; 3]) -> Contact {
@@ -93,7 +93,7 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let shapes = shapes(&svg)?;
     let is_there = |place: [f64; 2]| {
         let near = |point: &[f64; 2]| [0, 1].iter().all(|k| (point[*k] - place[*k]).abs() <= NEAR);
-        let mut blue = shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == ROLLING);
+        let mut blue = shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == STICKING);
         blue.any(|shape| shape.points.iter().any(near))
     };
     for side in [-1.0, 1.0] {
@@ -215,7 +215,7 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     let svg = page(&grasp, 0).frame("slides", &state).to_svg(Some(0), View::default())?;
     // One more of each in the legend.
     assert_eq!(circles(&svg, SLIDING)?.len(), sliding + 1);
-    assert_eq!(circles(&svg, ROLLING)?.len(), 3 - sliding + 1);
+    assert_eq!(circles(&svg, STICKING)?.len(), 3 - sliding + 1);
     assert!(svg.contains("slip of the finger") && !svg.contains("no contact resists"));
     // Nothing resists a moment about the line of a pinch: without forces the picture says why.
     let pinch = pinch()?;
@@ -223,7 +223,7 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
         .outcome("turned", &pinch.solve(&Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
     let svg = none.to_svg(Some(0), View::default())?;
     assert!(svg.contains("No equilibrium exists."));
-    assert_eq!((circles(&svg, GREY)?.len(), circles(&svg, ROLLING)?.len()), (2, 0));
+    assert_eq!((circles(&svg, GREY)?.len(), circles(&svg, STICKING)?.len()), (2, 0));
     Ok(())
 }
 

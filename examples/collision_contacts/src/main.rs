@@ -130,7 +130,7 @@ fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failu
 
 /// How hard the mug may be pulled each way.
 fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
-    println!("\nPulled at its centre of mass  leaves rolling at (N)  holds up to (N)");
+    println!("\nPulled at its centre of mass  stops sticking at (N)  holds up to (N)");
     let ways = [
         ("down", -DVec3::Z),
         ("up", DVec3::Z),

@@ -1,6 +1,6 @@
 // Answers in sentences. What is no equilibrium is told in words alone.
 const words = (() => {
-  const STATES = { rolling: "sticks", sliding: "slides", separated: "open", frictionless: "slides freely" };
+  const STATES = { sticking: "sticks", sliding: "slides", separated: "open", frictionless: "slides freely" };
   const DOUBTS = {
     ray_without_proof: "the bounded search of this page found neither an equilibrium nor a proof that there is none",
     on_the_boundary: "the load is on the edge of what the grasp holds, as far as rounding can tell",

@@ -102,7 +102,7 @@ fn compare(record: &Value) -> usize {
     let told: Vec<_> =
         record["states"].as_array().unwrap().iter().map(|state| state.as_str().unwrap()).collect();
     let words = |state: &&str| match *state {
-        "rolling" => "sticks",
+        "sticking" => "sticks",
         "sliding" => "slides",
         "separated" => "open",
         "frictionless" => "slides freely",

@@ -40,7 +40,7 @@ class Proof(View):
 
 
 class Leaving(View):
-    """A contact that leaves rolling at an onset, or changes on a path."""
+    """A contact that stops sticking at an onset, or changes on a path."""
 
     @property
     def contact(self) -> int:
@@ -188,7 +188,7 @@ class Solution(Answer):
 
 
 class _First(Answer):
-    """When something leaves rolling, as a load grows or turns."""
+    """When something stops sticking, as a load grows or turns."""
 
     @cached_property
     def load(self) -> Array | None:
@@ -224,7 +224,7 @@ class Onset(_First):
 
     @property
     def factor(self) -> float | None:
-        """The factor up to which everything rolls, no unit: that of the event, or from which on nothing resists; ``inf`` for never.
+        """The factor up to which everything sticks, no unit: that of the event, or from which on nothing resists; ``inf`` for never.
         None for all other outcomes: look at :attr:`outcome` first."""
         told = self._told
         if isinstance(told, Told):

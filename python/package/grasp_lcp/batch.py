@@ -19,10 +19,10 @@ class OnsetStatus(IntEnum):
     """How one row of :func:`onsets` ended."""
 
     LEAVES = 0
-    """Contacts leave rolling at the factor."""
+    """Contacts stop sticking at the factor."""
     NEVER = 1
     """However large the load grows, nothing leaves; the factor is ``inf``."""
-    NOT_ROLLING = 2
+    NOT_STICKING = 2
     """Something slides or is open at factor 0; ``complete=True`` says more."""
     GIVES_WAY = 3
     """The load works on a motion that no contact resists."""
@@ -55,7 +55,7 @@ class ContactState(IntEnum):
     """What a contact does in :attr:`Equilibria.states`."""
 
     SEPARATED = 0
-    ROLLING = 1
+    STICKING = 1
     SLIDING = 2
     FRICTIONLESS = 3
     UNKNOWN = 255
@@ -189,7 +189,7 @@ def onsets(
     hold: str | Sequence[str] = "unilateral",
     complete: bool = False,
 ) -> Onsets:
-    """At which factor of a direction the first contact of each of many grasps leaves rolling; see :meth:`Grasp.onset`.
+    """At which factor of a direction the first contact of each of many grasps stops sticking; see :meth:`Grasp.onset`.
 
     The shape of the batch is that of ``points.shape[:-2]`` and ``direction.shape[:-1]`` broadcast together, as all other arguments are:
     points of shape (B, n, c) with a direction of shape (c,) are B questions, with directions of shape (B, c) one for each grasp;

@@ -38,7 +38,7 @@ class Contact(View):
 
     @property
     def state(self) -> str:
-        """``"separated"``, ``"rolling"``, ``"sliding"`` or ``"frictionless"``."""
+        """``"separated"``, ``"sticking"``, ``"sliding"`` or ``"frictionless"``."""
         return str(self._tree["state"])
 
     @cached_property

@@ -232,7 +232,7 @@ class Grasp:
         command_change: ArrayLike | None = None,
         joint_change: ArrayLike | None = None,
     ) -> Onset:
-        """At which factor of a direction the first contact leaves rolling, the load being ``base + factor * direction``.
+        """At which factor of a direction the first contact stops sticking, the load being ``base + factor * direction``.
 
         :param direction: load that one unit of the factor adds, N and N m, shape (c,) or (d,).
         :param base: load at factor 0; none unless said otherwise.
@@ -261,7 +261,7 @@ class Grasp:
         angle: float | None = None,
         reversed: bool = False,
     ) -> TurnOnset:
-        """At which angle the first contact leaves rolling while a load turns.
+        """At which angle the first contact stops sticking while a load turns.
 
         Give a ``weight`` while the object is tilted with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. In the plane it
         turns from x to y, in space about the axis by the right-hand rule.
@@ -347,7 +347,7 @@ class Grasp:
         at: ArrayLike | None = None,
         turn: Mapping[str, Any] | None = None,
     ) -> LeastSqueeze:
-        """The least common factor of all commands with which everything rolls under each of a set of loads.
+        """The least common factor of all commands with which everything sticks under each of a set of loads.
 
         :param loads: shape (k, c) or (k, d), or one load, N and N m. Or in its place one of the next two.
         :param any_force: size of a force of any direction, N, beside the load ``base`` and through the point ``at`` (m).
@@ -367,7 +367,7 @@ class Grasp:
         return LeastSqueeze.from_json(self._held.least_squeeze(rows))
 
     def weakest_direction(self, base: ArrayLike | None = None, at: ArrayLike | None = None) -> WeakestDirection:
-        """The direction in which the least force through a point makes a contact leave rolling, beside a base load.
+        """The direction in which the least force through a point makes a contact stop sticking, beside a base load.
 
         :param base: N and N m, shape (c,) or (d,); none unless said otherwise.
         :param at: m, shape (c,); the origin unless said otherwise.

@@ -131,7 +131,7 @@ class LeastSqueeze(_Told):
 
 
 class WeakestDirection(_Told):
-    """The least force that slides: ``"force"``, ``"never"``, ``"gives_way"``, ``"not_rolling"`` or ``"undecided"``."""
+    """The least force that slides: ``"force"``, ``"never"``, ``"gives_way"``, ``"not_sticking"`` or ``"undecided"``."""
 
     @property
     def size(self) -> float | None:

@@ -70,7 +70,7 @@ fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAn
             table(out, setup, &event.state)?;
             goes_on(out, &event.beyond)?;
         }
-        OnsetAnswer::Never => writeln!(out, "  never: everything keeps rolling however far the load goes")?,
+        OnsetAnswer::Never => writeln!(out, "  never: everything keeps sticking however far the load goes")?,
         OnsetAnswer::AlreadySliding { state } => {
             writeln!(out, "  something slides already at factor 0:")?;
             table(out, setup, state)?;
@@ -101,7 +101,7 @@ fn slides_turned<const C: usize>(
             table(out, setup, &event.state)?;
             goes_on(out, &event.beyond)?;
         }
-        TurnOnset::Never => writeln!(out, "  never: everything keeps rolling up to the last angle")?,
+        TurnOnset::Never => writeln!(out, "  never: everything keeps sticking up to the last angle")?,
         TurnOnset::AlreadySliding { state } => {
             writeln!(out, "  something slides already at angle 0:")?;
             table(out, setup, state)?;
@@ -127,7 +127,7 @@ fn slides_turned<const C: usize>(
     Ok(())
 }
 
-/// Who leaves rolling, and how.
+/// Who stops sticking, and how.
 fn leave<const C: usize>(
     out: &mut dyn Write,
     leaving: &[Leaving<C>],

@@ -25,9 +25,9 @@ fn motion<const C: usize>(motion: &Motion<C>) -> String {
 }
 
 pub(crate) fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
-    let words = ["rolling", "sliding", "open", "smooth"];
+    let words = ["sticking", "sliding", "open", "smooth"];
     let which = |c: &&&Touch<C>| match c.doing {
-        Doing::Rolling => 0,
+        Doing::Sticking => 0,
         Doing::Sliding { .. } => 1,
         Doing::Separated => 2,
         _ => 3,

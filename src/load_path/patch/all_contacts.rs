@@ -3,9 +3,9 @@
 
 use super::patch_path::Patch;
 use crate::contact::{Mode, State};
+use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::load_path::loss::end_of_path;
 use crate::numerics::Size;
 use crate::search::{Settled, settle};
 

@@ -1,9 +1,9 @@
 //! The bounds ahead of the path: which contacts reach one first on a straight piece, with lazy
 //! pricing.
 
+use super::active_set::Bound;
 use super::balance::Balance;
 use super::moving_contact::size;
-use super::stand::Bound;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Size;
 use crate::object::{LazyPricing, Point};

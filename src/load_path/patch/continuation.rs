@@ -11,10 +11,10 @@
 
 use nalgebra::SVector;
 
+use super::active_set::ActiveSet;
 use super::moving_contact::MovingContact;
 use super::patch_event::PatchEvent;
 use super::patch_path::{Due, Patch};
-use super::stand::Stand;
 use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
@@ -53,7 +53,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
             self.sliding.clear();
             // Nothing changes; or everything that stands on an edge sticks to begin with.
             self.newton() || {
-                self.put_each(|_, _| Mode::Rolling);
+                self.put_each(|_, _| Mode::Sticking);
                 self.newton()
             }
         } else {
@@ -71,7 +71,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     /// it may as well part from the object, which moves less then, it parts; forces are the same.
     fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         let balance = &self.balance;
-        let is_idle = |stand: &&Stand<C>| {
+        let is_idle = |stand: &&ActiveSet<C>| {
             let contact = balance.contact(stand.contact);
             stand.apex
                 && contact.fixed.gap
@@ -98,7 +98,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided(journey)) }
     }
 
-    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &Stand<C>) -> PolygonState) {
+    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &ActiveSet<C>) -> PolygonState) {
         for stand in &self.stands {
             let state = state(self.balance.contact(stand.contact), stand);
             self.balance.put(stand.contact, state);
@@ -154,7 +154,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     /// all at once.
     fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         for k in 0..self.stands.len() {
-            let Stand { contact, was, .. } = self.stands[k];
+            let ActiveSet { contact, was, .. } = self.stands[k];
             let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
             if !opens || !journey.grasp.sites()[contact as usize].friction.is_infinite() {
                 continue;

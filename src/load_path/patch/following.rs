@@ -36,7 +36,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
-    type Told = PatchEvent<C>;
+    type Report = PatchEvent<C>;
 
     const STRAIGHT_ONLY: Option<&'static str> = Some("follow_patch");
 

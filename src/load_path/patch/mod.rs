@@ -15,7 +15,7 @@
 //! |---|---|
 //! | `patch_path`, `patch_event` | the follower, and what happens where it stands |
 //! | `moving_contact` | one contact on its way, and what its law watches |
-//! | `stand` | what it stands on |
+//! | `active_set` | what it stands on |
 //! | `trial_leg` | the elastic trial state along a leg |
 //! | `balance` | contacts in known states, and the motion that balances the load |
 //! | `bounds_ahead` | which contacts reach a bound first |
@@ -26,6 +26,7 @@
 //! | `following` | from event to event |
 //! | `state_on_the_way` | the state as physics, and what stands on an edge |
 
+mod active_set;
 mod all_contacts;
 mod balance;
 mod bounds_ahead;
@@ -35,7 +36,6 @@ mod moving_contact;
 mod patch_event;
 mod patch_path;
 mod sliding_on;
-mod stand;
 mod start;
 mod state_on_the_way;
 mod trial_leg;

@@ -7,12 +7,12 @@
 //! ```
 //!
 //! x⁰ + τ x⁰' is the elastic trial state on the way along a leg, m the slip so far, and P what the
-//! state lets through. A rolling contact lets everything through, an open one nothing, a sliding
+//! state lets through. A sticking contact lets everything through, an open one nothing, a sliding
 //! one what lies along its facet or in its corner of the cone.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::stand::{Bound, Stand};
+use super::active_set::{ActiveSet, Bound};
 use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
@@ -50,7 +50,7 @@ fn through<const C: usize>(
     row: &SVector<f64, C>,
 ) -> SVector<f64, C> {
     match state {
-        Mode::Rolling => *row,
+        Mode::Sticking => *row,
         Mode::Facet(j) => {
             let own = &facets[usize::from(j)];
             row - own.row * own.column().dot(row)
@@ -81,7 +81,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     pub(super) fn new(fixed: EnergyContact<D, C>) -> Self {
         let (zero, width) = (SVector::zeros(), fixed.seen.norm());
         let [trial, rate, memory] = [zero; 3];
-        Self { fixed, trial, rate, memory, width, state: Mode::Rolling, stamp: 0, waits: false }
+        Self { fixed, trial, rate, memory, width, state: Mode::Sticking, stamp: 0, waits: false }
     }
 
     /// u.
@@ -118,7 +118,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     /// P; `None` where everything is let through.
     pub(super) fn hold(&self, facets: &[Facet<C>]) -> Option<SMatrix<f64, C, C>> {
         match self.state {
-            Mode::Rolling => None,
+            Mode::Sticking => None,
             Mode::Open => Some(SMatrix::zeros()),
             sliding => Some(slipping(sliding, facets).hold()),
         }
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         let state = self.state;
         match state {
             Mode::Open => visit(Bound::Apex, &-normal::<C>()),
-            Mode::Rolling => {
+            Mode::Sticking => {
                 for (j, facet) in (0..).zip(facets) {
                     visit(Bound::Facet(j), &facet.row);
                 }
@@ -187,8 +187,8 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         stretch: &SVector<f64, C>,
         level: f64,
         facets: &[Facet<C>],
-    ) -> Stand<C> {
-        let mut stand = Stand::nowhere(contact, self.state, self.memory);
+    ) -> ActiveSet<C> {
+        let mut stand = ActiveSet::nowhere(contact, self.state, self.memory);
         if facets.is_empty() && !self.fixed.gap {
             return stand;
         }
@@ -199,7 +199,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
                 stand.reach(Bound::Facet(j));
                 stand.reach(Bound::Facet(self.facet_after(j)));
             }
-            Mode::Open | Mode::Rolling => {}
+            Mode::Open | Mode::Sticking => {}
         }
         self.for_each_bound(facets, |bound, felt| {
             if felt.dot(stretch) <= ZERO_SLACK * size(felt) * level {
@@ -217,7 +217,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     /// facets has theirs, one at the apex all of its law.
     pub(super) fn margin(
         &self,
-        stand: &Stand<C>,
+        stand: &ActiveSet<C>,
         state: PolygonState,
         stretch_rate: &SVector<f64, C>,
         facets: &[Facet<C>],
@@ -252,11 +252,11 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     /// one that breaks them least.
     pub(super) fn answer(
         &self,
-        stand: &Stand<C>,
+        stand: &ActiveSet<C>,
         stretch_rate: &SVector<f64, C>,
         facets: &[Facet<C>],
     ) -> PolygonState {
-        let mut best = (Mode::Rolling, f64::NEG_INFINITY);
+        let mut best = (Mode::Sticking, f64::NEG_INFINITY);
         let mut consider = |state: PolygonState| {
             if best.1 < 0.0 {
                 let margin = self.margin(stand, state, stretch_rate, facets);
@@ -265,7 +265,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
                 }
             }
         };
-        consider(Mode::Rolling);
+        consider(Mode::Sticking);
         if stand.apex {
             let all = 0..self.fixed.facet_count;
             if self.fixed.gap {
@@ -283,7 +283,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     }
 
     /// The corner between the two facets on which a contact stands.
-    fn corner_of(&self, stand: &Stand<C>) -> Option<PolygonState> {
+    fn corner_of(&self, stand: &ActiveSet<C>) -> Option<PolygonState> {
         let [a, b] = *stand.facets() else { return None };
         if self.facet_after(a) == b {
             Some(Mode::Corner(a))
@@ -294,9 +294,9 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
 
     /// What mostly comes next: a contact on an edge slides along it, one without force opens, one
     /// without a gap sticks.
-    pub(super) fn guess(&self, stand: &Stand<C>) -> PolygonState {
+    pub(super) fn guess(&self, stand: &ActiveSet<C>) -> PolygonState {
         match *stand.facets() {
-            _ if stand.apex && self.state.is_open() => Mode::Rolling,
+            _ if stand.apex && self.state.is_open() => Mode::Sticking,
             _ if stand.apex && self.fixed.gap => Mode::Open,
             [j] if !stand.apex => Mode::Facet(j),
             [_, _] if !stand.apex => self.corner_of(stand).unwrap_or(self.state),

@@ -1,10 +1,10 @@
 //! The follower of thousands of contacts: where it stands, and what ends its path there.
 
+use super::active_set::ActiveSet;
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
 use super::patch_event::PatchEvent;
 use super::sliding_on::SlidingOn;
-use super::stand::Stand;
 use super::trial_leg::TrialLeg;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::journey::Journey;
@@ -30,7 +30,7 @@ pub(crate) struct Patch<D: Size, const C: usize> {
     pub(super) ahead: BoundsAhead<D>,
     pub(super) sliding: SlidingOn<D>,
     /// The contacts that stand on an edge at the present event.
-    pub(super) stands: Vec<Stand<C>>,
+    pub(super) stands: Vec<ActiveSet<C>>,
     pub(super) due: Due,
     /// Whether the trial state is that of the present leg already: of the first one.
     pub(super) is_laid: bool,

@@ -1,11 +1,11 @@
 //! Where a path starts, and where each leg of it does.
 
+use super::active_set::ActiveSet;
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
 use super::moving_contact::size;
 use super::patch_path::{Due, Patch};
 use super::sliding_on::SlidingOn;
-use super::stand::Stand;
 use super::trial_leg::{TrialLeg, loads};
 use crate::contact::{Mode, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
@@ -88,7 +88,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.balance.settle_at(0.0);
         let all = (0..).take(self.balance.contacts.len()).map(|contact| self.balance.stand_of(contact));
         self.stands.clear();
-        self.stands.extend(all.filter(|stand: &Stand<C>| !stand.is_nowhere()));
+        self.stands.extend(all.filter(|stand: &ActiveSet<C>| !stand.is_nowhere()));
         self.due = Due::Start;
         Ok(())
     }

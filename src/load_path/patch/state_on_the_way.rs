@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::moving_contact::MovingContact;
 use super::patch_path::Patch;
-use crate::contact::{PolygonState, Stand, State};
+use crate::contact::{ActiveSet, PolygonState, State};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
 use crate::load_path::follower::Edge;
@@ -64,14 +64,14 @@ impl<D: Size, const C: usize> Patch<D, C> {
         let mut states: Vec<_> = balance.contacts.iter().map(|contact| contact.state).collect();
         let sliding = |state: &PolygonState| {
             let own = state.own_facets(normals.len()).into_iter().flatten();
-            Stand { facets: own.map(|j| normals[j]).collect(), apex: false }
+            ActiveSet { facets: own.map(|j| normals[j]).collect(), apex: false }
         };
         let mut stands: Vec<_> = states.iter().map(sliding).collect();
         for stand in &self.stands {
             let i = stand.contact as usize;
             states[i] = stand.was;
             let facets = stand.facets().iter().map(|&j| normals[usize::from(j)]).collect();
-            stands[i] = Stand { facets, apex: stand.apex };
+            stands[i] = ActiveSet { facets, apex: stand.apex };
         }
         let states: Vec<State<C>> = states.into_iter().map(State::from).collect();
         let rates = segment.rates(0.0, segment.laws_of_rates(&stands, &states));

@@ -2,9 +2,9 @@
 
 use super::stepped_path::Steps;
 use crate::contact::Law;
+use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::load_path::loss::end_of_path;
 use crate::numerics::{Size, Vector};
 use crate::search::{Doubt, Settled, settle};
 

@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use crate::contact::{Answer, State};
-use crate::load_path::course::Course;
 use crate::load_path::journey::Journey;
-use crate::numerics::{Size, Vector, anew};
+use crate::load_path::trajectory::Trajectory;
+use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{self, OneByOne, Problem};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
@@ -18,7 +18,7 @@ pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Where a path stands, inside.
 #[derive(Debug, Clone)]
-pub(super) struct Standing<D: Size, const C: usize> {
+pub(super) struct PathState<D: Size, const C: usize> {
     /// Part of the leg that has been gone.
     pub(super) fraction: f64,
     pub(super) twist: Vector<D>,
@@ -28,7 +28,7 @@ pub(super) struct Standing<D: Size, const C: usize> {
     pub(super) states: Vec<State<C>>,
 }
 
-impl<D: Size, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> PathState<D, C> {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
@@ -41,7 +41,7 @@ impl<D: Size, const C: usize> Standing<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> PathState<D, C> {
     /// Memory for one.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
@@ -64,7 +64,7 @@ pub(super) struct StepProblem<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
     /// Commands less clearances at the beginning of the leg, and what they change by.
     drives: [Vec<SVector<f64, C>>; 2],
-    pub(super) course: Course<Vector<D>>,
+    pub(super) course: Trajectory<Vector<D>>,
     /// Stretches before a step, and what contacts answer after it.
     before: Vec<SVector<f64, C>>,
     answers: Vec<Answer<C>>,
@@ -93,13 +93,13 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     /// The step of a length from where a path stands, sought near a twist: where it leads `to`. `None` where Newton's method does not arrive.
     pub(super) fn step(
         &mut self,
-        from: &Standing<D, C>,
+        from: &PathState<D, C>,
         (length, near): (f64, Vector<D>),
-        to: &mut Standing<D, C>,
+        to: &mut PathState<D, C>,
     ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
         let Self { problem, drives: [base, change], course, before, answers } = self;
-        anew(before, base.len());
+        cleared_for(before, base.len());
         for (i, site) in problem.sites.iter().enumerate() {
             let drive = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
             before.push(site.stretch(&drive(from.fraction), &from.twist));
@@ -114,10 +114,10 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
 /// The equilibrium of a problem that counts slips from where a path stands, with the stretches before the step there, sought near a twist. `None` where
 /// Newton's method does not arrive.
 fn equilibrium_after<D: Size, const C: usize>(
-    (from, before): (&Standing<D, C>, &[SVector<f64, C>]),
+    (from, before): (&PathState<D, C>, &[SVector<f64, C>]),
     problem: &Problem<'_, D, C>,
     (near, answers): (Vector<D>, &mut Vec<Answer<C>>),
-    to: &mut Standing<D, C>,
+    to: &mut PathState<D, C>,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =
@@ -130,12 +130,12 @@ fn equilibrium_after<D: Size, const C: usize>(
     *answers = contacts.contacts;
     (to.twist, ..) = arrived?;
     to.slips.clone_from(&from.slips);
-    anew(&mut to.forces, answers.len());
-    anew(&mut to.states, answers.len());
+    cleared_for(&mut to.forces, answers.len());
+    cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // What has rolled all the way has not slipped by the rounding of its spring either.
-        if !(answer.state.is_rolling() && answer.force == springs.force(&stretch)) {
+        // What has stuck all the way has not slipped by the rounding of its spring either.
+        if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }
         to.forces.push(answer.force);

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::speeds::Speeds;
-use crate::load_path::course::Course;
+use crate::load_path::trajectory::Trajectory;
 use crate::numerics::{Size, Vector};
 
 /// The first step of a leg, as a part of it.
@@ -30,14 +30,14 @@ pub(super) struct Pace<D: Size> {
 
 impl<D: Size> Pace<D> {
     /// That of a leg that begins.
-    pub(super) fn along<X>(course: &Course<X>) -> Self {
-        let longest = if let Course::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
+    pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
+        let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
         Self { rate: None, speeds, changed: 1.0, step: FIRST_STEP, longest, refused: false, tried: 0 }
     }
 
     /// That of the next leg, in the same memory.
-    pub(super) fn set_out<X>(&mut self, course: &Course<X>) {
+    pub(super) fn set_out<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.forget();
         *self = Self { speeds: std::mem::take(&mut self.speeds), ..Self::along(course) };
     }

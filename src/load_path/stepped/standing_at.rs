@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::one_step::Standing;
+use super::one_step::PathState;
 use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::Edge;
@@ -14,7 +14,7 @@ use crate::search::Found;
 /// 1e-12 of a leg. With less a contact that such a step would bring to its edge still holds, and the limit is not seen.
 const AT_AN_EDGE: f64 = 1e-9;
 
-impl<D: Size, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> PathState<D, C> {
     /// The whole equilibrium. One pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::coarse::Coarse;
-use super::one_step::{Standing, StepProblem};
+use super::one_step::{PathState, StepProblem};
 use super::pace::Pace;
 use super::walking::Places;
 use crate::equilibrium::Equilibrium;
@@ -25,7 +25,7 @@ pub(crate) struct Steps<'g, D: Size, const C: usize> {
     /// What a step solves.
     pub(super) along: StepProblem<'g, D, C>,
     /// Where the path stands.
-    pub(super) standing: Standing<D, C>,
+    pub(super) standing: PathState<D, C>,
     /// Where the last step tried leads.
     pub(super) places: Places<D, C>,
     /// How the steps of the leg go.
@@ -85,20 +85,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// What an equilibrium is to a path: its slips are memory.
-fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> Standing<D, C> {
+fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> PathState<D, C> {
     let slip = |(i, state): (usize, &crate::contact::State<C>)| {
         let springs = &problem.sites[i].springs;
-        if state.is_rolling() || !springs.resists_tangentially() {
+        if state.is_sticking() || !springs.resists_tangentially() {
             return SVector::zeros();
         }
         springs.slip(&problem.stretch(i, &found.twist), &found.forces[i])
     };
     let slips = found.states.iter().enumerate().map(slip).collect();
-    Standing { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
+    PathState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
 impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
-    type Told = Step<C>;
+    type Report = Step<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         self.along.set_out(journey);

@@ -9,7 +9,7 @@
 //! and so errs by a² / 2|c| of a force if that is nearer than half a stretch, 1/4 of the step
 //! ```
 //!
-//! This is c / 32, a quarter of what springs make of `off`, at most. By as much a contact that rolls may have been beyond its edge for a while, and one
+//! This is c / 32, a quarter of what springs make of `off`, at most. By as much a contact that sticks may have been beyond its edge for a while, and one
 //! that opens or closes may have felt the wrong way until then.
 //!
 //! A contact that begins to slide bends the way, and where it does so the way is up to `2 off` from a straight one. Of that those that slide lose the
@@ -17,7 +17,7 @@
 
 use nalgebra::SVector;
 
-use super::one_step::{Standing, StepProblem};
+use super::one_step::{PathState, StepProblem};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Size, Vector};
 
@@ -28,11 +28,11 @@ const WHERE_IT_BENDS: f64 = 2.0;
 
 impl<D: Size, const C: usize> StepProblem<'_, D, C> {
     /// The most that a contact force may be wrong by at the end of a step in two halves, N, without a difference to the step made at once.
-    pub(super) fn unseen(&self, at: [&Standing<D, C>; 3]) -> f64 {
+    pub(super) fn unseen(&self, at: [&PathState<D, C>; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
 
-    fn unseen_by(&self, i: usize, at: [&Standing<D, C>; 3]) -> f64 {
+    fn unseen_by(&self, i: usize, at: [&PathState<D, C>; 3]) -> f64 {
         let [from, middle, to] = at;
         let (site, local) = (&self.problem.sites[i], self.problem.local(i));
         if !local.may_open() && !local.may_slide() {
@@ -41,7 +41,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
         let made_of = |motion: Vector<D>| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
         let off = IN_A_HALF * bend.norm();
-        let drawn = |a: &Standing<D, C>, b: &Standing<D, C>| {
+        let drawn = |a: &PathState<D, C>, b: &PathState<D, C>| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
         let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
@@ -51,15 +51,15 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
-        let half = |a: &Standing<D, C>, b: &Standing<D, C>| match (&a.states[i], &b.states[i]) {
-            (Mode::Rolling, Mode::Rolling) if local.may_slide() => {
+        let half = |a: &PathState<D, C>, b: &PathState<D, C>| match (&a.states[i], &b.states[i]) {
+            (Mode::Sticking, Mode::Sticking) if local.may_slide() => {
                 let margin = local.margin(&a.forces[i]).min(local.margin(&b.forces[i]));
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
-            (Mode::Rolling, Mode::Round(slide)) => {
+            (Mode::Sticking, Mode::Round(slide)) => {
                 // It has slid for the part of the way by which its springs have softened.
-                let rolled = 1.0 - site.springs.softening(1, slide.lambda);
-                bend_at(&(a.forces[i] + drawn(a, b) * rolled), slide)
+                let stuck = 1.0 - site.springs.softening(1, slide.lambda);
+                bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
             (Mode::Round(_), Mode::Round(slide)) => bend_at(&a.forces[i], slide),
             (a, b) if a.is_open() != b.is_open() => off,
@@ -70,7 +70,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             return worst;
         }
         let chord = drawn(from, to);
-        let stops = |(at, part): (&Standing<D, C>, f64)| {
+        let stops = |(at, part): (&PathState<D, C>, f64)| {
             let Some(slide) = at.states[i].slide() else { return 0.0 };
             let across = |rate: &SVector<f64, C>| -local.cone().facet_margin(rate, &slide.direction);
             let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));

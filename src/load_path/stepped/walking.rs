@@ -1,6 +1,6 @@
 //! Steps as long as the error asked for allows.
 
-use super::one_step::{SHORTEST, Standing};
+use super::one_step::{PathState, SHORTEST};
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
@@ -37,16 +37,16 @@ const FELT: f64 = 0.05;
 /// Where a step leads that is made twice: in halves, which the path takes, and at once.
 #[derive(Debug)]
 pub(super) struct Places<D: Size, const C: usize> {
-    middle: Standing<D, C>,
-    to: Standing<D, C>,
-    at_once: Standing<D, C>,
+    middle: PathState<D, C>,
+    to: PathState<D, C>,
+    at_once: PathState<D, C>,
     /// Memory for the step of the second path.
-    beside: Standing<D, C>,
+    beside: PathState<D, C>,
 }
 
 impl<D: Size, const C: usize> Places<D, C> {
     pub(super) fn nowhere() -> Self {
-        let [middle, to, at_once, beside] = [(); 4].map(|()| Standing::nowhere());
+        let [middle, to, at_once, beside] = [(); 4].map(|()| PathState::nowhere());
         Self { middle, to, at_once, beside }
     }
 }
@@ -121,7 +121,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
-        let near = |at: &Standing<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
+        let near = |at: &PathState<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
         let rate = (&middle.twist - &from.twist) / (0.5 * length);
         along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;

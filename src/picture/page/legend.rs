@@ -120,15 +120,14 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
     let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
     let mut entries = Vec::new();
-    for what in ["rolling", "about to slide", "sliding", "separated", "frictionless"] {
+    for what in ["sticking", "about to slide", "sliding", "separated", "frictionless"] {
         let open = what == "separated";
         let ink = ink(what);
         if let Some(pushes) =
             tips.iter().filter(|tip| tip.word == what).map(|tip| tip.normal_force > 0.0).max()
         {
             let cone = pushes && what != "frictionless";
-            let words = if what == "rolling" { "rolling (sticks)" } else { what };
-            entries.push(entry(Sample::Contact { ink, open, cone }, words));
+            entries.push(entry(Sample::Contact { ink, open, cone }, what));
         }
         if points.contains(&what) {
             entries.push(entry(Sample::Point { ink, open }, &format!("point of a fingertip, {what}")));

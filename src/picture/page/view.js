@@ -5,7 +5,7 @@
   const canvas = document.getElementById("view");
   const pen = canvas.getContext("2d");
   const COLOURS = {
-    "rolling": "#0072b2", "about-to-slide": "#e69f00", "sliding": "#d55e00", "separated": "#6e6e6e", "frictionless": "#009e73",
+    "sticking": "#0072b2", "about-to-slide": "#e69f00", "sliding": "#d55e00", "separated": "#6e6e6e", "frictionless": "#009e73",
   };
   const [BLACK, GREY, PINK, SKY, VERMILION] = ["#000", "#6e6e6e", "#cc79a7", "#3a8fc8", "#d55e00"];
   const SIDES = 32;

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! open           F = 0                              -v_n >= 0
-//! rolling        F = (k_n v_n, k_t v_t)             F_n >= 0,  μ F_n ± F_t >= 0
+//! sticking       F = (k_n v_n, k_t v_t)             F_n >= 0,  μ F_n ± F_t >= 0
 //! sliding ±      F = (k_n v_n, ± μ F_n)             F_n >= 0,  ± k_t v_t - μ F_n >= 0      (slip ± s >= 0)
 //! frictionless   F = (k_n v_n, 0)                   F_n >= 0
 //! ```
@@ -57,7 +57,7 @@ pub enum State {
     /// No force.
     Open,
     /// Stuck to the finger.
-    Rolling,
+    Sticking,
     /// The finger slips over the body along +t.
     SlidingForward,
     /// Along -t.
@@ -201,7 +201,7 @@ fn law(contact: &Contact) -> Vec<Law> {
         let inside = vec![normal.clone(), edge.plus(&tangential), edge.plus(&minus(&tangential))];
         let ahead = vec![normal.clone(), tangential.plus(&minus(&edge))];
         let back = vec![normal.clone(), minus(&tangential).plus(&minus(&edge))];
-        states.push((State::Rolling, [normal.clone(), tangential], inside));
+        states.push((State::Sticking, [normal.clone(), tangential], inside));
         states.push((State::SlidingForward, [normal.clone(), edge.clone()], ahead));
         states.push((State::SlidingBackward, [normal.clone(), minus(&edge)], back));
     }

@@ -1,4 +1,4 @@
-//! Ramps of load and finger commands, and whether everything rolls along them, without the library's onset.
+//! Ramps of load and finger commands, and whether everything sticks along them, without the library's onset.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -9,8 +9,8 @@ use nalgebra::SVector;
 use proptest::prelude::*;
 
 use super::random::{Spread, for_all, scene};
-use super::rolling;
 use super::scene::{Datum, Scene};
+use super::sticking;
 
 /// Corners of the polygon in space (the library's default).
 pub const FACETS: usize = 8;
@@ -33,7 +33,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
 
     /// Whether the load works on a motion that no contact resists: then nothing holds from the start.
     pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
-        rolling::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
+        sticking::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
     }
 
     /// The scene at a factor.
@@ -56,9 +56,9 @@ pub enum Friction {
     Polygon,
 }
 
-/// The least slack of all rolling conditions relative to the largest force of the scene; negative when something cannot roll.
+/// The least slack of all sticking conditions relative to the largest force of the scene; negative when something cannot stick.
 pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
-    let forces = rolling::forces(scene)?;
+    let forces = sticking::forces(scene)?;
     // Where the forces cancel, what the softest spring would exert over the largest command.
     let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
     let command = scene.contacts.iter().map(|datum| datum.command.norm()).fold(0.0, f64::max);

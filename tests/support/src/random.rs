@@ -9,7 +9,7 @@ use super::scene::{Datum, Scene, displacement, wrench};
 /// How stiffnesses and friction coefficients are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spread {
-    /// Stiffness 1 to 20, friction 0.2 to 1.5: most contacts roll.
+    /// Stiffness 1 to 20, friction 0.2 to 1.5: most contacts stick.
     Narrow,
     /// Stiffness 1 to 1e6; friction zero, tiny, ordinary, huge or infinite.
     Wide,

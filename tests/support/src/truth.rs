@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! open                       F = 0
-//! rolling                    F = K v
+//! sticking                   F = K v
 //! frictionless               F = (k_n v_n, 0)
 //! sliding along d            F_n = k_n v_n,  F_t = μ F_n d,  K_t (v_t - σ d) = F_t,  d·d = 1
 //! balance                    Σ G F + W = 0
@@ -128,7 +128,7 @@ impl<const C: usize> Truth<C> {
                 drive[0] = &drive[0] - &Dyadic::new(datum.clearance);
                 let state = match answer.contacts[i].state {
                     ContactState::Separated => Exactly::Open,
-                    ContactState::Rolling => Exactly::Springs(C),
+                    ContactState::Sticking => Exactly::Springs(C),
                     ContactState::Frictionless => Exactly::Springs(1),
                     ContactState::Sliding { direction } if C == 2 => {
                         Exactly::Along(Dyadic::new(direction.dot(&frame.column(1)).signum()))

@@ -1,5 +1,5 @@
 //! The paper's second example along its load, by complementarity and by the paper's own quadratic program: equal while
-//! everything rolls, and where the program goes on without an equilibrium.
+//! everything sticks, and where the program goes on without an equilibrium.
 //!
 //! `cargo run --release -p reports --bin compare_with_energy_qp`
 
@@ -106,7 +106,7 @@ fn power() -> Result<()> {
     println!(
         "  normals    F_n of finger 1 (N)      the principle's F_t is off (N)     its cost, F_n varied,"
     );
-    println!("             rolling    Coulomb       first       rounds to 1e-12        has the slope (N)");
+    println!("             sticking    Coulomb       first       rounds to 1e-12        has the slope (N)");
     for (slope, name) in [(0.0, "level"), (0.125, "slope 1/8")] {
         let grasp = two_fingers_on_rests(slope)?;
         let load = down() * 0.5;
@@ -116,9 +116,9 @@ fn power() -> Result<()> {
             let c = c.clone();
             if i < 2 { c.friction(f64::INFINITY) } else { c }
         }))?;
-        let rolling = stuck.solve(&load)?;
-        let rolling = rolling.equilibrium().ok_or("holds")?;
-        let mut normal: Vec<f64> = rolling.contacts.iter().map(|c| c.force[0]).collect();
+        let sticking = stuck.solve(&load)?;
+        let sticking = sticking.equilibrium().ok_or("holds")?;
+        let mut normal: Vec<f64> = sticking.contacts.iter().map(|c| c.force[0]).collect();
         let before = normal[0];
         let (mut first, mut rounds) = (None, 0);
         for round in 1..200 {

@@ -10,7 +10,7 @@ use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
 fn word(state: &ContactState) -> &'static str {
     match state {
         ContactState::Separated => "open   ",
-        ContactState::Rolling => "rolling",
+        ContactState::Sticking => "sticking",
         ContactState::Sliding { .. } => "sliding",
         ContactState::Frictionless => "smooth ",
     }

@@ -61,7 +61,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         rayon::current_num_threads()
     );
     let share = |count: usize| 100.0 * count as f64 / GRASPS as f64;
-    println!("  {:5.1} % do not even hold the squeeze: a finger would slide or open", share(all.not_rolling));
+    println!(
+        "  {:5.1} % do not even hold the squeeze: a finger would slide or open",
+        share(all.not_sticking)
+    );
     println!("  {:5.1} % slide under their own weight in some direction", share(all.too_weak));
     println!("  {:5.1} % hold in every direction", share(all.holding()));
     println!("  {:5.1} % unclear: a finger on the edge of its cone", share(all.unclear));
@@ -135,14 +138,14 @@ struct Found {
 struct Part {
     best: Vec<Found>,
     histogram: [usize; BINS],
-    not_rolling: usize,
+    not_sticking: usize,
     too_weak: usize,
     unclear: usize,
 }
 
 impl Default for Part {
     fn default() -> Self {
-        Self { best: Vec::new(), histogram: [0; BINS], not_rolling: 0, too_weak: 0, unclear: 0 }
+        Self { best: Vec::new(), histogram: [0; BINS], not_sticking: 0, too_weak: 0, unclear: 0 }
     }
 }
 
@@ -155,7 +158,7 @@ impl Part {
         for (here, there) in self.histogram.iter_mut().zip(other.histogram) {
             *here += there;
         }
-        self.not_rolling += other.not_rolling;
+        self.not_sticking += other.not_sticking;
         self.too_weak += other.too_weak;
         self.unclear += other.unclear;
         self.best.extend(other.best);
@@ -196,7 +199,7 @@ fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
                 part.histogram[bin.min(BINS - 1)] += 1;
                 part.best.push(Found { multiple, weakest, fingers });
             }
-            Verdict::NotRolling | Verdict::GivesWay => part.not_rolling += 1,
+            Verdict::NotSticking | Verdict::GivesWay => part.not_sticking += 1,
             _ => part.unclear += 1,
         }
     }

@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut chart = Chart::new("A pinch turned about its line", "turn (degrees)", "moment / 2 μ N R");
     for (name, tip) in &tips {
         let (grasp, one) = (pinch(tip)?, finger("", 1.0));
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(whole))?.factor().ok_or("rolls at rest")?;
+        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(whole))?.factor().ok_or("sticks at rest")?;
         let limit = tip.torsional_limit(&one, SQUEEZE) * 2.0 / whole;
         let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(spin(1.5 * whole))])?;
         path.run();

@@ -21,7 +21,7 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 /// More contacts that leave together are counted.
 const MANY: usize = 4;
 
-/// When something leaves rolling in one direction.
+/// When something stops sticking in one direction.
 pub(crate) struct First {
     /// N; infinite for never, not a number where that is not known.
     pub(crate) factor: f64,
@@ -37,7 +37,7 @@ impl First {
     }
 }
 
-/// So many standard deviations are kept in reserve: one contact keeps rolling with probability 0.99865.
+/// So many standard deviations are kept in reserve: one contact keeps sticking with probability 0.99865.
 pub(crate) const SIGMAS: f64 = 3.0;
 /// What the robust onset stands for.
 pub(crate) const NOT_KNOWN: &str = "3σ in reserve: friction and stiffness\n±10 % each, squeeze ±5 % (1σ)";
@@ -46,7 +46,7 @@ fn not_known_exactly() -> Uncertainty {
     Uncertainty::seeded(0).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05)
 }
 
-/// The direction in which the least force leaves rolling, with its size, N. `None` where something does not touch under the base load.
+/// The direction in which the least force stops sticking, with its size, N. `None` where something does not touch under the base load.
 pub(crate) fn weakest<const C: usize>(
     grasp: &Grasp<C>,
     base: &Wrench<C>,
@@ -88,7 +88,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
     })
 }
 
-/// An error, with its reason, where there is no rolling equilibrium to start from: no direction has an onset then.
+/// An error, with its reason, where there is no sticking equilibrium to start from: no direction has an onset then.
 pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<(), Failure> {
     match grasp.onset(ramp)? {
         Onset::NoBase(none) => {

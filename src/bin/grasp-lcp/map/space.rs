@@ -45,7 +45,7 @@ pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Re
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     };
-    // Found directly where everything touches and rolls under the base load; of the map's directions the worst otherwise.
+    // Found directly where everything touches and sticks under the base load; of the map's directions the worst otherwise.
     let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);

@@ -263,7 +263,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 note((t[axis] - pull).abs(), spot.k[axis] * size + most);
             }
             if !spot.rubs() {
-                assert!(c.state == ContactState::Rolling);
+                assert!(c.state == ContactState::Sticking);
                 continue;
             }
             let reach = reach(&t);

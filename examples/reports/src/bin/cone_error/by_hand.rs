@@ -54,7 +54,7 @@ pub(crate) fn residual(grasp: &Grasp, load: &Wrench, answer: &Equilibrium) -> f6
                     .max(backwards)
                     .max((held - c.force)[0].abs())
             }
-            ContactState::Rolling => (held - c.force).norm(),
+            ContactState::Sticking => (held - c.force).norm(),
             _ => held[0].max(0.0) + c.force.norm(),
         };
         worst = worst.max(violation);

@@ -47,9 +47,9 @@ struct Measured {
 /// The onset on a turned polygon: the traction is known where the first polygon starts to slide.
 fn turned_onset(scene: &Scene, settings: &Settings) -> Result<f64, Failure> {
     let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(&scene.ramp())?;
-    let there = scene.turned(first.factor().ok_or("a rolling base")?)?;
+    let there = scene.turned(first.factor().ok_or("a sticking base")?)?;
     let second = Grasp::new(there.contacts.clone())?.with(&settings.on_the_polygon()).onset(&there.ramp())?;
-    Ok(second.factor().ok_or("a rolling base")?)
+    Ok(second.factor().ok_or("a sticking base")?)
 }
 
 fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
@@ -57,7 +57,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
     let (grasp, ramp) = (Grasp::new(scene.contacts.clone())?, scene.ramp());
     let settings = Settings::default().with_most_states(0);
     let (factor, time) =
-        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a rolling base")?))?;
+        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a sticking base")?))?;
     let mut polygons = Vec::new();
     for method in 0..METHODS.len() {
         let mut row = Vec::new();
@@ -70,7 +70,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
                 if method == 3 {
                     turned_onset(scene, &on)
                 } else {
-                    Ok(grasp.with(&on.on_the_polygon()).onset(&ramp)?.factor().ok_or("a rolling base")?)
+                    Ok(grasp.with(&on.on_the_polygon()).onset(&ramp)?.factor().ok_or("a sticking base")?)
                 }
             })?;
             row.push((facets, (factor / exact - 1.0).abs(), time));

@@ -47,14 +47,14 @@ fn onset() -> Result<Panel, Failure> {
         for facets in FACETS {
             let settings = on(facets, fit)?;
             let (factor, time) = timed(|| {
-                Ok(grasp.with(&settings.on_the_polygon()).onset(&ramp)?.factor().ok_or("a rolling base")?)
+                Ok(grasp.with(&settings.on_the_polygon()).onset(&ramp)?.factor().ok_or("a sticking base")?)
             })?;
             panel.add(name, facets.to_string(), (factor / exact - 1.0).abs(), time);
         }
     }
     let settings = on(8, Fit::Inscribed)?;
     let (factor, time) =
-        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a rolling base")?))?;
+        timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a sticking base")?))?;
     panel.add("round cone, and 8 facets beside it", "", (factor / exact - 1.0).abs(), time);
     Ok(panel)
 }

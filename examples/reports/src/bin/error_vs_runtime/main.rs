@@ -1,20 +1,20 @@
 //! What does an answer cost, and how far is it off? Each question is asked the crate's way and the ways one would ask it otherwise.
 //!
-//! Six parts: the onset of sliding, a load that turns, the friction cone in space, the forces while everything rolls, a load path, and a round fingertip. Errors
+//! Six parts: the onset of sliding, a load that turns, the friction cone in space, the forces while everything sticks, a load path, and a round fingertip. Errors
 //! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
 //! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
 //!
 //! `cargo run --release -p reports --bin error_vs_runtime`
 #![allow(unreachable_pub)]
 
-mod exact_rolling;
+mod exact_sticking;
 
 mod cone;
 mod onset;
 mod patch;
 mod path;
 mod report;
-mod rolling;
+mod sticking;
 mod turn;
 
 use support::Failure;
@@ -24,7 +24,7 @@ fn main() -> Result<(), Failure> {
     onset::measure(&mut report)?;
     turn::measure(&mut report)?;
     cone::measure(&mut report)?;
-    rolling::measure(&mut report)?;
+    sticking::measure(&mut report)?;
     path::measure(&mut report)?;
     patch::measure(&mut report)?;
     report.save("error_vs_runtime")

@@ -61,7 +61,7 @@ struct Question<'a, const C: usize> {
 
 impl<const C: usize> Question<'_, C> {
     /// Whether no friction row of the program is active at a factor.
-    fn rolls(&self, factor: f64, solver: Solver) -> Result<bool, Failure> {
+    fn sticks(&self, factor: f64, solver: Solver) -> Result<bool, Failure> {
         let load = self.direction * factor;
         let reduced = self.grasp.energy().reduced_qp(&load, &self.cone, Unknowns::TwistAndGaps)?;
         let friction = |i: usize| matches!(reduced.rows[i], ReducedRow::Friction { .. });
@@ -88,11 +88,11 @@ impl<const C: usize> Question<'_, C> {
         Ok(rows.all(|i| slack[i] > multipliers[i] * stiffness(i)))
     }
 
-    /// The last of equal steps that rolls and the next one have the onset between them. Also returns the number of the last one made.
+    /// The last of equal steps that sticks and the next one have the onset between them. Also returns the number of the last one made.
     fn stepped(&self, steps: u32, first: u32, solver: Solver) -> Result<(f64, u32), Failure> {
         let at = |step: u32| self.most * f64::from(step) / f64::from(steps);
         for step in first..=steps {
-            if !self.rolls(at(step), solver)? {
+            if !self.sticks(at(step), solver)? {
                 return Ok((0.5 * (at(step - 1) + at(step)), step));
             }
         }
@@ -118,7 +118,7 @@ impl<const C: usize> Question<'_, C> {
         let (mut below, mut above) = (0.0, self.most);
         while above - below > tolerance * above {
             let middle = 0.5 * (below + above);
-            *(if self.rolls(middle, solver)? { &mut below } else { &mut above }) = middle;
+            *(if self.sticks(middle, solver)? { &mut below } else { &mut above }) = middle;
         }
         Ok(0.5 * (below + above))
     }
@@ -131,7 +131,7 @@ impl<const C: usize> Question<'_, C> {
                 if let Some(event) = onset.event().filter(|_| beyond) {
                     std::hint::black_box(self.grasp.beyond(event));
                 }
-                Ok(onset.factor().ok_or("a rolling base")?)
+                Ok(onset.factor().ok_or("a sticking base")?)
             })?;
             panel.add(name, "", off(factor, exact), time);
         }
@@ -198,7 +198,7 @@ fn screened<const D: usize, const C: usize, const N: usize>(
         for _ in 0..CALLS {
             factor = std::hint::black_box(std::hint::black_box(&fingers).onset(&pull)).factor();
         }
-        Ok(factor.ok_or("a rolling base")?)
+        Ok(factor.ok_or("a sticking base")?)
     })?;
     panel.add(SCREENED, "", off(factor, exact), time / f64::from(CALLS));
     Ok(())

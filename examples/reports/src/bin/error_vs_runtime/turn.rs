@@ -64,10 +64,10 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
             while above - below > tolerance * above {
                 let middle = 0.5 * (below + above);
                 let outcome = grasp.solve(&weight(middle))?;
-                let rolls = outcome
+                let sticks = outcome
                     .equilibrium()
-                    .is_some_and(|state| state.contacts.iter().all(|c| c.state == ContactState::Rolling));
-                *(if rolls { &mut below } else { &mut above }) = middle;
+                    .is_some_and(|state| state.contacts.iter().all(|c| c.state == ContactState::Sticking));
+                *(if sticks { &mut below } else { &mut above }) = middle;
             }
             Ok(0.5 * (below + above))
         })?;

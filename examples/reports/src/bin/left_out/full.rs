@@ -21,7 +21,7 @@ const FACETS: u32 = 8;
 /// The problem, and what gives the forces back.
 pub struct Full {
     pub lcp: Lcp,
-    rolling: DVector<f64>,
+    sticking: DVector<f64>,
     jumps: DMatrix<f64>,
 }
 
@@ -81,18 +81,18 @@ impl Full {
         let gk = DMatrix::from_fn(d, C * n, |row, j| g[(row, j)] * k[j]);
         let object = (&gk * g.transpose()).cholesky().ok_or("a motion is free")?;
         let twist = object.solve(&(DVector::from_column_slice(load.components()) + &gk * &a));
-        let rolling = k.component_mul(&a) - gk.tr_mul(&twist);
+        let sticking = k.component_mul(&a) - gk.tr_mul(&twist);
         let jumps = DMatrix::from_fn(C * n, pairs * n, |i, j| k[i] * b[(i, j)])
             - gk.tr_mul(&object.solve(&(&gk * &b)));
-        let lcp = Lcp::new(&l * &jumps, &l * &rolling)?;
-        Ok(Self { lcp, rolling, jumps })
+        let lcp = Lcp::new(&l * &jumps, &l * &sticking)?;
+        Ok(Self { lcp, sticking, jumps })
     }
 
     /// Forces in the contact frames, and the pivots; `None` where Lemke's method ends on a ray.
     pub fn solve<const C: usize>(&self) -> Option<(Vec<SVector<f64, C>>, usize)> {
         let outcome = self.lcp.solve();
         let solution = outcome.solution()?;
-        let forces = &self.rolling + &self.jumps * &solution.z;
+        let forces = &self.sticking + &self.jumps * &solution.z;
         let forces = forces.as_slice().chunks(C).map(SVector::from_column_slice).collect();
         Some((forces, solution.pivots))
     }

@@ -63,7 +63,7 @@ impl Answer {
 
 fn reason(why: Why) -> &'static str {
     match why {
-        Why::EverythingRolls => "everything rolls",
+        Why::EverythingSticks => "everything sticks",
         Why::Frictionless => "smooth",
         Why::InfiniteFriction => "never slide",
         Why::KeptClosed => "kept closed",
@@ -100,15 +100,15 @@ pub fn report() -> Result<(), Failure> {
     let mut table = String::from(
         "scene,contacts,sliding,rows_full,rows_made,rows_left_out,why,pivots_full,pivots,time_full_s,time_s,forces_apart,rule\n",
     );
-    row(&mut table, &scene::rolls()?)?;
+    row(&mut table, &scene::sticks()?)?;
     row(&mut table, &scene::slides()?)?;
     row(&mut table, &scene::smooth()?)?;
     row(&mut table, &scene::mixed()?)?;
     row(&mut table, &scene::in_the_plane()?)?;
     row(&mut table, &scene::in_a_spatial_guise()?)?;
-    row(&mut table, &scene::far("far contacts, the near ones roll", 0.1)?)?;
+    row(&mut table, &scene::far("far contacts, the near ones stick", 0.1)?)?;
     row(&mut table, &scene::far("far contacts, one of the near ones slides", 1.0)?)?;
-    row(&mut table, &scene::pad("pad of 200 springs, everything rolls", 200, 0.01)?)?;
+    row(&mut table, &scene::pad("pad of 200 springs, everything sticks", 200, 0.01)?)?;
     row(&mut table, &scene::pad("pad of 200 springs, two thirds slide", 200, 1.0)?)?;
     println!(
         "\n  Forces: largest difference from the full formulation over the largest force. In space both are on 8 facets. For the full\n  \

@@ -1,4 +1,4 @@
-//! Grasps under loads: what rolls, slides, has no friction, is glued on, lies in a plane or far away.
+//! Grasps under loads: what sticks, slides, has no friction, is glued on, lies in a plane or far away.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Hold, Wrench};
@@ -43,9 +43,9 @@ fn finger(count: u8, i: u8) -> spatial::Contact {
 }
 
 /// Five fingers and a load that they hold without sliding.
-pub fn rolls() -> Result<Scene<3>, grasp_lcp::Error> {
+pub fn sticks() -> Result<Scene<3>, grasp_lcp::Error> {
     let load = spatial::Wrench::new([1.0, 0.5, -3.0], [0.2, 0.1, 0.3]);
-    Scene::new("everything rolls", (0..5).map(|i| finger(5, i)), load)
+    Scene::new("everything sticks", (0..5).map(|i| finger(5, i)), load)
 }
 
 /// The same under a load that makes some of them slide.

@@ -12,7 +12,7 @@ use grasp_lcp::grasp::Wrench;
 use crate::Outcome;
 use crate::limits::{Cores, Limit, Needs};
 use crate::report::{Beside, best, row};
-use crate::today::rolls;
+use crate::today::sticks;
 use support::patches::{fingers, planar_patch, spatial_patch};
 
 /// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace that has seen the grasp before.
@@ -146,7 +146,7 @@ pub fn whole_solve() -> Outcome {
 
 /// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
 fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>, runs: usize) -> f64 {
-    best(runs, || drop(black_box(rolls(grasp, load))))
+    best(runs, || drop(black_box(sticks(grasp, load))))
 }
 
 /// The kinematic form made and solved as a dense problem, without check of the answer as physics.

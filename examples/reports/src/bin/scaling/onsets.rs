@@ -74,9 +74,9 @@ fn family<const D: usize, const C: usize, const N: usize>(
         });
 
     let ramp = Ramp::load(Wrench::ZERO, *direction);
-    // Those whose contacts all roll to begin with.
-    let rolling = scenes.iter().zip(&answers).filter_map(|(scene, answer)| Some((scene, answer.factor()?)));
-    let few: Vec<_> = rolling.take(100).collect();
+    // Those whose contacts all stick to begin with.
+    let sticking = scenes.iter().zip(&answers).filter_map(|(scene, answer)| Some((scene, answer.factor()?)));
+    let few: Vec<_> = sticking.take(100).collect();
     let grasps: Vec<_> =
         few.iter().map(|(scene, _)| Grasp::new(scene.iter().cloned())).collect::<Result<_, _>>()?;
     let mut off = 0.0_f64;

@@ -13,7 +13,7 @@ const ACTIVE: f64 = 1e-6;
 const HALVINGS: usize = 20;
 
 /// One solution of the program under a load; whether no friction row is active in it.
-pub fn rolls<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
+pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
     let reduced = grasp.energy().reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
     let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
     let slack = &reduced.program.b * x - &reduced.program.d;
@@ -29,12 +29,12 @@ pub fn bisected_onset<const C: usize>(
     direction: &Wrench<C>,
 ) -> Result<f64, grasp_lcp::Error> {
     let (mut below, mut above) = (0.0, 1.0);
-    while rolls(grasp, &(*direction * above))? && above < 1e12 {
+    while sticks(grasp, &(*direction * above))? && above < 1e12 {
         (below, above) = (above, 2.0 * above);
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (below + above);
-        *(if rolls(grasp, &(*direction * middle))? { &mut below } else { &mut above }) = middle;
+        *(if sticks(grasp, &(*direction * middle))? { &mut below } else { &mut above }) = middle;
     }
     Ok(below)
 }

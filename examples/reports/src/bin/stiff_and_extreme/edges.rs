@@ -69,7 +69,7 @@ fn paper(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A wedge, in space a plug, squeezed by fingers on its flanks. What rolls has `F_t / F_n = tan(half angle)` whatever the stiffness: with more
+/// A wedge, in space a plug, squeezed by fingers on its flanks. What sticks has `F_t / F_n = tan(half angle)` whatever the stiffness: with more
 /// friction it is held, with less it is squeezed out and nothing presses any more.
 fn wedge<const D: usize, const C: usize>(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     let (sin, cos) = HALF_ANGLE.sin_cos();
@@ -90,7 +90,7 @@ fn wedge<const D: usize, const C: usize>(table: &mut Table, value: (String, f64)
         Datum::<C> { point, normal, tangent, stiffness, friction, command, clearance: 0.0 }
     });
     let scene = Scene { contacts: contacts.collect(), load: SVector::<f64, D>::zeros() };
-    let held = if value.1 > 0.0 { Expected::AllRoll } else { Expected::NoForce };
+    let held = if value.1 > 0.0 { Expected::AllStick } else { Expected::NoForce };
     let expected = (value.1.abs() > DATA).then_some(held);
     let case = "friction over the tangent of half the angle, less 1";
     table.ask(Question { family: "wedge beside its locking angle", case, value, expected }, &scene)?;

@@ -13,7 +13,7 @@ const UNITS: [(&str, f64); 6] =
 const COUNTS: [usize; 9] = [2, 3, 4, 5, 10, 30, 100, 300, 1000];
 
 pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
-    for (case, slippery) in [("the same rolling scene", false), ("the same scene, one contact slides", true)]
+    for (case, slippery) in [("the same sticking scene", false), ("the same scene, one contact slides", true)]
     {
         lengths::<3, 2>(table, case, slippery)?;
         lengths::<6, 3>(table, case, slippery)?;
@@ -27,7 +27,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
             table.ask(question.clone(), &coupling(question.value.1, friction))?;
         }
     }
-    for (case, load, friction) in [("rolling", 0.15, FRICTION), ("partly sliding", 0.8, 0.2)] {
+    for (case, load, friction) in [("sticking", 0.15, FRICTION), ("partly sliding", 0.8, 0.2)] {
         many::<3, 2>(table, case, load, friction)?;
         many::<6, 3>(table, case, load, friction)?;
     }

@@ -29,7 +29,7 @@ pub(crate) struct Question {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Expected {
-    AllRoll,
+    AllStick,
     /// Of the squeeze nothing is left but rounding.
     NoForce,
     NoEquilibrium,
@@ -58,7 +58,7 @@ pub(crate) struct Answer {
     pub(crate) component: Option<f64>,
     pub(crate) estimate: f64,
     pub(crate) condition: f64,
-    /// Error of the normal equations, where everything rolls.
+    /// Error of the normal equations, where everything sticks.
     pub(crate) textbook: Option<f64>,
 }
 
@@ -119,7 +119,7 @@ impl Table {
             let accuracy = grasp.accuracy(answer).ok_or("an equilibrium has an accuracy")?;
             let largest = truth.as_ref().map_or_else(|| scene.sizes(answer).force, |truth| truth.largest);
             let errors = truth.as_ref().map(|truth| truth.errors(grasp, answer));
-            let all_roll = count(answer, |s| matches!(s, ContactState::Rolling)) == answer.contacts.len();
+            let all_stick = count(answer, |s| matches!(s, ContactState::Sticking)) == answer.contacts.len();
             row.answer = Some(Answer {
                 error: errors.map(|e| e.force),
                 component: errors.map(|e| e.component),
@@ -127,7 +127,7 @@ impl Table {
                 condition: accuracy.condition,
                 textbook: truth
                     .as_ref()
-                    .filter(|_| all_roll)
+                    .filter(|_| all_stick)
                     .and_then(|truth| textbook::error(scene, grasp, truth)),
             });
             let distinct = grasp.distinct(answer).ok_or("its own answer")?;
@@ -244,7 +244,7 @@ impl Expected {
             outcome.equilibrium().is_some_and(|answer| answer.contacts.iter().all(what))
         };
         match self {
-            Self::AllRoll => every(|c| matches!(c.state, ContactState::Rolling)),
+            Self::AllStick => every(|c| matches!(c.state, ContactState::Sticking)),
             Self::NoForce => every(|c| c.force.amax() <= f64::EPSILON * SQUEEZE),
             Self::NoEquilibrium => matches!(outcome, Outcome::NoEquilibrium(_)),
         }
@@ -267,7 +267,7 @@ fn describe<const C: usize>(outcome: &Outcome<C>) -> String {
         _ => return "of an unknown kind".to_owned(),
     };
     let counts = [
-        ("roll", count(answer, |s| matches!(s, ContactState::Rolling))),
+        ("stick", count(answer, |s| matches!(s, ContactState::Sticking))),
         ("slide", count(answer, slides)),
         ("frictionless", count(answer, |s| matches!(s, ContactState::Frictionless))),
         ("open", count(answer, |s| matches!(s, ContactState::Separated))),

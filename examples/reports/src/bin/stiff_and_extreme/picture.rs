@@ -4,7 +4,7 @@ use grasp_lcp::picture::{Chart, Stroke};
 
 use crate::Failure;
 use crate::measure::{Answer, Row, Table};
-use crate::stiffness::{FEW, ROLLING, SLIDING};
+use crate::stiffness::{FEW, SLIDING, STICKING};
 
 /// Where errors of exactly zero are drawn.
 const ZERO: f64 = 1e-17;
@@ -19,9 +19,9 @@ pub(crate) fn save(table: &Table) -> Result<(), Failure> {
                 "error of a contact force / largest force",
             )
             .log_log()
-            .series("textbook (G K Gᵀ)⁻¹, rolling", worst(ROLLING, |a| a.textbook), Stroke::Line)
-            .series("this crate, rolling", worst(ROLLING, |a| a.error), Stroke::Circles)
-            .series("its own estimate, rolling", worst(ROLLING, |a| Some(a.estimate)), Stroke::Dashed)
+            .series("textbook (G K Gᵀ)⁻¹, sticking", worst(STICKING, |a| a.textbook), Stroke::Line)
+            .series("this crate, sticking", worst(STICKING, |a| a.error), Stroke::Circles)
+            .series("its own estimate, sticking", worst(STICKING, |a| Some(a.estimate)), Stroke::Dashed)
             .series("this crate, sliding", worst(SLIDING, |a| a.error), Stroke::Circles)
             .series(
                 "its own estimate, sliding",

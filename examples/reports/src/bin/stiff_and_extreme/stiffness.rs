@@ -8,12 +8,12 @@ use crate::measure::{Question, Table};
 use crate::ring::{NORMAL, PULL, SQUEEZE, TANGENTIAL, TILTED, enough, held, power};
 use support::scene::Scene;
 
-pub(crate) const ROLLING: &str = "stiffness ratio, rolling";
+pub(crate) const STICKING: &str = "stiffness ratio, sticking";
 pub(crate) const SLIDING: &str = "stiffness ratio, sliding";
 pub(crate) const FEW: &str = "one contact against three others";
 /// Friction of the contact that is to slide.
 const SLIPPERY: f64 = 0.02;
-/// Friction of contacts that are to roll.
+/// Friction of contacts that are to stick.
 const ROUGH: f64 = 2.0;
 
 /// Where the ratio stands.
@@ -41,7 +41,7 @@ const KINDS: [(Between, &str); 6] = [
 ];
 
 pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
-    for (family, slippery) in [(ROLLING, false), (SLIDING, true)] {
+    for (family, slippery) in [(STICKING, false), (SLIDING, true)] {
         for (kind, case) in KINDS {
             if case != FEW {
                 of::<3, 2>(table, family, (kind, case), slippery)?;

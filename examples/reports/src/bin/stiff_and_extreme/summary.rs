@@ -2,14 +2,15 @@
 
 use crate::friction::ONE;
 use crate::measure::{Answer, Row, States, Table};
-use crate::stiffness::{ROLLING, SLIDING};
+use crate::stiffness::{SLIDING, STICKING};
 
 /// Errors below this part of the largest force are none.
 const NONE: f64 = 1e-18;
 
 pub(crate) fn print(table: &Table) {
     let rows = &table.rows;
-    let rolling = |row: &&Row| row.question.family == ROLLING && row.question.value.1 <= 1e14 && !row.slides;
+    let sticking =
+        |row: &&Row| row.question.family == STICKING && row.question.value.1 <= 1e14 && !row.slides;
     let sliding = |row: &&Row| {
         let value = row.question.value.1;
         row.slides
@@ -21,11 +22,11 @@ pub(crate) fn print(table: &Table) {
             rows.iter().filter(chosen).filter_map(|row| row.answer.as_ref().and_then(what)).collect();
         (errors.iter().copied().fold(0.0, f64::max), errors.len())
     };
-    let (error, count) = worst(&rolling, |a| a.error);
-    println!("worst rolling error, ratios to 1e14:           {error:.1e} of {count} (bar 1e-14)");
-    let (error, _) = worst(&rolling, |a| a.component);
+    let (error, count) = worst(&sticking, |a| a.error);
+    println!("worst sticking error, ratios to 1e14:           {error:.1e} of {count} (bar 1e-14)");
+    let (error, _) = worst(&sticking, |a| a.component);
     println!("  of a component by itself:                    {error:.1e} (bar 1e-12)");
-    let (error, _) = worst(&rolling, |a| a.textbook);
+    let (error, _) = worst(&sticking, |a| a.textbook);
     println!("  of the textbook's normal equations there:    {error:.1e}");
     let (error, count) = worst(&sliding, |a| a.error);
     println!("worst sliding error, μ 1e-8…1e6, ratios to 1e12: {error:.1e} of {count} (bar 1e-13)");

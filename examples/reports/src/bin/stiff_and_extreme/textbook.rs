@@ -1,4 +1,4 @@
-//! The rolling problem as textbooks solve it: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
+//! The sticking problem as textbooks solve it: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
 
 use grasp_lcp::ask::Grasp;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};

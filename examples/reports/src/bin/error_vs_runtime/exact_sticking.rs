@@ -1,4 +1,4 @@
-//! What a grasp does while everything rolls, in rational arithmetic: errors of floating point are measured against it.
+//! What a grasp does while everything sticks, in rational arithmetic: errors of floating point are measured against it.
 //!
 //! Nothing is shared with the library. With one stiffness along all tangents the springs of a contact are `K = k_t I + (k_n - k_t) n nᵀ` in
 //! coordinate axes, whatever the tangents; a normal with integer components and an integer length makes it rational.

@@ -7,7 +7,7 @@
 //! in space both ends are roots of one quadratic, see [`Crossing`].
 
 use super::cone::{Cone, Crossing, LEAST, MOST};
-use super::exit::SHARP;
+use super::first_exit::SHARP;
 use super::forces::Forces;
 use super::lanes::{Lanes, dot};
 use super::verdict::balanced;
@@ -117,7 +117,7 @@ impl<const L: usize> Margin<L> {
 }
 
 /// What the contacts of scenes ask of the factor, as far as they have been asked.
-pub(super) struct Enough<const L: usize> {
+pub(super) struct LeastFactor<const L: usize> {
     /// The largest first end of an interval, as it is, and at least and at most.
     first: Lanes<L>,
     first_sure: Lanes<L>,
@@ -133,7 +133,7 @@ pub(super) struct Enough<const L: usize> {
     binding: Lanes<L>,
 }
 
-impl<const L: usize> Enough<L> {
+impl<const L: usize> LeastFactor<L> {
     /// Nothing is asked yet.
     #[inline(always)]
     pub(super) fn new() -> Self {

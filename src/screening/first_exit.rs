@@ -1,7 +1,7 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
 use super::cone::{Cone, Crossing, LEAST, MOST};
-use super::first::UNCLEAR;
+use super::first_slip::UNCLEAR;
 use super::forces::Forces;
 use super::lanes::Lanes;
 use super::screened::Screened;

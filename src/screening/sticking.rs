@@ -1,4 +1,4 @@
-//! Three to five contacts, and a pair in space: the forces while every contact rolls.
+//! Three to five contacts, and a pair in space: the forces while every contact sticks.
 //!
 //! The springs are stretched by the commands, the object held in place; then the object lets go,
 //! and moves by `q = T⁻¹ w` with the wrench w that was not balanced. Where stiffnesses differ much
@@ -48,7 +48,7 @@ pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: u
         }
     }
     let rounding = Lanes::all(ON_THE_EDGE);
-    rolling(body, &Pulled { commands: Some(commands), load: [Lanes::ZERO; D], rounding })
+    sticking(body, &Pulled { commands: Some(commands), load: [Lanes::ZERO; D], rounding })
 }
 
 /// Forces that a load alone brings about, the fingers at rest.
@@ -57,11 +57,11 @@ pub(super) fn load<const D: usize, const C: usize, const N: usize, const L: usiz
     body: &Body<D, C, N, L>,
     load: &[Lanes<L>; D],
 ) -> Forces<C, N, L> {
-    rolling(body, &Pulled { commands: None, load: body.carried(load), rounding: Lanes::all(ROUNDING) })
+    sticking(body, &Pulled { commands: None, load: body.carried(load), rounding: Lanes::all(ROUNDING) })
 }
 
 #[inline(always)]
-fn rolling<const D: usize, const C: usize, const N: usize, const L: usize>(
+fn sticking<const D: usize, const C: usize, const N: usize, const L: usize>(
     body: &Body<D, C, N, L>,
     pulled: &Pulled<D, C, N, L>,
 ) -> Forces<C, N, L> {

@@ -1,4 +1,4 @@
-//! What a grasp does while everything rolls: springs and nothing else, by the singular value decomposition.
+//! What a grasp does while everything sticks: springs and nothing else, by the singular value decomposition.
 //!
 //! The forces minimise the stored energy among all that balance the load. With `x = K^{-1/2} F`, `A = K^{1/2} Gᵀ` and
 //! `α = K^{1/2} a`,
@@ -56,7 +56,7 @@ fn jacobi<const D: usize>(mut rows: Vec<SVector<f64, D>>) -> (Vec<SVector<f64, D
     (rows, v)
 }
 
-/// The contact forces, each in its contact frame, with everything rolling; `None` if the load works on a free motion.
+/// The contact forces, each in its contact frame, with everything sticking; `None` if the load works on a free motion.
 pub fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec<SVector<f64, C>>> {
     let axes: Vec<(usize, usize)> = scene
         .contacts

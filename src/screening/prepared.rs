@@ -4,16 +4,16 @@ use super::balance::Body;
 use super::block::Block;
 use super::forces::Forces;
 use super::lanes::Lanes;
+use super::method::Method;
 use super::pair::Pair;
-use super::rolling;
+use super::sticking;
 use super::triangle::Triangle;
-use super::way::Way;
 use crate::grasp::Wrench;
 
-/// How forces answer loads and commands while every contact rolls.
+/// How forces answer loads and commands while every contact sticks.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
-pub(super) enum Ready<const D: usize, const C: usize, const N: usize, const L: usize> {
+pub(super) enum Prepared<const D: usize, const C: usize, const N: usize, const L: usize> {
     /// In closed form.
     Pair(Pair<L>),
     /// Along the edges of a triangle.
@@ -22,14 +22,14 @@ pub(super) enum Ready<const D: usize, const C: usize, const N: usize, const L: u
     Body(Body<D, C, N, L>),
 }
 
-impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C, N, L> {
+impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D, C, N, L> {
     /// Inlined, as all that follows, so that it is compiled for the vectors of the caller. Scenes that
     /// go the other way get numbers without meaning.
     #[inline(always)]
-    pub(super) fn new(block: &Block<C, N, L>, way: Way) -> Self {
+    pub(super) fn new(block: &Block<C, N, L>, way: Method) -> Self {
         match way {
-            Way::Edges if C == 2 && N == 2 => Self::Pair(Pair::new(block)),
-            Way::Edges if C == 3 && N == 3 => Self::Triangle(Triangle::new(block)),
+            Method::Edges if C == 2 && N == 2 => Self::Pair(Pair::new(block)),
+            Method::Edges if C == 3 && N == 3 => Self::Triangle(Triangle::new(block)),
             _ => Self::Body(Body::new(block)),
         }
     }
@@ -40,7 +40,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         match self {
             Self::Pair(pair) => pair.squeeze(),
             Self::Triangle(triangle) => triangle.squeeze(block),
-            Self::Body(body) => rolling::squeeze(body, &block.pressed, &block.sheared),
+            Self::Body(body) => sticking::squeeze(body, &block.pressed, &block.sheared),
         }
     }
 
@@ -54,7 +54,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         match self {
             Self::Pair(pair) => pair.squeeze_by(block, (pressed, &sheared[0])),
             Self::Triangle(triangle) => triangle.squeeze_by(block, (pressed, sheared)),
-            Self::Body(body) => rolling::squeeze(body, pressed, sheared),
+            Self::Body(body) => sticking::squeeze(body, pressed, sheared),
         }
     }
 
@@ -68,7 +68,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Ready<D, C,
         match self {
             Self::Pair(pair) => pair.load(&lanes),
             Self::Triangle(triangle) => triangle.load(block, &lanes),
-            Self::Body(body) => rolling::load(body, &lanes),
+            Self::Body(body) => sticking::load(body, &lanes),
         }
     }
 }

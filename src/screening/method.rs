@@ -12,14 +12,14 @@ use super::triangle::{Triangle, others};
 
 /// A way to the forces of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Way {
+pub(super) enum Method {
     /// Compliances, and forces along edges.
     Edges,
     /// Stiffnesses, and motions of the object.
     Motions,
 }
 
-impl Way {
+impl Method {
     /// Which scenes go this way: all pairs in the plane by edges, all but triangles by motions else.
     #[inline(always)]
     pub(super) fn of<const C: usize, const N: usize, const L: usize>(
@@ -96,7 +96,7 @@ fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
 mod tests {
     use super::super::balance::Body;
     use super::super::forces::{Forces, ON_THE_EDGE};
-    use super::super::rolling;
+    use super::super::sticking;
     use super::*;
     use crate::contact::ZERO_SLACK as ROUNDING;
     use crate::numerics::Draw;
@@ -147,14 +147,14 @@ mod tests {
             let mut compliant = stiff;
             to_compliances(&mut compliant);
             let load = [0; 6].map(|_| Lanes([draw.normal()]));
-            if Way::Edges.of(&compliant) == [false] {
+            if Method::Edges.of(&compliant) == [false] {
                 assert_eq!(compliant.springs, stiff.springs);
                 continue;
             }
             count += 1;
             let (triangle, body) = (Triangle::new(&compliant), Body::<6, 3, 3, 1>::new(&stiff));
-            let loaded = off(&triangle.load(&compliant, &load), &rolling::load(&body, &load), 1.0);
-            let squeezed = rolling::squeeze(&body, &stiff.pressed, &stiff.sheared);
+            let loaded = off(&triangle.load(&compliant, &load), &sticking::load(&body, &load), 1.0);
+            let squeezed = sticking::squeeze(&body, &stiff.pressed, &stiff.sheared);
             let commanded = off(&triangle.squeeze(&compliant), &squeezed, ROUNDING / ON_THE_EDGE);
             worst = [loaded, commanded].into_iter().fold(worst, f64::max);
         }
@@ -177,7 +177,7 @@ mod tests {
             scene.springs[1][contacts - 1] = Lanes::ZERO;
             let mut asked = scene;
             to_compliances(&mut asked);
-            assert_eq!(Way::Motions.of(&asked), [true]);
+            assert_eq!(Method::Motions.of(&asked), [true]);
             assert_eq!(asked.springs, scene.springs);
         }
     }

@@ -13,14 +13,14 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 
 /// What one contact stands on.
 #[derive(Debug, Clone)]
-pub(crate) struct Stand<const C: usize> {
+pub(crate) struct ActiveSet<const C: usize> {
     /// Normals of the facets without margin: those on which it slides, and others it has reached.
     pub(crate) facets: Vec<SVector<f64, C>>,
     /// Closed without force, or open without a gap.
     pub(crate) apex: bool,
 }
 
-impl<const C: usize> Stand<C> {
+impl<const C: usize> ActiveSet<C> {
     /// Inside the cone, or open with a gap.
     pub(crate) const NOWHERE: Self = Self { facets: Vec::new(), apex: false };
 
@@ -56,7 +56,7 @@ impl<const C: usize> Stand<C> {
 
 impl<const C: usize> LocalLaw<'_, C> {
     /// The law of the rates of a contact that stands here.
-    pub(crate) fn law_of_rates(&self, stand: &Stand<C>, state: &State<C>) -> Law<C> {
+    pub(crate) fn law_of_rates(&self, stand: &ActiveSet<C>, state: &State<C>) -> Law<C> {
         let has_edges = self.may_open() || !self.facets().is_empty();
         if self.is_bonded() || !has_edges {
             Law::Bonded
@@ -72,9 +72,9 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// What a closed contact with this force stands on.
-    pub(crate) fn stand(&self, line: &Line<C>) -> Stand<C> {
+    pub(crate) fn stand(&self, line: &Line<C>) -> ActiveSet<C> {
         if self.is_bonded() {
-            return Stand::NOWHERE;
+            return ActiveSet::NOWHERE;
         }
         let apex = line.force.norm() <= ZERO_SLACK * line.force_size;
         let cone = self.cone();
@@ -82,18 +82,18 @@ impl<const C: usize> LocalLaw<'_, C> {
             let no_margin = |h: &&SVector<f64, C>| {
                 cone.facet_margin(&line.force, h) <= ZERO_SLACK * (line.force_size * cone.facet_weight(h))
             };
-            return Stand { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
+            return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
         }
         let friction = tangential(&line.force);
         let size = line.force_size * cone.round_weight();
         let on_the_edge = self.may_slide()
             && friction.norm() > ZERO_SLACK * size
             && cone.round_margin(&line.force) <= ZERO_SLACK * size;
-        Stand { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
+        ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
     /// Forgets what the contact moves away from.
-    pub(crate) fn leave(&self, stand: &mut Stand<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
+    pub(crate) fn leave(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
         let cone = self.cone();
@@ -101,7 +101,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             stand.apex &= gap.rate <= ZERO_SLACK * gap.rate_size;
             stand.facets.clear();
         } else if self.on_round_cone {
-            if !matches!(state, Mode::Rolling) {
+            if !matches!(state, Mode::Sticking) {
                 stand.apex = false;
                 return;
             }
@@ -125,12 +125,12 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Forgets what the contact stood on and is away from with this force.
-    pub(crate) fn leave_behind(&self, stand: &mut Stand<C>, state: &State<C>, line: &Line<C>) {
+    pub(crate) fn leave_behind(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>) {
         let there = self.stand(line);
         stand.apex &= there.apex;
         if !self.on_round_cone {
             stand.facets.retain(|h| self.slides_on(state, h) || there.facets.contains(h));
-        } else if state.is_rolling() && !stand.facets.is_empty() {
+        } else if state.is_sticking() && !stand.facets.is_empty() {
             stand.facets = there.facets;
         }
     }
@@ -141,10 +141,10 @@ impl<const C: usize> LocalLaw<'_, C> {
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether a rolling contact on the edge of the round cone goes along a tangent of it with these rates, which leads outside: it
+    /// Whether a sticking contact on the edge of the round cone goes along a tangent of it with these rates, which leads outside: it
     /// slides, if only with a rate of zero at first.
     pub(crate) fn grazes(&self, state: &State<C>, rate: &SVector<f64, C>, size: f64) -> bool {
-        let (Law::Edge(facets), Mode::Rolling) = (self.law, state) else { return false };
+        let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
         let across = (tangential(rate) - p * p.dot(rate)).norm();
         cone.facet_margin(rate, p).abs() <= ZERO_SLACK * size * cone.round_weight()
@@ -175,7 +175,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             return match rates {
                 Law::Edge(_) => Some(Mode::Facet(0)),
                 // It has just stuck.
-                Law::Bonded => Some(Mode::Rolling),
+                Law::Bonded => Some(Mode::Sticking),
                 // At the apex there is no telling which way it slid.
                 Law::Absent | Law::Cone { .. } => None,
             };

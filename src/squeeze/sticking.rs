@@ -1,4 +1,4 @@
-//! Forces of every site while everything rolls, and what its cone asks of them: contacts, then drives of a hand.
+//! Forces of every site while everything sticks, and what its cone asks of them: contacts, then drives of a hand.
 
 use nalgebra::SVector;
 
@@ -8,8 +8,8 @@ use crate::numerics::{Fixed, Harmonic, Size, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
-/// A grasp in which everything rolls.
-pub(super) struct Rolling<'g, D: Size, const C: usize> {
+/// A grasp in which everything sticks.
+pub(super) struct Sticking<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     problem: Problem<'g, D, C>,
     piece: std::sync::Arc<Piece<D, C>>,
@@ -50,7 +50,7 @@ pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> 
     Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, C - 1) }
 }
 
-impl<'g, D: Size, const C: usize> Rolling<'g, D, C> {
+impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
     pub(super) fn new(grasp: &'g Engine<D, C>, settings: &Settings) -> Self {
         let polygon = Polygon::shared(&settings.cone);
         let nothing = Load::from(&Vector::zeros());

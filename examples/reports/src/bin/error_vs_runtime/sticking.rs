@@ -1,4 +1,4 @@
-//! What the contacts carry while everything rolls: the crate, the textbook's formula, and quadratic programs.
+//! What the contacts carry while everything sticks: the crate, the textbook's formula, and quadratic programs.
 //!
 //! Five fingers in space, all springs alike, and the same with one finger 10⁶ times as stiff; forces against rational arithmetic.
 
@@ -8,7 +8,7 @@ use grasp_lcp::energy::{QpOutcome, QuadraticProgram, Unknowns};
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
-use crate::exact_rolling;
+use crate::exact_sticking;
 use crate::report::{Panel, Report};
 use support::Failure;
 use support::best_time::timed;
@@ -18,14 +18,14 @@ const LOAD: [f64; 6] = [0.5, -0.25, -2.0, 0.03125, 0.0625, -0.015_625];
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 pub fn measure(report: &mut Report) -> Result<(), Failure> {
-    report.push(forces("Five fingers that roll, springs alike", 1.0)?);
-    report.push(forces("Five fingers that roll, one 10⁶ times as stiff", 1e6)?);
+    report.push(forces("Five fingers that stick, springs alike", 1.0)?);
+    report.push(forces("Five fingers that stick, one 10⁶ times as stiff", 1e6)?);
     Ok(())
 }
 
 /// Normals of integer length towards the middle, series stiffness, command along the normal.
-fn fingers(stiffer: f64) -> [exact_rolling::Contact; 5] {
-    let finger = |point, normal, length, stiffness: f64, press: f64| exact_rolling::Contact {
+fn fingers(stiffer: f64) -> [exact_sticking::Contact; 5] {
+    let finger = |point, normal, length, stiffness: f64, press: f64| exact_sticking::Contact {
         point,
         normal,
         length,
@@ -43,7 +43,7 @@ fn fingers(stiffer: f64) -> [exact_rolling::Contact; 5] {
 
 fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     let exact = fingers(stiffer);
-    let truth = exact_rolling::forces(&exact, &LOAD).ok_or("no free motion")?;
+    let truth = exact_sticking::forces(&exact, &LOAD).ok_or("no free motion")?;
     let truth: Vec<_> = truth.into_iter().map(Vector3::from).collect();
     // Body and finger share the softness evenly: the series stiffness is exactly half of either.
     let grasp = Grasp::new(exact.iter().map(|c| {
@@ -59,7 +59,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     let off = |forces: &[Vector3<f64>]| {
         forces.iter().zip(&truth).map(|(f, t)| (f - t).norm()).fold(0.0, f64::max) / size
     };
-    let mut panel = Panel::new("rolling", title, "error of a contact force / largest force");
+    let mut panel = Panel::new("sticking", title, "error of a contact force / largest force");
 
     let (outcome, time) = timed(|| Ok(grasp.solve(&load)?))?;
     let answer = outcome.equilibrium().ok_or("it holds")?;

@@ -2,7 +2,7 @@
 
 /// Empties a list that will hold so many entries. One without that much memory is asked for exactly: growing it as it is filled takes longer.
 #[inline]
-pub(crate) fn anew<T>(list: &mut Vec<T>, entries: usize) {
+pub(crate) fn cleared_for<T>(list: &mut Vec<T>, entries: usize) {
     if list.capacity() < entries {
         *list = Vec::with_capacity(entries);
     } else {

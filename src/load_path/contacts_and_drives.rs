@@ -9,7 +9,7 @@ use crate::numerics::Size;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// Changes of contacts, and those of drives by the names of their owners.
-    pub(super) fn told_apart(&self, changes: Vec<(usize, Change<C>)>) -> Told<(usize, Change<C>)> {
+    pub(super) fn contacts_and_drives(&self, changes: Vec<(usize, Change<C>)>) -> Split<(usize, Change<C>)> {
         let (contacts, drives): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(i, _)| *i < self.len());
         let named = |(i, change): &(usize, Change<C>)| {
             let frees = matches!(
@@ -23,8 +23,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (contacts, drives)
     }
 
-    /// Contacts that leave rolling, and drives that do by the names of their owners.
-    pub(super) fn leaving_apart(&self, leaving: Vec<Leaving<C>>) -> Told<Leaving<C>> {
+    /// Contacts that stop sticking, and drives that do by the names of their owners.
+    pub(super) fn leaving_apart(&self, leaving: Vec<Leaving<C>>) -> Split<Leaving<C>> {
         if leaving.iter().all(|leaving| leaving.contact < self.len()) {
             return (leaving, Vec::new());
         }
@@ -65,4 +65,4 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// Contacts, and drives of a hand.
-pub(super) type Told<T> = (Vec<T>, Vec<(HandPart, DriveChange)>);
+pub(super) type Split<T> = (Vec<T>, Vec<(HandPart, DriveChange)>);

@@ -2,12 +2,12 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::course::Course;
-use super::first_exits::Standing;
+use super::first_exits::PathState;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment};
+use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
-use crate::contact::{Line, Stand, State, ZERO_SLACK, tangential};
+use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::Size;
 use crate::object::{PieceState, least_spring_force};
@@ -33,7 +33,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         let mut node = Self {
             directions: directions(&segment.problem, &found),
             states: found.states,
-            stands: vec![Stand::NOWHERE; n],
+            stands: vec![ActiveSet::NOWHERE; n],
             holds: vec![false; n],
             sets_out: false,
             at: PieceState { forces: found.forces, twist: found.twist },
@@ -97,7 +97,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// What was reached on the way here.
-    pub(super) fn reach(&mut self, reached: &Standing<C>) {
+    pub(super) fn reach(&mut self, reached: &PathState<C>) {
         for (i, exits) in reached {
             self.stands[*i].reach(&self.states[*i], exits);
         }
@@ -112,17 +112,17 @@ impl<D: Size, const C: usize> Node<D, C> {
         there: &PieceState<D, C>,
     ) {
         self.at = there.clone();
-        if matches!(segment.course, Course::Turn { .. }) {
+        if matches!(segment.course, Trajectory::Turn { .. }) {
             self.leave_behind(segment, here, factor);
         }
         segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            if closed && line.force.norm() > 0.0 && Stand::is_weightless(force, line.force_size) {
+            if closed && line.force.norm() > 0.0 && ActiveSet::is_weightless(force, line.force_size) {
                 self.stands[i].apex = true;
             }
             let infinite = segment.problem.local(i).never_slides();
-            self.holds[i] = infinite && !Stand::is_weightless(&tangential(force), line.force_size);
+            self.holds[i] = infinite && !ActiveSet::is_weightless(&tangential(force), line.force_size);
         }
         self.slip_until_now(segment, factor);
     }
@@ -156,6 +156,6 @@ impl<D: Size, const C: usize> Node<D, C> {
 
     /// What slid no more does: inside its cone from here on.
     pub(super) fn stick(&mut self, contact: usize) {
-        self.stands[contact] = Stand::NOWHERE;
+        self.stands[contact] = ActiveSet::NOWHERE;
     }
 }

@@ -7,7 +7,7 @@ use crate::object::{PieceState, Problem};
 
 /// How everything turns from a place on, while contacts keep their states.
 #[derive(Debug)]
-pub(super) struct Turned<D: Size, const C: usize> {
+pub(super) struct TurningState<D: Size, const C: usize> {
     /// Force and stretch of every contact.
     pub(super) waves: Vec<[Wave<C>; 2]>,
     pub(super) twist: Harmonic<Vector<D>>,
@@ -16,7 +16,7 @@ pub(super) struct Turned<D: Size, const C: usize> {
     pub(super) angle: f64,
 }
 
-impl<D: Size, const C: usize> Turned<D, C> {
+impl<D: Size, const C: usize> TurningState<D, C> {
     /// Forces after a step of the factor, and what the twist changes by.
     pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
         let angle = self.angle * step;

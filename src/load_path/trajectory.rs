@@ -6,7 +6,7 @@ use crate::numerics::Harmonic;
 
 /// A way, of wrenches as the question has them or in inside coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Course<X> {
+pub(super) enum Trajectory<X> {
     Straight {
         from: X,
         /// For one unit of the factor.
@@ -19,7 +19,7 @@ pub(super) enum Course<X> {
     },
 }
 
-impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Course<X> {
+impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajectory<X> {
     /// The load at a factor.
     pub(super) fn at(&self, factor: f64) -> X {
         match self {

@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 
-use super::course::Course;
-use super::first_exits::Standing;
+use super::first_exits::PathState;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use super::segment::{Here, Segment};
-use crate::contact::{Stand, State, ZERO_SLACK};
+use super::trajectory::Trajectory;
+use crate::contact::{ActiveSet, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
 use crate::numerics::Size;
@@ -14,10 +14,10 @@ use crate::object::Problem;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
-pub(super) struct Walk<'a, D: Size, const C: usize> {
+pub(super) struct StickingPath<'a, D: Size, const C: usize> {
     pub(super) segment: Segment<'a, D, C>,
     /// The load as the question has it.
-    pub(super) course: Course<Wrench<C>>,
+    pub(super) course: Trajectory<Wrench<C>>,
     /// How far the factor goes.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
@@ -27,9 +27,9 @@ pub(super) struct Walk<'a, D: Size, const C: usize> {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-impl<D: Size, const C: usize> Walk<'_, D, C> {
+impl<D: Size, const C: usize> StickingPath<'_, D, C> {
     pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
-        let mut reached: Option<Standing<C>> = None;
+        let mut reached: Option<PathState<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
             let mut here = match self.segment.look(&states, self.factor, None) {
@@ -46,14 +46,14 @@ impl<D: Size, const C: usize> Walk<'_, D, C> {
                 let stays = |found: &Found<D, C>| {
                     standing.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carried no force at the base and opens at once never rolled.
-                        state.is_rolling() || state.is_open() && (at_base || states[i].is_open())
+                        // A contact that carried no force at the base and opens at once never stuck.
+                        state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
                 match settled {
                     Settled::Found(found, _) if stays(&found) => {
                         for &(i, _) in &standing {
-                            if states[i].is_open() && found.states[i].is_rolling() {
+                            if states[i].is_open() && found.states[i].is_sticking() {
                                 let nothing = SVector::zeros();
                                 self.segment.remember_slip(i, self.factor, &here.twist, &nothing);
                             }
@@ -80,13 +80,13 @@ impl<D: Size, const C: usize> Walk<'_, D, C> {
 
     /// At the base, a contact on its way out that has no way left to go, or that touches without force, whose fate
     /// only the rates decide.
-    fn standing_at_base(&self, states: &[State<C>], here: &Here<D, C>) -> Standing<C> {
+    fn standing_at_base(&self, states: &[State<C>], here: &Here<D, C>) -> PathState<C> {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, here);
             exits.retain(|exit| exit.step <= exit.uncertainty);
             let line = &here.lines[i];
-            let weightless = state.is_rolling()
+            let weightless = state.is_sticking()
                 && !self.segment.problem.local(i).is_bonded()
                 && line.force.norm() <= ZERO_SLACK * line.force_size;
             if weightless || !exits.is_empty() {
@@ -100,7 +100,7 @@ impl<D: Size, const C: usize> Walk<'_, D, C> {
         &self,
         states: Vec<State<C>>,
         here: &Here<D, C>,
-        stands: Vec<Stand<C>>,
+        stands: Vec<ActiveSet<C>>,
         rates: &Problem<D, C>,
         settled: &Settled<D, C>,
     ) -> Onset<C> {
@@ -115,7 +115,7 @@ impl<D: Size, const C: usize> Walk<'_, D, C> {
             Some(ContactState::Sliding { direction }) => {
                 Some(Leaving { contact, how: Departure::Slides { direction } })
             }
-            Some(ContactState::Separated) if states[contact].is_rolling() => {
+            Some(ContactState::Separated) if states[contact].is_sticking() => {
                 Some(Leaving { contact, how: Departure::Opens })
             }
             Some(_) => None,
@@ -150,13 +150,13 @@ impl<D: Size, const C: usize> Walk<'_, D, C> {
 fn stands<D: Size, const C: usize>(
     states: &[State<C>],
     here: &Here<D, C>,
-    standing: &Standing<C>,
-) -> Vec<Stand<C>> {
-    let mut stands = vec![Stand::NOWHERE; states.len()];
+    standing: &PathState<C>,
+) -> Vec<ActiveSet<C>> {
+    let mut stands = vec![ActiveSet::NOWHERE; states.len()];
     for (i, exits) in standing {
         let line = &here.lines[*i];
         stands[*i].reach(&states[*i], exits);
-        stands[*i].apex |= exits.is_empty() || Stand::is_weightless(&line.force, line.force_size);
+        stands[*i].apex |= exits.is_empty() || ActiveSet::is_weightless(&line.force, line.force_size);
     }
     stands
 }

@@ -1,19 +1,19 @@
-//! When the first contact of one grasp leaves rolling, at a factor or an angle.
+//! When the first contact of one grasp stops sticking, at a factor or an angle.
 
 use std::fmt;
 
-/// When the first contact of one grasp leaves rolling: a plain number, so that kernels choose it
+/// When the first contact of one grasp stops sticking: a plain number, so that kernels choose it
 /// without a branch.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct First {
+pub(super) struct FirstSlip {
     /// The factor or the angle, infinite if nothing leaves, or one of the codes below.
     pub(super) code: f64,
     /// Sum of 2^i over the contacts i that leave there.
     pub(super) leaving: f64,
 }
 
-/// Neither factor nor angle: [`Verdict::NotRolling`].
-pub(super) const NOT_ROLLING: f64 = -1.0;
+/// Neither factor nor angle: [`Verdict::NotSticking`].
+pub(super) const NOT_STICKING: f64 = -1.0;
 /// Neither factor nor angle: [`Verdict::GivesWay`].
 pub(super) const GIVES_WAY: f64 = -2.0;
 /// Neither factor nor angle: [`Verdict::Unclear`], as what is not a number.
@@ -23,15 +23,15 @@ pub(super) const UNCLEAR: f64 = -3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Verdict {
-    /// Contacts leave rolling, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
+    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
     /// they slide or open.
     Leaves,
-    /// However large the load grows, or as far as it turns, no contact leaves rolling.
+    /// However large the load grows, or as far as it turns, no contact stops sticking.
     Never,
-    /// Not every contact rolls at factor or angle zero: one would slide or be open there, perhaps
+    /// Not every contact sticks at factor or angle zero: one would slide or be open there, perhaps
     /// there is no equilibrium. [`Grasp::onset`](crate::ask::Grasp::onset) and
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) say more.
-    NotRolling,
+    NotSticking,
     /// The load works on a motion that no contact resists, at factor or angle zero or beyond.
     GivesWay,
     /// Single passes of floating-point arithmetic do not tell; ask
@@ -47,14 +47,14 @@ pub enum Verdict {
     Unclear,
 }
 
-impl First {
+impl FirstSlip {
     /// Not asked yet.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> Verdict {
         match self.code {
             f64::INFINITY => Verdict::Never,
-            NOT_ROLLING => Verdict::NotRolling,
+            NOT_STICKING => Verdict::NotSticking,
             GIVES_WAY => Verdict::GivesWay,
             place if place > 0.0 => Verdict::Leaves,
             _ => Verdict::Unclear,
