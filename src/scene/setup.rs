@@ -180,7 +180,7 @@ impl<const C: usize> Setup<C> {
         !self.fingers.is_empty() || !self.tendons.is_empty()
     }
 
-    /// The grasp, asked with the settings of the setup: soft fingertips are spread, so that it may have more contacts than the scene.
+    /// The grasp, asked with the settings of the setup. Soft fingertips are spread, so that it may have more contacts than the scene.
     ///
     /// # Errors
     /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index

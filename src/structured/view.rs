@@ -4,10 +4,8 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 
-use super::workspace::Workspace;
 use crate::forms::Row;
 use crate::grasp::Twist;
-use crate::numerics::Size;
 
 /// How a search for an equilibrium ended.
 #[derive(Debug, Clone, Copy)]
@@ -89,30 +87,4 @@ pub(super) trait Viewed<const C: usize>: Debug {
     fn pivots(&self) -> usize;
     fn newton_steps(&self) -> Option<usize>;
     fn rows(&self, contact: usize) -> [Option<Row>; 3];
-}
-
-impl<D: Size, const C: usize> Viewed<C> for Workspace<D, C> {
-    fn forces(&self) -> &[SVector<f64, C>] {
-        &self.solution.forces
-    }
-
-    fn twist(&self) -> Twist<C> {
-        self.twist
-    }
-
-    fn residual(&self) -> f64 {
-        self.solution.residual
-    }
-
-    fn pivots(&self) -> usize {
-        self.path.pivots
-    }
-
-    fn newton_steps(&self) -> Option<usize> {
-        self.newton_steps
-    }
-
-    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
-        Workspace::rows(self, contact)
-    }
 }

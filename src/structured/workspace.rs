@@ -8,7 +8,7 @@ use super::newton::newton;
 use super::path::{End, Path};
 use super::round_cone;
 use super::solution::Solution;
-use super::view::{Search, View};
+use super::view::{Search, View, Viewed};
 use crate::contact::{Answer, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
@@ -229,5 +229,31 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let workspace = memory.of(|| Workspace::<D, C>::new(*asked));
         workspace.asked = *asked;
         workspace.solve(self, load)
+    }
+}
+
+impl<D: Size, const C: usize> Viewed<C> for Workspace<D, C> {
+    fn forces(&self) -> &[SVector<f64, C>] {
+        &self.solution.forces
+    }
+
+    fn twist(&self) -> Twist<C> {
+        self.twist
+    }
+
+    fn residual(&self) -> f64 {
+        self.solution.residual
+    }
+
+    fn pivots(&self) -> usize {
+        self.path.pivots
+    }
+
+    fn newton_steps(&self) -> Option<usize> {
+        self.newton_steps
+    }
+
+    fn rows(&self, contact: usize) -> [Option<Row>; 3] {
+        Self::rows(self, contact)
     }
 }

@@ -8,7 +8,7 @@ use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
 use crate::search::{Doubt, Settled, settle};
 
-/// Forces stay if they change by less than this part of what springs that stick would feel: at maxima it is some hundredths, a thousandth at least,
+/// Forces stay if they change by less than this part of what springs that stick would feel. At maxima it is some hundredths, a thousandth at least;
 /// towards asymptotes it falls to the root of what is left of the load, 1e-5.
 const STAY: f64 = 2e-4;
 

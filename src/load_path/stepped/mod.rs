@@ -10,7 +10,7 @@
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the follower, and what it stands on |
-//! | `walking`, `pace` | steps as long as the error asked for allows |
+//! | `step_length`, `places`, `pace` | steps as long as the error asked for allows |
 //! | `coarse`, `unseen` | the error: seen by a second path, and missed by both |
 //! | `standing_at` | the state on the way, as physics, and what stands on an edge |
 //! | `ending`, `speeds` | a limit load, or a doubt |
@@ -19,10 +19,11 @@ mod coarse;
 mod ending;
 mod one_step;
 mod pace;
+mod places;
 mod speeds;
 mod standing_at;
+mod step_length;
 mod stepped_path;
 mod unseen;
-mod walking;
 
 pub use stepped_path::Step;

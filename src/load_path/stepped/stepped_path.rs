@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::coarse::Coarse;
 use super::one_step::{PathState, StepProblem};
 use super::pace::Pace;
-use super::walking::Places;
+use super::places::Places;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};

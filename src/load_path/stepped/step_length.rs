@@ -1,6 +1,7 @@
 //! Steps as long as the error asked for allows.
 
 use super::one_step::{PathState, SHORTEST};
+use super::places::Places;
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
@@ -34,24 +35,7 @@ const LEAP: f64 = 0.25;
 /// … and if springs would feel the step by more than this part of the largest force.
 const FELT: f64 = 0.05;
 
-/// Where a step leads that is made twice: in halves, which the path takes, and at once.
-#[derive(Debug)]
-pub(super) struct Places<D: Size, const C: usize> {
-    middle: PathState<D, C>,
-    to: PathState<D, C>,
-    at_once: PathState<D, C>,
-    /// Memory for the step of the second path.
-    beside: PathState<D, C>,
-}
-
-impl<D: Size, const C: usize> Places<D, C> {
-    pub(super) fn nowhere() -> Self {
-        let [middle, to, at_once, beside] = [(); 4].map(|()| PathState::nowhere());
-        Self { middle, to, at_once, beside }
-    }
-}
-
-/// What such a step tells.
+/// What a step that is made twice tells.
 #[derive(Debug)]
 struct Twice {
     /// The largest contact force on the way, N.

@@ -1,0 +1,21 @@
+//! Where steps lead.
+
+use super::one_step::PathState;
+use crate::numerics::Size;
+
+/// Where a step leads that is made twice: in halves, which the path takes, and at once.
+#[derive(Debug)]
+pub(super) struct Places<D: Size, const C: usize> {
+    pub(super) middle: PathState<D, C>,
+    pub(super) to: PathState<D, C>,
+    pub(super) at_once: PathState<D, C>,
+    /// Memory for the step of the second path.
+    pub(super) beside: PathState<D, C>,
+}
+
+impl<D: Size, const C: usize> Places<D, C> {
+    pub(super) fn nowhere() -> Self {
+        let [middle, to, at_once, beside] = [(); 4].map(|()| PathState::nowhere());
+        Self { middle, to, at_once, beside }
+    }
+}
