@@ -3,10 +3,12 @@
 //! [`Grasp`] is the one type to ask. Behind it stands an engine for as many coordinates as the grasp has; who asks need not know.
 //! What is rarely asked has a view of its own: [`Statics`], [`Sensitivity`], [`Energy`].
 
+// First, for the page of its documentation begins with what stands here.
+mod grasp;
+
 mod closer_look;
 mod energy;
 mod engines;
-mod grasp;
 mod many;
 mod questions;
 mod sensitivity;
