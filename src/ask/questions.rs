@@ -29,27 +29,23 @@ use crate::sweep::{OnsetSpread, RobustOnset, Uncertainty};
 macro_rules! questions {
     (any $any:tt without_joints $other:tt) => {
         questions!(@trait $any $other);
-        const _: () = {
-            const C: usize = 2;
-            impl Questions<C> for Engine<Fixed<3>, C> {
-                questions!(@answered $any);
-                questions!(@answered $other);
-                questions!(@changed);
-            }
-        };
-        const _: () = {
-            const C: usize = 3;
-            impl Questions<C> for Engine<Fixed<6>, C> {
-                questions!(@answered $any);
-                questions!(@answered $other);
-                questions!(@changed);
-            }
-        };
+        questions!(@without_joints 3, 2, $any $other);
+        questions!(@without_joints 6, 3, $any $other);
         impl<const C: usize> Questions<C> for Engine<Any, C> {
             questions!(@answered $any);
             questions!(@refused $other);
             questions!(@changed);
         }
+    };
+    (@without_joints $coordinates:literal, $axes:literal, $any:tt $other:tt) => {
+        const _: () = {
+            const C: usize = $axes;
+            impl Questions<C> for Engine<Fixed<$coordinates>, C> {
+                questions!(@answered $any);
+                questions!(@answered $other);
+                questions!(@changed);
+            }
+        };
     };
     (@trait
         { $($(#[$attribute:meta])* fn $name:ident $(<$life:lifetime>)? (&self $(, $argument:ident: $type:ty)*) -> $answer:ty;)* }

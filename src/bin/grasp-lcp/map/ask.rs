@@ -92,13 +92,13 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
 pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<(), Failure> {
     match grasp.onset(ramp)? {
         Onset::NoBase(none) => {
-            Err(Failure::Scene(format!("no equilibrium exists under the base load: {:?}", none.proof)))
+            Err(Failure::Scene(format!("no equilibrium exists under the base load: {}", none.proof)))
         }
         Onset::AlreadySliding(_) => Err(Failure::Scene(
             "something slides already under the base load: there is no onset to map".to_owned(),
         )),
         Onset::Undecided(undecided) => Err(Failure::Scene(format!(
-            "the equilibrium under the base load is undecided: {:?}",
+            "the equilibrium under the base load is undecided: {}",
             undecided.doubt
         ))),
         _ => Ok(()),
