@@ -117,6 +117,8 @@ pub mod scene;
 pub mod schema;
 pub mod screening;
 mod search;
+#[cfg(feature = "serde")]
+mod serial;
 pub mod spatial;
 pub mod squeeze;
 pub mod statics;

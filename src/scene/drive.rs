@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::fields::AsFound;
 use super::place::Places;
 use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
 use crate::grasp::HandPart;
 use crate::load_path::DriveChange;
+use crate::serial::AsComputed;
 
 /// A joint or a tendon, as the scene knows it: `{"joint": 3, "name": "knuckle"}`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,19 +32,19 @@ pub struct JointTold {
     /// What its own drive does.
     pub state: DriveState,
     /// Displacement from the posture in which the contacts were given, rad or m.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub displacement: f64,
     /// Torque of all drives on it, N m or N.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub torque: f64,
     /// What its own drive exerts, N m or N.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub drive: f64,
     /// What is left of its limit, N m or N; "infinite" without one.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub margin: f64,
     /// How far its drive has given way beyond its spring, rad or m.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub yielded: f64,
 }
 
@@ -59,13 +59,13 @@ pub struct TendonTold {
     /// What its drive does.
     pub state: DriveState,
     /// Its tension, N.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub tension: f64,
     /// What is left of its limit, N; "infinite" without one.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub margin: f64,
     /// How far its drive has given way beyond its spring, m.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub yielded: f64,
 }
 

@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::drive::{JointTold, TendonTold};
-use super::fields::AsFound;
 use super::place::{Places, Touch};
 use crate::ask::Grasp;
 use crate::contact::PolygonCone;
 use crate::equilibrium::{self as state, Doubt, NoEquilibrium, Outcome, Rung};
 use crate::grasp::{Motion, Twist, Wrench};
+use crate::serial::AsComputed;
 
 /// How a question for an equilibrium ends; see [`Outcome`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,7 +38,7 @@ pub enum Proof<const C: usize> {
         /// The motion.
         motion: Motion<C>,
         /// Work of the load on it, positive, J.
-        #[serde(with = "AsFound::<f64>")]
+        #[serde(with = "AsComputed::<f64>")]
         work: f64,
     },
     /// No admissible contact force works against this unit motion, and the load drives it.
@@ -46,7 +46,7 @@ pub enum Proof<const C: usize> {
         /// The motion.
         motion: Motion<C>,
         /// Work of the load on it, positive, J.
-        #[serde(with = "AsFound::<f64>")]
+        #[serde(with = "AsComputed::<f64>")]
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly.
@@ -90,7 +90,7 @@ pub struct Equilibrium<const C: usize> {
     /// By which rule it was found; there may be others.
     pub rule: Rung,
     /// Energy stored in the springs, J.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub stored_energy: f64,
     /// Unit motions that no contact resists, m and rad: the twist is known up to them. What counts
     /// as one unit says [`state::Equilibrium::free_motions`].
@@ -101,7 +101,7 @@ pub struct Equilibrium<const C: usize> {
     pub neutral_motions: Vec<Motion<C>>,
     /// The largest change of a contact force, N, from the answer of the polygon that the search
     /// started from, if it did.
-    #[serde(default, with = "AsFound::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pub change_from_polygon: Option<f64>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
@@ -127,19 +127,19 @@ pub enum Cone {
 #[non_exhaustive]
 pub struct Residuals {
     /// Of the balance of forces and moments.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub equilibrium: f64,
     /// Of the contact springs.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub springs: f64,
     /// Of the friction cone.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub cone: f64,
     /// Penetration.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub gap: f64,
     /// Of the products that must vanish.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub complementarity: f64,
 }
 
@@ -161,13 +161,13 @@ impl From<state::Residuals> for Residuals {
 #[non_exhaustive]
 pub struct Accuracy {
     /// Estimated error of the contact forces, N.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub force: f64,
     /// Estimated error of the displacements at the contacts, m.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub displacement: f64,
     /// Relative change of the forces by a relative change of the data.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub condition: f64,
 }
 

@@ -4,12 +4,12 @@ use nalgebra::DMatrix;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::AsGiven;
 use super::fingertip::{Carried, Fingertip, MovedBy};
 use super::matrix::Rows;
 use super::object;
 use crate::error::Error;
 use crate::grasp::{self, Contact, Joint};
+use crate::serial::AsGiven;
 
 /// A finger of a scene: joints in a row from the palm on, and contacts on its links; see [`grasp::Finger`].
 ///

@@ -4,14 +4,12 @@ use nalgebra::{DMatrix, SVector};
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::AsGiven;
 use super::matrix::Rows;
-use super::numbers::{Friction, Given, Number, Spring};
 use super::object;
 use super::patch::Tip;
-use super::rows::{Few, Row};
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Axes, Contact, Hold, Stiffness};
+use crate::serial::{AsGiven, AxisRow, Few, Friction, Given, Number, SpringStiffness};
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
 ///
@@ -109,7 +107,7 @@ struct Written<const C: usize> {
     normal: SVector<f64, C>,
     /// Direction of the first tangent; chosen from the normal if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    tangent: Option<Row<Given, C>>,
+    tangent: Option<AxisRow<Given, C>>,
     /// The object's springs, N/m: normal and tangential; rigid if left out and the finger is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     body_stiffness: Option<Springs<C>>,
@@ -124,10 +122,10 @@ struct Written<const C: usize> {
     friction: Option<Number<Friction>>,
     /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    command: Option<Row<Given, C>>,
+    command: Option<AxisRow<Given, C>>,
     /// The command along the coordinate axes, in place of `command`, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    command_world: Option<Row<Given, C>>,
+    command_world: Option<AxisRow<Given, C>>,
     /// Force of the squeeze in place of the normal command, N.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pressed_with: Option<f64>,
@@ -165,13 +163,13 @@ pub(super) struct Springs<const C: usize>(SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Few::<Spring, 3>::of(self.0.as_slice()).serialize(serializer)
+        Few::<SpringStiffness, 3>::of(self.0.as_slice()).serialize(serializer)
     }
 }
 
 impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match *Few::<Spring, 3>::deserialize(deserializer)?.as_slice() {
+        match *Few::<SpringStiffness, 3>::deserialize(deserializer)?.as_slice() {
             [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
             [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
             ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
@@ -199,14 +197,14 @@ impl<const C: usize> Serialize for Fingertip<C> {
         let said = |x: f64| x.to_bits() != 0;
         let command_along = |axes: Axes| {
             let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
-            (given && axes == contact.command_axes).then(|| Row::new(contact.command))
+            (given && axes == contact.command_axes).then(|| AxisRow::new(contact.command))
         };
         Written {
             name: contact.name.clone(),
             comment: self.comment.clone(),
             point: contact.point,
             normal: contact.normal,
-            tangent: contact.tangent.map(Row::new),
+            tangent: contact.tangent.map(AxisRow::new),
             body_stiffness: body,
             finger_stiffness: finger,
             series_stiffness: series,

@@ -4,11 +4,9 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::AsGiven;
-use super::numbers::Given;
 use super::object;
-use super::rows::Row;
 use crate::grasp::{Joint, JointMotion, Limit, Tendon};
+use crate::serial::{AsGiven, AxisRow, Given};
 
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -22,7 +20,7 @@ struct WrittenJoint<const C: usize> {
     revolute: Option<Hinge<C>>,
     /// Along which direction it slides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    prismatic: Option<Row<Given, C>>,
+    prismatic: Option<AxisRow<Given, C>>,
     /// Of its drive, N m/rad or N/m; without one what is given alone acts.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
@@ -47,7 +45,7 @@ struct Hinge<const C: usize> {
     point: SVector<f64, C>,
     /// In space the direction of its axis, right-handed; none in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    axis: Option<Row<Given, C>>,
+    axis: Option<AxisRow<Given, C>>,
 }
 
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -87,9 +85,9 @@ impl<const C: usize> Serialize for Joint<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (revolute, prismatic) = match &self.motion {
             JointMotion::Revolute { point, axis } => {
-                (Some(Hinge { point: *point, axis: (C == 3).then(|| Row::new(*axis)) }), None)
+                (Some(Hinge { point: *point, axis: (C == 3).then(|| AxisRow::new(*axis)) }), None)
             }
-            JointMotion::Prismatic { direction } => (None, Some(Row::new(*direction))),
+            JointMotion::Prismatic { direction } => (None, Some(AxisRow::new(*direction))),
             JointMotion::Given => (None, None),
         };
         let Self { name, stiffness, command, torque, limit, .. } = self.clone();

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-use super::numbers::{Given, Number};
+use crate::serial::{Given, Number};
 
 /// The rows of a matrix.
 #[derive(Serialize, Deserialize)]

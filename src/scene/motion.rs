@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::fields::AsFound;
 use crate::grasp::{Motion, Twist};
+use crate::serial::AsComputed;
 
 /// As it is written.
 #[derive(Serialize, Deserialize)]
@@ -13,7 +13,7 @@ struct WrittenMotion<const C: usize> {
     #[serde(flatten)]
     object: Twist<C>,
     /// Of the joints of a hand, finger by finger, rad or m; left out without a hand.
-    #[serde(default, with = "AsFound::<Vec<f64>>", skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, with = "AsComputed::<Vec<f64>>", skip_serializing_if = "Vec::is_empty")]
     joints: Vec<f64>,
 }
 

@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::DriveTurn;
 use super::equilibrium::{Equilibrium, Proof, proof};
-use super::fields::AsFound;
 use super::place::{Doing, Place, Places};
 use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Rung};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path as path;
+use crate::serial::AsComputed;
 
 /// When the first contact stops sticking; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -32,7 +32,7 @@ pub enum OnsetAnswer<const C: usize> {
     /// No contact stops sticking, but from this factor on nothing resists the load's direction.
     GivesWay {
         /// The factor up to which the grasp holds.
-        #[serde(with = "AsFound::<f64>")]
+        #[serde(with = "AsComputed::<f64>")]
         factor: f64,
         /// Why it does not hold beyond.
         reason: Proof<C>,
@@ -50,7 +50,7 @@ pub enum OnsetAnswer<const C: usize> {
 #[non_exhaustive]
 pub struct Onset<const C: usize> {
     /// Load factor τ, no unit.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub factor: f64,
     /// The load there.
     pub load: Wrench<C>,
@@ -87,7 +87,7 @@ pub enum Departure<const C: usize> {
     /// It slides.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// It opens.
@@ -105,7 +105,7 @@ pub enum Beyond<const C: usize> {
         /// What every contact does next, in the order of [`Equilibrium::contacts`].
         states: Vec<Doing<C>>,
         /// Rates of the contact forces in the contact frames, N, contact by contact.
-        #[serde(with = "AsFound::<Vec<SVector<f64, C>>>")]
+        #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>")]
         force_rates: Vec<SVector<f64, C>>,
         /// Rate of the object's motion, m and rad, and of the joints'.
         twist_rate: Motion<C>,

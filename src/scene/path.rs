@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, SolveAnswer};
-use super::fields::AsFound;
 use super::onset::{Beyond, told_beyond};
 use super::place::{Place, Places};
 use crate::equilibrium::Doubt;
 use crate::grasp::{Motion, Wrench};
 use crate::load_path as path;
+use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`path::LoadPath`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,7 +26,7 @@ pub struct PathAnswer<const C: usize> {
     pub energies: Vec<Energy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
     /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }
 
@@ -62,7 +62,7 @@ pub enum PathEnd<const C: usize> {
         /// The leg, from 0.
         leg: usize,
         /// How much of the leg has been gone.
-        #[serde(with = "AsFound::<f64>")]
+        #[serde(with = "AsComputed::<f64>")]
         fraction: f64,
         /// Why.
         doubt: Doubt,
@@ -77,7 +77,7 @@ pub struct Loss<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
@@ -101,7 +101,7 @@ pub struct Event<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
@@ -143,7 +143,7 @@ pub enum Turn<const C: usize> {
     /// A sticking contact starts to slide.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact sticks.
@@ -151,13 +151,13 @@ pub enum Turn<const C: usize> {
     /// A sliding contact slides back.
     Reverses {
         /// Its new direction.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another edge of its cone (space).
     Turns {
         /// Its new direction.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// A closed contact opens.
@@ -167,7 +167,7 @@ pub enum Turn<const C: usize> {
     /// An open contact closes and slides from the start.
     ClosesSliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
 }
@@ -192,20 +192,20 @@ impl<const C: usize> From<path::Change<C>> for Turn<C> {
 #[non_exhaustive]
 pub struct Energy {
     /// Work of the load on the object, `∫ W·dq`.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub load_work: f64,
     /// Work of the fingers' drives, `Σ ∫ F·du_f`.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub finger_work: f64,
     /// Change of the energy stored in the springs.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub stored: f64,
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub dissipated: f64,
     /// What does not balance, over the sum of the sizes of all contributions: zero in exact
     /// arithmetic.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub residual: f64,
 }
 

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::fields::AsFound;
 use crate::equilibrium::{ContactAnswer, ContactState};
+use crate::serial::AsComputed;
 
 /// A contact of the grasp, as the scene knows it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ pub enum Doing<const C: usize> {
     /// Closed and on the edge of its cone.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "AsFound::<SVector<f64, C>>")]
+        #[serde(with = "AsComputed::<SVector<f64, C>>")]
         direction: SVector<f64, C>,
     },
     /// Closed without friction.
@@ -81,34 +81,42 @@ pub struct Touch<const C: usize> {
     #[serde(flatten)]
     pub doing: Doing<C>,
     /// Force on the object in the contact frame, N: normal (positive pushes), tangential.
-    #[serde(with = "AsFound::<SVector<f64, C>>")]
+    #[serde(with = "AsComputed::<SVector<f64, C>>")]
     pub force: SVector<f64, C>,
     /// The same force along the coordinate axes, N.
-    #[serde(with = "AsFound::<SVector<f64, C>>")]
+    #[serde(with = "AsComputed::<SVector<f64, C>>")]
     pub force_world: SVector<f64, C>,
     /// Gap between the surfaces, m, never negative.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, m; its normal component is zero.
-    #[serde(with = "AsFound::<SVector<f64, C>>")]
+    #[serde(with = "AsComputed::<SVector<f64, C>>")]
     pub slip: SVector<f64, C>,
     /// Friction in reserve, N; "infinite" with infinite friction.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub margin: f64,
     /// Whether working precision tells the state from its neighbours: of the answer to `solve`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distinct: Option<bool>,
     /// Displacement of the body's core, coordinate axes, m.
-    #[serde(with = "AsFound::<SVector<f64, C>>")]
+    #[serde(with = "AsComputed::<SVector<f64, C>>")]
     pub body_core: SVector<f64, C>,
     /// Displacement of the body's surface, coordinate axes, m; left out if only the series
     /// stiffness is known.
-    #[serde(default, with = "AsFound::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        with = "AsComputed::<Option<SVector<f64, C>>>",
+        skip_serializing_if = "Option::is_none"
+    )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub body_surface: Option<SVector<f64, C>>,
     /// Displacement of the finger's surface, coordinate axes, m; left out if only the series
     /// stiffness is known.
-    #[serde(default, with = "AsFound::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        with = "AsComputed::<Option<SVector<f64, C>>>",
+        skip_serializing_if = "Option::is_none"
+    )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub finger_surface: Option<SVector<f64, C>>,
 }

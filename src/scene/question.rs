@@ -4,11 +4,11 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fields::AsGiven;
 use super::object;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
+use crate::serial::AsGiven;
 
 /// One question, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]

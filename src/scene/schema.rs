@@ -5,13 +5,11 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::Value;
 
-use super::fields::{As, Numbers};
 use super::fingertip::Springs;
-use super::numbers::{Found, Friction, Given, Kind, Number, Spring};
-use super::rows::Row;
 use super::written::{FORMAT, Format};
 use crate::error::LARGEST;
 use crate::grasp::{Twist, Wrench, of_the_object};
+use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
 /// The schema of a type is that of its written form.
 macro_rules! schema_as_written {
@@ -50,15 +48,15 @@ impl Bounded for Friction {
     }
 }
 
-impl Bounded for Spring {
-    const NAME: &'static str = "Spring";
+impl Bounded for SpringStiffness {
+    const NAME: &'static str = "SpringStiffness";
     fn bounds() -> Schema {
         json_schema!({ "exclusiveMinimum": 0 })
     }
 }
 
-impl Bounded for Found {
-    const NAME: &'static str = "Found";
+impl Bounded for Computed {
+    const NAME: &'static str = "Computed";
     fn bounds() -> Schema {
         json_schema!({})
     }
@@ -94,7 +92,7 @@ fn list<K: Bounded>(least: usize, most: usize) -> Schema {
     json_schema!({ "type": "array", "items": number::<K>(), "minItems": least, "maxItems": most })
 }
 
-impl<K: Bounded, const C: usize> JsonSchema for Row<K, C> {
+impl<K: Bounded, const C: usize> JsonSchema for AxisRow<K, C> {
     fn inline_schema() -> bool {
         true
     }
@@ -108,7 +106,7 @@ impl<K: Bounded, const C: usize> JsonSchema for Row<K, C> {
     }
 }
 
-impl<K: Kind, T: Numbers<K>> JsonSchema for As<K, T>
+impl<K: Kind, T: Numeric<K>> JsonSchema for As<K, T>
 where
     T::Written: JsonSchema,
 {
@@ -176,7 +174,7 @@ impl<const C: usize> JsonSchema for Wrench<C> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let parts = [("force", "N."), ("moment", "About the origin, N m.")];
         if generator.contract().is_serialize() {
-            return by_parts::<Found, C>(generator, parts);
+            return by_parts::<Computed, C>(generator, parts);
         }
         let mut schema = by_parts::<Given, C>(generator, parts);
         let at = list::<Given>(C, C);
@@ -199,7 +197,7 @@ impl<const C: usize> JsonSchema for Twist<C> {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        by_parts::<Found, C>(generator, [("translation", "Of the origin, m."), ("rotation", "rad.")])
+        by_parts::<Computed, C>(generator, [("translation", "Of the origin, m."), ("rotation", "rad.")])
     }
 }
 
@@ -214,7 +212,7 @@ impl<const C: usize> JsonSchema for Springs<C> {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         // A word alone is all of them; two numbers are normal and tangential.
-        json_schema!({ "anyOf": [{ "const": "rigid" }, { "const": ["rigid"] }, list::<Spring>(2, C)] })
+        json_schema!({ "anyOf": [{ "const": "rigid" }, { "const": ["rigid"] }, list::<SpringStiffness>(2, C)] })
     }
 }
 

@@ -3,17 +3,15 @@
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
-use super::fields::AsFound;
 use super::finger::Finger;
 use super::fingertip::Fingertip;
-use super::numbers::Given;
 use super::object;
 use super::question::Question;
-use super::rows::Row;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Hand, Tendon};
+use crate::serial::{AsComputed, AxisRow, Given};
 
 /// Contacts, questions and settings: `D` degrees of freedom of the object and `C` axes a contact, 3 and 2 in
 /// the plane, 6 and 3 in space.
@@ -52,7 +50,7 @@ pub struct Setup<const C: usize> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
     /// Corners of the object in order, m. They are only drawn, by the caller.
-    #[serde(with = "AsFound::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
     /// Answered in this order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -82,7 +80,7 @@ struct Written<const C: usize> {
     tendons: Vec<Tendon>,
     /// Corners of the object in order, m; only drawn.
     #[serde(default)]
-    outline: Vec<Row<Given, C>>,
+    outline: Vec<AxisRow<Given, C>>,
     /// What is asked, in order.
     #[serde(default)]
     questions: Vec<Question<C>>,

@@ -8,30 +8,29 @@ use std::f64::consts::TAU;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::numbers::{Found, Given, Number};
 use super::object;
-use super::rows::Few;
-#[cfg(feature = "schema")]
-use super::rows::Row;
 use super::wrench::part;
 use crate::grasp::{Wrench, of_the_object};
 use crate::load_path::Turn;
+#[cfg(feature = "schema")]
+use crate::serial::AxisRow;
+use crate::serial::{Computed, Few, Given, Number};
 
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenTurn<const C: usize> {
     /// A weight, N, while the object is tilted with its grasp.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
     /// A force that turns, N, in place of the weight.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     force: Option<Few<Given, 3>>,
     /// Where it acts, m; at the origin if left out.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, C>>"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     at: Option<Few<Given, 3>>,
     /// In space about which it turns, right-handed, of any length but zero; none in the plane.
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Row<Given, 3>>"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
     /// A wrench that stays.
     beside: Option<Wrench<C>>,
@@ -113,7 +112,7 @@ impl<const C: usize> Serialize for Turn<C> {
         out.serialize_field("constant", &constant)?;
         out.serialize_field("cosine", &cosine)?;
         out.serialize_field("sine", &sine)?;
-        out.serialize_field("angle", &Number::<Found>::new(self.angle()))?;
+        out.serialize_field("angle", &Number::<Computed>::new(self.angle()))?;
         out.end()
     }
 }

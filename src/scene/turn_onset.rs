@@ -4,13 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use super::drive::{DriveTurn, Part};
 use super::equilibrium::{Equilibrium, Proof};
-use super::fields::AsFound;
 use super::onset::{Beyond, Leaving, Onset, OnsetAnswer};
 use super::place::{Place, Places};
 use crate::ask::Grasp;
 use crate::equilibrium::Doubt;
 use crate::grasp::Wrench;
 use crate::load_path as path;
+use crate::serial::AsComputed;
 
 /// The onset of sliding while a load turns, and what comes near to one; see [`path::TurnOnset`].
 ///
@@ -66,7 +66,7 @@ pub enum TurnOnset<const C: usize> {
     /// No contact stops sticking, but from this angle on nothing resists the load.
     GivesWay {
         /// The angle up to which the grasp holds, rad.
-        #[serde(with = "AsFound::<f64>")]
+        #[serde(with = "AsComputed::<f64>")]
         angle: f64,
         /// Why it does not hold beyond.
         reason: Proof<C>,
@@ -84,7 +84,7 @@ pub enum TurnOnset<const C: usize> {
 #[non_exhaustive]
 pub struct TurnEvent<const C: usize> {
     /// How far the load has turned, rad.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub angle: f64,
     /// The load there.
     pub load: Wrench<C>,
@@ -108,7 +108,7 @@ pub struct EdgeTouch {
     #[serde(flatten)]
     pub of: EdgeOf,
     /// Where, rad.
-    #[serde(with = "AsFound::<f64>")]
+    #[serde(with = "AsComputed::<f64>")]
     pub angle: f64,
 }
 

@@ -9,10 +9,9 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::numbers::{Found, Given, Number};
 use super::object;
-use super::rows::Few;
 use crate::grasp::{Twist, Wrench, of_the_object, wrench_of};
+use crate::serial::{Computed, Few, Given, Number};
 
 fn write<S: Serializer, const C: usize>(
     serializer: S,
@@ -21,11 +20,11 @@ fn write<S: Serializer, const C: usize>(
 ) -> Result<S::Ok, S::Error> {
     let (linear, angular) = components.split_at(C);
     let mut out = serializer.serialize_struct(name, 2)?;
-    out.serialize_field(linear_name, &Few::<Found, 3>::of(linear))?;
+    out.serialize_field(linear_name, &Few::<Computed, 3>::of(linear))?;
     if let [moment] = angular {
-        out.serialize_field(angular_name, &Number::<Found>::new(*moment))?;
+        out.serialize_field(angular_name, &Number::<Computed>::new(*moment))?;
     } else {
-        out.serialize_field(angular_name, &Few::<Found, 3>::of(angular))?;
+        out.serialize_field(angular_name, &Few::<Computed, 3>::of(angular))?;
     }
     out.end()
 }
@@ -61,8 +60,8 @@ struct WrittenWrench {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct WrittenTwist {
-    translation: Option<Few<Found, 3>>,
-    rotation: Option<Few<Found, 3>>,
+    translation: Option<Few<Computed, 3>>,
+    rotation: Option<Few<Computed, 3>>,
 }
 
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].

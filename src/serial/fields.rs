@@ -1,5 +1,5 @@
 //! Fields that are numbers, rows of numbers or lists of rows: their form in a file, by
-//! `#[serde(with = "AsGiven::<T>")]` in questions and `AsFound` in answers.
+//! `#[serde(with = "AsGiven::<T>")]` in questions and `AsComputed` in answers.
 
 use std::marker::PhantomData;
 
@@ -7,17 +7,17 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, DeserializeOwned, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::numbers::{Found, Given, Kind, Number};
-use super::rows::Row;
+use super::numbers::{Computed, Given, Kind, Number};
+use super::rows::AxisRow;
 
 /// A value made of numbers of a kind.
-pub(super) trait Numbers<K>: Sized {
+pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
     fn read(written: Self::Written) -> Self;
 }
 
-impl<K: Kind> Numbers<K> for f64 {
+impl<K: Kind> Numeric<K> for f64 {
     type Written = Number<K>;
     fn write(&self) -> Number<K> {
         Number::new(*self)
@@ -27,17 +27,17 @@ impl<K: Kind> Numbers<K> for f64 {
     }
 }
 
-impl<K: Kind, const C: usize> Numbers<K> for SVector<f64, C> {
-    type Written = Row<K, C>;
-    fn write(&self) -> Row<K, C> {
-        Row::new(*self)
+impl<K: Kind, const C: usize> Numeric<K> for SVector<f64, C> {
+    type Written = AxisRow<K, C>;
+    fn write(&self) -> AxisRow<K, C> {
+        AxisRow::new(*self)
     }
-    fn read(written: Row<K, C>) -> Self {
+    fn read(written: AxisRow<K, C>) -> Self {
         written.0
     }
 }
 
-impl<K, T: Numbers<K>> Numbers<K> for Option<T> {
+impl<K, T: Numeric<K>> Numeric<K> for Option<T> {
     type Written = Option<T::Written>;
     fn write(&self) -> Self::Written {
         self.as_ref().map(T::write)
@@ -47,7 +47,7 @@ impl<K, T: Numbers<K>> Numbers<K> for Option<T> {
     }
 }
 
-impl<K, T: Numbers<K>> Numbers<K> for Vec<T> {
+impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     type Written = Vec<T::Written>;
     fn write(&self) -> Self::Written {
         self.iter().map(T::write).collect()
@@ -58,19 +58,19 @@ impl<K, T: Numbers<K>> Numbers<K> for Vec<T> {
 }
 
 /// The written form of a field of type `T`, made of numbers of kind `K`.
-pub(super) struct As<K, T>(PhantomData<(K, T)>);
+pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
 /// Of questions.
-pub(super) type AsGiven<T> = As<Given, T>;
+pub(crate) type AsGiven<T> = As<Given, T>;
 /// Of answers.
-pub(super) type AsFound<T> = As<Found, T>;
+pub(crate) type AsComputed<T> = As<Computed, T>;
 
-impl<K, T: Numbers<K>> As<K, T> {
-    pub(super) fn serialize<S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+impl<K, T: Numeric<K>> As<K, T> {
+    pub(crate) fn serialize<S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
         value.write().serialize(serializer)
     }
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
         T::Written::deserialize(deserializer).map(T::read)
     }
 }

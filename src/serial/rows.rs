@@ -10,20 +10,20 @@ use serde::ser::{Serialize, SerializeSeq, Serializer};
 use super::numbers::{Kind, Number, NumberVisitor};
 
 /// A list of up to `MOST` numbers of a kind; a number by itself is a list of one.
-pub(super) struct Few<K, const MOST: usize> {
-    pub(super) values: [f64; MOST],
-    pub(super) count: usize,
+pub(crate) struct Few<K, const MOST: usize> {
+    pub(crate) values: [f64; MOST],
+    pub(crate) count: usize,
     kind: PhantomData<K>,
 }
 
 impl<K, const MOST: usize> Few<K, MOST> {
-    pub(super) fn of(list: &[f64]) -> Self {
+    pub(crate) fn of(list: &[f64]) -> Self {
         let mut values = [0.0; MOST];
         values[..list.len()].copy_from_slice(list);
         Self { values, count: list.len(), kind: PhantomData }
     }
 
-    pub(super) fn as_slice(&self) -> &[f64] {
+    pub(crate) fn as_slice(&self) -> &[f64] {
         &self.values[..self.count]
     }
 }
@@ -83,21 +83,21 @@ impl<'de, K: Kind, const MOST: usize> Visitor<'de> for FewVisitor<K, MOST> {
 }
 
 /// As many numbers as there are axes.
-pub(super) struct Row<K, const C: usize>(pub(super) SVector<f64, C>, PhantomData<K>);
+pub(crate) struct AxisRow<K, const C: usize>(pub(crate) SVector<f64, C>, PhantomData<K>);
 
-impl<K, const C: usize> Row<K, C> {
-    pub(super) fn new(row: SVector<f64, C>) -> Self {
+impl<K, const C: usize> AxisRow<K, C> {
+    pub(crate) fn new(row: SVector<f64, C>) -> Self {
         Self(row, PhantomData)
     }
 }
 
-impl<K: Kind, const C: usize> Serialize for Row<K, C> {
+impl<K: Kind, const C: usize> Serialize for AxisRow<K, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Few::<K, C>::of(self.0.as_slice()).serialize(serializer)
     }
 }
 
-impl<'de, K: Kind, const C: usize> Deserialize<'de> for Row<K, C> {
+impl<'de, K: Kind, const C: usize> Deserialize<'de> for AxisRow<K, C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let row = deserializer.deserialize_seq(RowVisitor::<K, C>(PhantomData))?;
         Ok(Self::new(row))

@@ -13,7 +13,7 @@ use serde::ser::{Serialize, Serializer};
 use crate::error::{MODERATE, is_moderate};
 
 /// A kind of number: which words stand for numbers, and which numbers are refused.
-pub(super) trait Kind {
+pub(crate) trait Kind {
     const EXPECTED: &'static str;
     /// Numbers that are written as words.
     const WORDS: &'static [(&'static str, f64)] = &[];
@@ -23,13 +23,13 @@ pub(super) trait Kind {
 }
 
 /// Part of a question: finite and not absurdly large.
-pub(super) enum Given {}
+pub(crate) enum Given {}
 /// A coefficient of friction.
-pub(super) enum Friction {}
+pub(crate) enum Friction {}
 /// Stiffness of a spring.
-pub(super) enum Spring {}
+pub(crate) enum SpringStiffness {}
 /// Part of an answer: whatever came out.
-pub(super) enum Found {}
+pub(crate) enum Computed {}
 
 impl Kind for Given {
     const EXPECTED: &'static str = "a number";
@@ -43,12 +43,12 @@ impl Kind for Friction {
     const WORDS: &'static [(&'static str, f64)] = &[("infinite", f64::INFINITY)];
 }
 
-impl Kind for Spring {
+impl Kind for SpringStiffness {
     const EXPECTED: &'static str = "a number or \"rigid\"";
     const WORDS: &'static [(&'static str, f64)] = &[("rigid", f64::INFINITY)];
 }
 
-impl Kind for Found {
+impl Kind for Computed {
     const EXPECTED: &'static str = "a number, \"infinite\", \"-infinite\" or \"not a number\"";
     const WORDS: &'static [(&'static str, f64)] =
         &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
@@ -58,15 +58,15 @@ impl Kind for Found {
 fn word<K: Kind>(x: f64) -> &'static str {
     let stands_for =
         |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());
-    let mut words = K::WORDS.iter().chain(Found::WORDS);
+    let mut words = K::WORDS.iter().chain(Computed::WORDS);
     words.find(stands_for).map_or("not a number", |(word, _)| word)
 }
 
 /// A number of a kind.
-pub(super) struct Number<K>(pub(super) f64, PhantomData<K>);
+pub(crate) struct Number<K>(pub(crate) f64, PhantomData<K>);
 
 impl<K> Number<K> {
-    pub(super) fn new(x: f64) -> Self {
+    pub(crate) fn new(x: f64) -> Self {
         Self(x, PhantomData)
     }
 }
@@ -87,10 +87,10 @@ impl<'de, K: Kind> Deserialize<'de> for Number<K> {
     }
 }
 
-pub(super) struct NumberVisitor<K>(PhantomData<K>);
+pub(crate) struct NumberVisitor<K>(PhantomData<K>);
 
 impl<K> NumberVisitor<K> {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(PhantomData)
     }
 }
