@@ -21,8 +21,8 @@ fn main() -> Result<(), grasp_lcp::Error> {
     println!("slides {}", jar.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?);
     let mut path = jar.follow(&Wrench::ZERO, &[Leg::load_to(down), Leg::load_to(Wrench::ZERO)])?;
     for event in path.run() {
-        for (contact, change) in &event.changes {
-            println!("leg {} at {:.6}: contact {contact} {change}", event.leg, event.fraction);
+        for change in &event.changes {
+            println!("leg {} at {:.6}: {} {}", event.leg, event.fraction, change.contact.text(), change.what);
         }
     }
     if let Some(end) = path.end() {

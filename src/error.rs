@@ -1,6 +1,7 @@
 //! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::equilibrium::Outcome`]), not an error.
 
 use std::fmt;
+use std::sync::Arc;
 
 /// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
 /// violation look small. No unit of length or force brings a real grasp near this.
@@ -177,13 +178,29 @@ pub enum Error {
     },
 }
 
-/// A contact as messages name it: by index and, where the user gave one, by name.
+/// A contact as messages and answers name it: by its number and, where the user gave one, by its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactLabel {
-    /// Position in the list of contacts, from 0.
+    /// Position in the list of contacts, from 0: that of the grasp, and where a scene tells an answer that of the scene. Written as `contact`.
+    #[cfg_attr(feature = "serde", serde(rename = "contact"))]
     pub index: usize,
-    /// The user's name for it.
-    pub name: Option<String>,
+    /// Which point of a soft fingertip, from 0, where a scene tells an answer; `None`, and not written, for a contact that is a point itself.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub point: Option<usize>,
+    /// The user's name for it; not written if it has none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub name: Option<Arc<str>>,
+}
+
+impl ContactLabel {
+    /// How tables and pictures call the contact: its name, or "contact" and its number, and the point of a soft fingertip.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let name = self.name.as_deref().map_or_else(|| format!("contact {}", self.index), str::to_owned);
+        self.point.map_or(name.clone(), |point| format!("{name}, point {point}"))
+    }
 }
 
 impl fmt::Display for ContactLabel {

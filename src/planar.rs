@@ -65,6 +65,8 @@ pub type Continuation = crate::load_path::Continuation<2>;
 pub type Leg = crate::load_path::Leg<2>;
 /// Something changes on a load path; see [`crate::load_path::Event`].
 pub type Event = crate::load_path::Event<2>;
+/// A contact that does something else from an event on; see [`crate::load_path::ContactChange`].
+pub type ContactChange = crate::load_path::ContactChange<2>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<2>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
@@ -93,8 +95,8 @@ pub type Step = crate::load_path::Step<2>;
 /// Names for hands with joints in the plane: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
 pub mod hand {
     pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
-    pub use crate::grasp::{HandPart, Limit, Tendon};
-    pub use crate::load_path::DriveChange;
+    pub use crate::grasp::{HandPart, Limit, PartLabel, Tendon};
+    pub use crate::load_path::{DriveChange, PartChange};
 
     /// A joint; see [`crate::grasp::Joint`].
     pub type Joint = crate::grasp::Joint<2>;

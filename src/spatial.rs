@@ -66,6 +66,8 @@ pub type Continuation = crate::load_path::Continuation<3>;
 pub type Leg = crate::load_path::Leg<3>;
 /// Something changes on a load path; see [`crate::load_path::Event`].
 pub type Event = crate::load_path::Event<3>;
+/// A contact that does something else from an event on; see [`crate::load_path::ContactChange`].
+pub type ContactChange = crate::load_path::ContactChange<3>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<3>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
@@ -94,8 +96,8 @@ pub type Step = crate::load_path::Step<3>;
 /// Names for hands with joints in space: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
 pub mod hand {
     pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
-    pub use crate::grasp::{HandPart, Limit, Tendon};
-    pub use crate::load_path::DriveChange;
+    pub use crate::grasp::{HandPart, Limit, PartLabel, Tendon};
+    pub use crate::load_path::{DriveChange, PartChange};
 
     /// A joint; see [`crate::grasp::Joint`].
     pub type Joint = crate::grasp::Joint<3>;

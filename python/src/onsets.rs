@@ -261,7 +261,7 @@ impl Found {
         let (status, factor) = match onset {
             Onset::At(event) => {
                 for leaving in &event.leaving {
-                    self.leaving[place * contacts + leaving.contact] = true;
+                    self.leaving[place * contacts + leaving.contact.index] = true;
                 }
                 (Status::Leaves, event.factor)
             }

@@ -28,7 +28,7 @@ use crate::structured::{Search, SearchSettings};
 ///     let onset = workspace.onset(&grasp, &Ramp::load(Wrench::ZERO, Wrench::force([0.0, -weight])))?;
 ///     let event = onset.event().expect("slides");
 ///     assert!((event.factor - 8.0 / weight).abs() < 1e-14);
-///     assert_eq!(event.leaving[0].contact, 1);
+///     assert_eq!(event.leaving[0].contact.index, 1);
 /// }
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```

@@ -90,6 +90,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (Square<D>, bool) {
         let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
+        if !equilibrium.knows_all_of(self.sites().len()) {
+            // What is not known to hold decides nothing.
+            return (elastic, true);
+        }
         let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
         for (state, site) in states {
             slips |= state.slides();

@@ -8,6 +8,8 @@ use crate::grasp::{Engine, Wrench, wrench_of};
 use crate::numerics::{Draw, Size, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Patterns of signs with which the data are varied.
 const PATTERNS: u64 = 3;
@@ -18,15 +20,20 @@ const PATTERNS: u64 = 3;
 /// condition by varying all data in a few patterns of signs at once (small-sample estimates, C. S. Kenney and A. J. Laub,
 /// SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Accuracy {
     /// Estimated error of the contact forces, N: that of the contact with the largest. The data – points, contact frames, stiffnesses, friction,
     /// commands, load – are taken as exact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Estimated error of the displacements of the body at the contacts, m: that of the contact with the largest. Free motions do not count.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Condition of the contact forces: if all data are known to a relative error ε, the forces are known to about this times ε, relative
     /// to the largest. A normal that was rounded to double precision alone makes it `condition · 1.1e-16`.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub condition: f64,
 }
 
@@ -71,7 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// The local problem that an equilibrium solves; `None` for one with another number of contacts.
     pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, D, C>> {
-        if equilibrium.contacts.len() != self.len() {
+        if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = equilibrium.cone { cone } else { PolygonCone::default() };

@@ -2,15 +2,25 @@
 
 use nalgebra::SVector;
 
+use super::accuracy::Accuracy;
 use super::hand_answer::{JointAnswer, TendonAnswer};
 use super::residuals::Residuals;
 use crate::contact::{PolygonCone, State};
+use crate::error::ContactLabel;
 use crate::forms::LeftOut;
 use crate::grasp::{Coordinates, Motion, Twist, Wrench};
 use crate::search::{Doubt, Rung, Settings};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// How a question for an equilibrium ends.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "outcome", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Outcome<const C: usize> {
     /// The grasp holds: here is where the object goes and what the contacts carry.
@@ -33,44 +43,64 @@ impl<const C: usize> Outcome<C> {
 }
 
 /// An equilibrium of the elastic contacts, the load and the finger commands.
-#[derive(Debug, Clone)]
+///
+/// One that is read from a file, or told by a scene, says what is written here and no more: further questions to a grasp about it, such as
+/// [`Grasp::accuracy`](crate::ask::Grasp::accuracy), have no answer.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Equilibrium<const C: usize> {
     /// The load it balances, about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from where it was before load and commands. Where `free_motions` are left it is the one of least norm,
-    /// unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is about the centroid of
-    /// the contact points, with lengths in units of their root mean square distance from it; a joint's displacement counts times a
-    /// power of two near the longest motion of its contacts.
+    /// Motion of the object from where it was before load and commands: translation of the origin (m) and rotation (rad). Where `free_motions` are
+    /// left it is the one of least norm, unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is
+    /// about the centroid of the contact points, with lengths in units of their root mean square distance from it; a joint's displacement
+    /// counts times a power of two near the longest motion of its contacts.
     pub twist: Twist<C>,
-    /// Contact by contact, in the order of the grasp.
+    /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
     pub contacts: Vec<ContactAnswer<C>>,
     /// Joint by joint, if a [hand](crate::grasp::Hand) holds the object, finger by finger.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub joints: Vec<JointAnswer>,
     /// Tendon by tendon.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
+    /// How well the answer satisfies the conditions, recomputed from the question.
+    pub residuals: Residuals,
+    /// How far it is from the exact answer, where that was asked for: `None` unless a scene that asks to `solve` has told it, see
+    /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub accuracy: Option<Accuracy>,
+    /// The friction cone the answer is for.
+    pub cone: Cone,
     /// By which rule this equilibrium was found; there may be others, see
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: Rung,
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state: the twist is known up to them, the forces do not feel
+    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, the forces do not feel
     /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
     /// from it, and joints as in the norm of `twist`; either sign is meant. None where every motion is resisted.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
     /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
-    /// How well the answer satisfies the conditions, recomputed from the question.
-    pub residuals: Residuals,
-    /// What was done to find it.
-    pub work: WorkDone,
-    /// The friction cone the answer is for.
-    pub cone: Cone,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
     /// `None` where there was no polygon: nothing slides, Newton's method found it, the state is one of a load path, or the answer is for the polygon itself.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
+    )]
     pub change_from_polygon: Option<f64>,
+    /// What was done to find it; of this the pivots are written.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub work: WorkDone,
     /// What the questions to an answer start from.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer<C>,
 }
 
@@ -88,6 +118,18 @@ impl<const C: usize> Equilibrium<C> {
         rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
     }
 
+    /// This answer as it reads back once it is written.
+    #[cfg(feature = "serde")]
+    pub(crate) fn written(self) -> Self {
+        let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
+        Self { work, local: LocalAnswer::default(), ..self }
+    }
+
+    /// Whether it tells enough of so many sites to be asked further.
+    pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
+        self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
+    }
+
     /// Forces of all sites: contacts, then the drives of a hand.
     pub(crate) fn site_forces(&self) -> Vec<SVector<f64, C>> {
         self.contacts
@@ -98,8 +140,8 @@ impl<const C: usize> Equilibrium<C> {
     }
 }
 
-/// The solution of the local problem behind an answer.
-#[derive(Debug, Clone)]
+/// The solution of the local problem behind an answer; empty where the answer was read.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer<const C: usize> {
     pub(crate) states: Vec<State<C>>,
     /// Forces of the drives of a hand.
@@ -115,6 +157,8 @@ pub(crate) struct LocalAnswer<const C: usize> {
 
 /// The friction cone an answer is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Cone {
     /// The planar cone, which is polygonal by nature: nothing is approximated.
@@ -148,30 +192,64 @@ impl Cone {
 
 /// One contact of an equilibrium.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ContactAnswer<const C: usize> {
+    /// Which contact.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
     /// What the contact does.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub state: ContactState<C>,
     /// Force of the finger on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes. Without friction `F_t` is zero.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force: SVector<f64, C>,
     /// The same force along the coordinate axes, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's core at the contact, that of the rigid object, coordinate axes, m.
-    pub body_core: SVector<f64, C>,
-    /// Displacement u_d of the body's surface, coordinate axes, m; `None` if only the series stiffness is known.
-    pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement u_e of the finger's surface, coordinate axes, m; `None` if only the series stiffness is known.
-    pub finger_surface: Option<SVector<f64, C>>,
     /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
     /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. Along F_t
     /// where it slides, zero where it sticks; on a load path all the slip so far, which a sticking contact keeps. For a separated or
     /// frictionless contact: how far the surfaces have moved past each other.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
     /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
     /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
     /// frictionless contact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
+    /// Whether working precision tells the state from its neighbours, where that was asked for: `None` unless a scene that asks to `solve` has
+    /// told it, see [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub distinct: Option<bool>,
+    /// Displacement u_c of the body's core at the contact, that of the rigid object, coordinate axes, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub body_core: SVector<f64, C>,
+    /// Displacement u_d of the body's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub body_surface: Option<SVector<f64, C>>,
+    /// Displacement u_e of the finger's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub finger_surface: Option<SVector<f64, C>>,
 }
 
 impl<const C: usize> ContactAnswer<C> {
@@ -212,6 +290,12 @@ impl ContactAnswer<2> {
 
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "state", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
@@ -222,6 +306,7 @@ pub enum ContactState<const C: usize> {
     /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// Closed without friction: F_t = 0 and the surfaces move past each other as they like.
@@ -230,28 +315,42 @@ pub enum ContactState<const C: usize> {
 
 /// What was done, and what was not needed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WorkDone {
     /// Pivots of Lemke's method, all runs together.
     pub pivots: usize,
     /// Complementary pairs of the largest problem that was made.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
     /// Complementary pairs that a full kinematic formulation would have had besides, and why they were left out.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<LeftOut>,
     /// Combinations of contact states that were tried one by one.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub combinations: usize,
 }
 
 /// No equilibrium exists: the grasp gives way under this load.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NoEquilibrium<const C: usize> {
     /// Why, and how that is known.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub proof: Proof<C>,
 }
 
 /// Why no equilibrium exists, and how that is known.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "proof", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
@@ -259,6 +358,7 @@ pub enum Proof<const C: usize> {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
         motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
@@ -267,6 +367,7 @@ pub enum Proof<const C: usize> {
         /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`].
         motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
@@ -287,11 +388,14 @@ pub enum Proof<const C: usize> {
 }
 
 /// Nothing was found and nothing was ruled out.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
     /// Why.
     pub doubt: Doubt,
-    /// What was tried.
+    /// What was tried; it is not written.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub work: WorkDone,
 }

@@ -3,41 +3,61 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Drive, Engine, Linkage, Named, Owner, Role, of_the_object};
+use crate::grasp::{Drive, Engine, HandPart, Linkage, Named, Owner, PartLabel, Role, of_the_object};
 use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::Found;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// One joint of an equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct JointAnswer {
+    /// Which joint.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub joint: PartLabel,
+    /// What its own drive does.
+    pub state: DriveState,
     /// Displacement φ from the posture in which the contacts were given, rad or m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Torque of all drives on the joint along φ – its own, couplings, tendons, and what is given – N m or N. It balances the contact forces,
     /// `τ = Σ Jᵀ F - τ_ext`.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
     /// What its own drive exerts, without what is given, N m or N; zero where it has none.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// What its own drive does.
-    pub state: DriveState,
     /// What is left of its limit, the bound less |drive|, N m or N; infinite without a limit.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// How far its own drive has given way beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, except for what a clutch has slipped before.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
 
 /// One tendon of an equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TendonAnswer {
-    /// Its tension, N, that of its spring and what is given.
-    pub tension: f64,
+    /// Which tendon.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub tendon: PartLabel,
     /// What its drive does.
     pub state: DriveState,
+    /// Its tension, N, that of its spring and what is given.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub tension: f64,
     /// What is left of its limit, N; infinite without one.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// How far its drive has given way beyond its spring, `x - r·φ - T/k`, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
 
@@ -84,12 +104,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let displacement = found.twist[object + j] / length;
             let margin = margin(&linkage.joints[j], carried, state);
             let torque = exerted[object + j] * length;
-            JointAnswer { displacement, torque, drive: carried, state, margin, yielded }
+            let joint = linkage.label(HandPart::Joint(j));
+            JointAnswer { joint, state, displacement, torque, drive: carried, margin, yielded }
         };
         let tendon = |(number, named): (usize, &Named)| {
             let Own { carried, state, yielded } = own(Owner::Tendon(number));
             let margin = margin(named, carried, state);
-            TendonAnswer { tension: carried + named.held, state, margin, yielded }
+            let tendon = linkage.label(HandPart::Tendon(number));
+            TendonAnswer { tendon, state, tension: carried + named.held, margin, yielded }
         };
         let joints = (0..linkage.joints.len()).map(joint).collect();
         (joints, linkage.tendons.iter().enumerate().map(tendon).collect())

@@ -1,5 +1,8 @@
 //! By how much an answer violates the conditions.
 
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic, and some 1e-16 as a rule. Nothing with one above 1e-10
 /// (1e-12 on the round cone) is called an equilibrium.
 ///
@@ -8,20 +11,27 @@
 /// Displacements of a contact are measured against the sum of the sizes of its own displacements, products against the product of
 /// both. On a load path a slip is that since the state of the contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
     /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the
     /// displacements of its contact; the same for moments, to which forces count at the root mean square distance of the contacts;
     /// the larger of both.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// `|F/k - (a - u_c + g - s)|` axis by axis, the gap along the normal and the slip along the tangents: the contact springs.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
     /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon its own size of `F_t`, the largest
     /// `h·F_t`. Of contacts that this binds, see [`Hold`](crate::grasp::Hold).
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// `max(0, -g)`: penetration; `|g|` of a bonded contact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
     /// `|F_n g|`, and `|μ F_n |s| - F_t·s|` over 1 + μ, which is zero iff the slip follows the friction force; `|s|` where nothing may slip.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub complementarity: f64,
 }
 

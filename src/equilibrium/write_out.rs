@@ -23,8 +23,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<C> {
-        let solved = self.contacts().iter().zip(solved_sites(problem, &found));
-        let contacts: Vec<_> = solved.map(|(contact, solved)| solved.answer(contact)).collect();
+        let solved = self.contacts().iter().zip(solved_sites(problem, &found)).enumerate();
+        let contacts: Vec<_> = solved.map(|(i, (contact, solved))| solved.answer(contact, i)).collect();
         let twist = self.outside_coordinates(&found.twist);
         let motions = |list: &[Vector<D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
         let drive_forces = found.forces[self.len()..].to_vec();
@@ -42,6 +42,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             contacts,
             joints,
             tendons,
+            accuracy: None,
             rule,
             stored_energy,
             free_motions: motions(&found.free_motions),
@@ -159,7 +160,7 @@ impl<const C: usize> SolvedContact<'_, C> {
         }
     }
 
-    fn answer(&self, contact: &Contact<C>) -> ContactAnswer<C> {
+    fn answer(&self, contact: &Contact<C>, index: usize) -> ContactAnswer<C> {
         let (force, frame) = (self.force, self.frame);
         let (state, slip) = self.state();
         let margin = match state {
@@ -183,11 +184,13 @@ impl<const C: usize> SolvedContact<'_, C> {
         };
         let gap = self.moved[0] - self.drive[0];
         ContactAnswer {
+            contact: contact.label(index),
             state,
             force,
             force_world: frame * force,
             body_core: frame * body_core,
             body_surface,
+            distinct: None,
             finger_surface,
             gap: if state == ContactState::Separated { gap.max(0.0) } else { 0.0 },
             slip: slip + self.memory,

@@ -1,5 +1,7 @@
 //! One contact: where it touches, how it gives way, how it rubs, how its finger is commanded.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::stiffness::Stiffness;
@@ -62,7 +64,7 @@ pub enum Hold {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact<const C: usize> {
-    pub(crate) name: Option<String>,
+    pub(crate) name: Option<Arc<str>>,
     pub(crate) point: SVector<f64, C>,
     pub(crate) normal: SVector<f64, C>,
     pub(crate) tangent: Option<SVector<f64, C>>,
@@ -100,7 +102,7 @@ impl<const C: usize> Contact<C> {
     /// A name for messages and tables.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into());
+        self.name = Some(name.into().into());
         self
     }
 
@@ -343,11 +345,11 @@ impl<const C: usize> Contact<C> {
     /// the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
-        self.name.clone().unwrap_or_else(|| format!("contact {index}"))
+        self.label(index).text()
     }
 
     pub(crate) fn label(&self, index: usize) -> ContactLabel {
-        ContactLabel { index, name: self.name.clone() }
+        ContactLabel { index, point: None, name: self.name.clone() }
     }
 }
 

@@ -180,7 +180,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// [`Grasp::label_of`](crate::ask::Grasp::label_of).
     pub(crate) fn label_of(&self, part: HandPart) -> String {
-        self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part))
+        self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
     /// For questions that know no joints.

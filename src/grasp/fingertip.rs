@@ -254,7 +254,7 @@ impl<const C: usize> SoftFingertip<C> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
         let child = |(i, place): (usize, &Place<C>)| Contact {
-            name: contact.name.as_ref().map(|name| format!("{name} {i}")),
+            name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
             point: contact.point + frame * place.offset,
             tangent: Some(frame.column(1).into_owned()),
             stiffness: contact.stiffness.scaled(place.share),

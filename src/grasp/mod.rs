@@ -51,7 +51,7 @@ pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
-pub use hand::{Finger, Hand, HandPart, Joint, Limit, Tendon};
+pub use hand::{Finger, Hand, HandPart, Joint, Limit, PartLabel, Tendon};
 pub use motion::Motion;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;

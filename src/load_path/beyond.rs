@@ -20,6 +20,8 @@ use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, dense_is_affordable, for_each_combination,
     for_each_condition, settle,
 };
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
@@ -34,7 +36,13 @@ const FURTHER: f64 = 1e-2;
 const FLEETING: f64 = 1e-9;
 
 /// What comes after an onset or after the end of a path.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "what", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
     /// The equilibrium goes on with these contacts sliding or open. Of an onset; a path has been followed as far as it goes on.
@@ -49,18 +57,27 @@ pub enum Beyond<const C: usize> {
     /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
     /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
     /// [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof that nothing else holds was found.
-    Ends(NoEquilibrium<C>),
-    /// Nothing can be said, and why.
-    Undecided(Doubt),
+    Ends {
+        /// Why the rates have no solution.
+        reason: NoEquilibrium<C>,
+    },
+    /// Nothing can be said.
+    Undecided {
+        /// Why.
+        doubt: Doubt,
+    },
 }
 
 /// How an equilibrium goes on past an event, per unit of load factor.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Continuation<const C: usize> {
     /// What every contact does next, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Motion<C>,
@@ -114,9 +131,9 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     let load = || segment.grasp.wrench_outside(&rates.wrench);
     if segment.problem.round {
         let beyond = from_scratch(past, end.forces, settings);
-        let Beyond::Undecided(_) = beyond else { return beyond };
+        let Beyond::Undecided { .. } = beyond else { return beyond };
         return match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
-            Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
+            Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
             _ => beyond,
         };
     }
@@ -130,9 +147,9 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
         Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(FURTHER)) => Beyond::LimitLoad,
-        Outcome::NoEquilibrium(reason) => Beyond::Ends(reason),
-        Outcome::Undecided(undecided) => Beyond::Undecided(undecided.doubt),
-        Outcome::Equilibrium(_) => Beyond::Undecided(Doubt::OnTheBoundary),
+        Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
+        Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
+        Outcome::Equilibrium(_) => Beyond::Undecided { doubt: Doubt::OnTheBoundary },
     }
 }
 
@@ -163,17 +180,21 @@ fn from_scratch<'g, D: Size, const C: usize>(
     for part in PARTS_BEYOND {
         match settle(&past(part), settings).0 {
             // Further on it would take as many pivots again.
-            Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided(Doubt::OutOfPivots),
+            Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
                 let is_another = !is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another);
                 // An equilibrium close by: it may be the one that ends here, found past its end by rounding.
-                return if is_another { Beyond::Snap } else { Beyond::Undecided(Doubt::OnTheBoundary) };
+                return if is_another {
+                    Beyond::Snap
+                } else {
+                    Beyond::Undecided { doubt: Doubt::OnTheBoundary }
+                };
             }
             _ => return Beyond::LimitLoad,
         }
     }
-    Beyond::Undecided(why)
+    Beyond::Undecided { doubt: why }
 }
 
 /// Whether forces are those of a path that goes on by this part: on a short way they change by the root of it at most.

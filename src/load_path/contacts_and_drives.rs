@@ -1,45 +1,65 @@
 //! Events of a hand: a drive is a site like a contact, and what happens to it has names of its own.
 
-use super::drive_change::DriveChange;
-use super::event::Change;
+use super::drive_change::{DriveChange, PartChange};
+use super::event::{Change, ContactChange};
 use super::onset::{Departure, Leaving};
 use super::onset_margins::Leaver;
-use crate::grasp::{Engine, HandPart, Role};
+use super::turn::EdgeOf;
+use crate::error::ContactLabel;
+use crate::grasp::{Engine, PartLabel, Role};
 use crate::numerics::Size;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// Changes of contacts, and those of drives by the names of their owners.
-    pub(super) fn contacts_and_drives(&self, changes: Vec<(usize, Change<C>)>) -> Split<(usize, Change<C>)> {
-        let (contacts, drives): (Vec<_>, Vec<_>) = changes.into_iter().partition(|(i, _)| *i < self.len());
-        let named = |(i, change): &(usize, Change<C>)| {
+    pub(super) fn contacts_and_drives(
+        &self,
+        changes: Vec<(usize, Change<C>)>,
+    ) -> (Vec<ContactChange<C>>, Vec<PartChange>) {
+        let (mut contacts, mut drives) = (Vec::new(), Vec::new());
+        for (site, what) in changes {
+            if site < self.len() {
+                contacts.push(ContactChange { contact: self.contacts()[site].label(site), what });
+                continue;
+            }
             let frees = matches!(
-                change,
+                what,
                 Change::Slides { .. } | Change::Reverses { .. } | Change::Turns { .. } | Change::Opens
             );
-            self.named(*i, frees)
-        };
-        let mut drives: Vec<_> = drives.iter().filter_map(named).collect();
+            drives.extend(self.part_change(site, frees));
+        }
         drives.dedup();
         (contacts, drives)
     }
 
-    /// Contacts that stop sticking, and drives that do by the names of their owners.
-    pub(super) fn leaving_apart(&self, leaving: Vec<Leaving<C>>) -> Split<Leaving<C>> {
-        if leaving.iter().all(|leaving| leaving.contact < self.len()) {
-            return (leaving, Vec::new());
-        }
-        let (contacts, drives): (Vec<_>, Vec<_>) = leaving.into_iter().partition(|l| l.contact < self.len());
-        let named = |leaving: &Leaving<C>| {
-            self.named(leaving.contact, matches!(leaving.how, Departure::Slides { .. } | Departure::Opens))
-        };
-        (contacts, drives.iter().filter_map(named).collect())
+    /// Contacts that stop sticking, and drives that do, by their names.
+    pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<C>>) -> (Vec<Leaving<C>>, Vec<PartChange>) {
+        let mut drives = Vec::new();
+        leaving.retain_mut(|Leaving { contact, how }| {
+            let site = contact.index;
+            if site < self.len() {
+                *contact = self.contacts()[site].label(site);
+                return true;
+            }
+            drives.extend(self.part_change(site, matches!(how, Departure::Slides { .. } | Departure::Opens)));
+            false
+        });
+        (leaving, drives)
     }
 
     /// Contacts among these sites, and the owners of drives.
-    pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<usize>, Vec<HandPart>) {
-        let (contacts, drives): (Vec<_>, Vec<_>) = sites.into_iter().partition(|i| *i < self.len());
-        let part = |i: &usize| self.linkage().and_then(|linkage| linkage.part(i - self.len()));
-        (contacts, drives.iter().filter_map(part).collect())
+    pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
+        let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
+        let contact = |i: usize| self.contacts()[i].label(i);
+        (
+            contacts.into_iter().map(contact).collect(),
+            drives.into_iter().filter_map(|i| self.part(i)).collect(),
+        )
+    }
+
+    /// The owner of the drive at a site.
+    fn part(&self, site: usize) -> Option<PartLabel> {
+        let linkage = self.linkage()?;
+        linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
     /// The contact or the owner of the drive at a site; `None` for springs that nobody owns, which never leave.
@@ -50,19 +70,23 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    fn named(&self, site: usize, frees: bool) -> Option<(HandPart, DriveChange)> {
+    /// The same by name.
+    pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
+        match self.contacts().get(site) {
+            Some(contact) => Some(EdgeOf::Contact(contact.label(site))),
+            None => self.part(site).map(EdgeOf::Drive),
+        }
+    }
+
+    fn part_change(&self, site: usize, frees: bool) -> Option<PartChange> {
         let linkage = self.linkage()?;
-        let k = site - self.len();
-        let drive = &linkage.drives[k];
-        let how = match (frees, drive.role, drive.pulls_only()) {
+        let drive = &linkage.drives[site - self.len()];
+        let what = match (frees, drive.role, drive.pulls_only()) {
             (true, Role::Pulls | Role::EndsBelow, true) => DriveChange::Slackens,
             (false, Role::Pulls | Role::EndsBelow, true) => DriveChange::Tightens,
             (true, ..) => DriveChange::Yields,
             (false, ..) => DriveChange::Holds,
         };
-        Some((linkage.part(k)?, how))
+        Some(PartChange { part: self.part(site)?, what })
     }
 }
-
-/// Contacts, and drives of a hand.
-pub(super) type Split<T> = (Vec<T>, Vec<(HandPart, DriveChange)>);

@@ -2,11 +2,10 @@
 
 use std::fmt;
 
-use super::drive_change::DriveChange;
+use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::onset::{Departure, Onset, OnsetEvent};
 use crate::equilibrium::row;
-use crate::grasp::HandPart;
 
 impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -47,23 +46,14 @@ impl<const C: usize> fmt::Display for OnsetEvent<C> {
         let mut between = " ";
         for leaving in &self.leaving {
             let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-            write!(f, "{between}contact {} {does}", leaving.contact)?;
+            write!(f, "{between}contact {} {does}", leaving.contact.index)?;
             between = ", ";
         }
-        for (part, change) in &self.drives {
-            write!(f, "{between}{part} {change}")?;
+        for PartChange { part, what } in &self.drives {
+            write!(f, "{between}{} {what}", part.part)?;
             between = ", ";
         }
         Ok(())
-    }
-}
-
-impl fmt::Display for HandPart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Joint(joint) => write!(f, "joint {joint}"),
-            Self::Tendon(tendon) => write!(f, "tendon {tendon}"),
-        }
     }
 }
 

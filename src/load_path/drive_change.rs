@@ -1,5 +1,20 @@
 //! What happens to a drive of a hand.
 
+use crate::grasp::PartLabel;
+
+/// A joint or a tendon that does something else from an event on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct PartChange {
+    /// Which joint or tendon.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub part: PartLabel,
+    /// What its drive does from here on.
+    pub what: DriveChange,
+}
+
 /// What the drive of a joint or of a tendon does from an event on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]

@@ -7,23 +7,32 @@ use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
 use crate::numerics::{Harmonic, Size};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and with a load that turns they turn, so that every integral is exact; where contacts
 /// slide on the round cone works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Energy {
     /// Work of the load on the object, `∫ W·dq`.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
     /// Work of the fingers' drives, `Σ ∫ F·du_f`, positive where a finger pushes on.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
     /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the sizes of all contributions, piece by piece and contact by contact: what the rounding of the balance is
     /// measured against, since works cancel. Along a sliding arc of the round cone the stored energies count themselves, before and
-    /// after each step, since their change is a difference.
+    /// after each step, since their change is a difference. Not written.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
 

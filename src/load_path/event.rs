@@ -2,47 +2,77 @@
 
 use nalgebra::SVector;
 
-use super::drive_change::DriveChange;
+use super::drive_change::PartChange;
 use crate::equilibrium::{Equilibrium, Outcome};
-use crate::grasp::{Coordinates, Engine, HandPart, Motion, Wrench};
+use crate::error::ContactLabel;
+use crate::grasp::{Coordinates, Engine, Motion, PartLabel, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::search::Doubt;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Something changes: one or more contacts, at one load.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Event<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1, exact up to rounding; where something slides on the round cone up to the
     /// error of the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// What changes, contact (from 0) by contact; empty where only a motion has become free. Symmetric grasps change several at once.
-    pub changes: Vec<(usize, Change<C>)>,
+    /// What changes, contact by contact; empty where only a motion has become free. Symmetric grasps change several at once.
+    pub changes: Vec<ContactChange<C>>,
     /// What changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
-    pub drives: Vec<(HandPart, DriveChange)>,
-    /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
-    pub state: Equilibrium<C>,
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub drives: Vec<PartChange>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
     /// along them.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the
-    /// rates proves or, among few contacts, trying all. `None` if neither says, as at the apex of a round cone.
+    /// rates proves or, among few contacts, trying all. `None`, and not written, if neither says, as at the apex of a round cone.
     ///
     /// The path prefers that nothing changes; then that what slides goes on sliding and what has reached an edge slides; then
     /// that everything sticks; then what Lemke's method finds. Of the motions that the same forces allow it takes one in which
     /// contacts without force do not drag the object along.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
+    /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
+    pub state: Equilibrium<C>,
+}
+
+/// A contact that does something else from an event on.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ContactChange<const C: usize> {
+    /// Which contact.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
+    /// What it does from here on.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub what: Change<C>,
 }
 
 /// What a contact does from an event on.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "what", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Change<const C: usize> {
     /// A sticking contact starts to slide, `|F_t| = μ F_n`.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A sliding contact sticks.
@@ -50,11 +80,13 @@ pub enum Change<const C: usize> {
     /// A sliding contact slides back.
     Reverses {
         /// Its new direction, as for [`Self::Slides`].
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns all the time).
     Turns {
         /// Its new direction, as for [`Self::Slides`].
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A closed contact opens, F_n = 0.
@@ -64,6 +96,7 @@ pub enum Change<const C: usize> {
     /// An open contact closes and slides from the start.
     ClosesSliding {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
 }
@@ -120,25 +153,31 @@ impl<const C: usize> PathEnd<C> {
 
 /// Where an equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Loss<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
     /// What ends the equilibrium.
     pub kind: LossKind,
-    /// The contacts that stand on the edge of their cone there, from 0.
-    pub contacts: Vec<usize>,
-    /// The drives of a hand that have reached their limit there.
-    pub drives: Vec<HandPart>,
+    /// The contacts that stand on the edge of their cone there.
+    pub contacts: Vec<ContactLabel>,
+    /// The joints and tendons of a hand whose drives have reached their limit there.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub drives: Vec<PartLabel>,
     /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
     /// `None` if those states do not determine one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
     /// That motion in inside coordinates.
-    pub(super) inside: Option<Coordinates<C>>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) inside: Option<Coordinates<C>>,
 }
 
 impl<const C: usize> Loss<C> {

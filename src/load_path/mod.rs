@@ -91,9 +91,9 @@ mod turning_state;
 mod watch;
 
 pub use beyond::{Beyond, Continuation};
-pub use drive_change::DriveChange;
+pub use drive_change::{DriveChange, PartChange};
 pub use energy::Energy;
-pub use event::{Change, Event, Loss, LossKind, PathEnd};
+pub use event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
 pub use geometry_gradient::GeometryGradient;
 pub use leg::Leg;
 pub use onset::{Departure, Leaving, Onset, OnsetEvent};
@@ -107,5 +107,5 @@ pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
 pub use stepped::Step;
-pub use turn::{Touch, Turn};
+pub use turn::{EdgeOf, Touch, Turn};
 pub use turn_questions::TurnOnset;

@@ -2,13 +2,16 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::drive_change::DriveChange;
+use super::drive_change::PartChange;
 use super::segment::Segment;
 use crate::contact::ActiveSet;
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
-use crate::grasp::{Coordinates, HandPart, Wrench};
+use crate::error::ContactLabel;
+use crate::grasp::{Coordinates, Wrench};
 use crate::numerics::Size;
 use crate::search::{Found, Kept, Rung};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// The answer to "at which load factor τ >= 0 does the first contact stop sticking?", or at which angle of a load that turns.
 ///
@@ -71,7 +74,7 @@ pub struct OnsetEvent<const C: usize> {
     /// Which contacts leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
-    pub drives: Vec<(HandPart, DriveChange)>,
+    pub drives: Vec<PartChange>,
     /// The friction cone that the event is for.
     pub cone: Cone,
     /// What the questions to the event start from.
@@ -127,34 +130,50 @@ impl<const C: usize> OnsetEvent<C> {
 }
 
 impl<const C: usize> Leaving<C> {
+    /// Of a site, which has no name yet.
+    pub(super) fn new(site: usize, how: Departure<C>) -> Self {
+        Self { contact: ContactLabel { index: site, point: None, name: None }, how }
+    }
+
     /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.
-    pub(super) fn driven_out(contact: usize, stand: &ActiveSet<C>, frame: &SMatrix<f64, C, C>) -> Self {
+    pub(super) fn driven_out(site: usize, stand: &ActiveSet<C>, frame: &SMatrix<f64, C, C>) -> Self {
         let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() == 0.0 {
             Departure::Opens
         } else {
             Departure::Slides { direction: frame * outward.normalize() }
         };
-        Self { contact, how }
+        Self::new(site, how)
     }
 }
 
 /// A contact that stops sticking.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
-    /// The contact, from 0.
-    pub contact: usize,
+    /// Which contact.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
     /// How it leaves.
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }
 
 /// How a contact stops sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "how", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Departure<const C: usize> {
     /// It slides, `|F_t| = μ F_n`.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// It opens, F_n = 0.

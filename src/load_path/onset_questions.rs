@@ -77,7 +77,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let mut walk =
             StickingPath { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
-        let touch = |(site, angle)| Some(Touch { of: self.leaver(site)?, angle });
+        let touch = |(site, angle)| Some(Touch { of: self.edge_of(site)?, angle });
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).collect() }
     }
 

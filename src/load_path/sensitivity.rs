@@ -126,7 +126,7 @@ const FREE: f64 = 1e-9;
 
 impl<'g, D: Size, const C: usize> Local<'g, D, C> {
     pub(super) fn new(grasp: &'g Engine<D, C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
-        if equilibrium.contacts.len() != grasp.len() {
+        if !equilibrium.knows_all_of(grasp.sites().len()) {
             return None;
         }
         let polygon = match equilibrium.cone {

@@ -110,18 +110,18 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
             _ => None,
         };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
-        let leaves = |contact: usize| match next.as_ref().map(|states| states[contact]) {
-            None => Some(Leaving::driven_out(contact, &stands[contact], &sites[contact].frame)),
+        let leaves = |site: usize| match next.as_ref().map(|states| states[site]) {
+            None => Some(Leaving::driven_out(site, &stands[site], &sites[site].frame)),
             Some(ContactState::Sliding { direction }) => {
-                Some(Leaving { contact, how: Departure::Slides { direction } })
+                Some(Leaving::new(site, Departure::Slides { direction }))
             }
-            Some(ContactState::Separated) if states[contact].is_sticking() => {
-                Some(Leaving { contact, how: Departure::Opens })
+            Some(ContactState::Separated) if states[site].is_sticking() => {
+                Some(Leaving::new(site, Departure::Opens))
             }
             Some(_) => None,
         };
         let leaving: Vec<_> = standing.filter_map(leaves).collect();
-        let sites = leaving.iter().map(|leaving| leaving.contact).collect();
+        let sites = leaving.iter().map(|leaving| leaving.contact.index).collect();
         let forces = here.lines.iter().map(|line| line.force).collect();
         let found = Found {
             free_motions: here.free_motions.clone(),

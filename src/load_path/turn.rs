@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 
-use super::onset_margins::Leaver;
 use super::trajectory::Trajectory;
-use crate::error::Error;
-use crate::grasp::{Engine, Wrench};
+use crate::error::{ContactLabel, Error};
+use crate::grasp::{Engine, PartLabel, Wrench};
 use crate::numerics::{Harmonic, Size, Vector};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
 ///
@@ -195,12 +196,28 @@ pub(super) fn inside<D: Size, const C: usize>(
     }
 }
 
-/// A contact, or a drive of a hand, touches the edge of its cone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A contact, or a drive of a hand, touches its edge and does not cross it.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Touch {
-    /// Which contact, or which drive of a hand.
-    pub of: Leaver,
+    /// What touches its edge.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub of: EdgeOf,
     /// Where, rad.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
+}
+
+/// What has an edge to touch.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(untagged))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum EdgeOf {
+    /// A contact: its friction cone.
+    Contact(ContactLabel),
+    /// A joint or a tendon: the limit of its drive.
+    Drive(PartLabel),
 }

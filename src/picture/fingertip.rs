@@ -37,7 +37,7 @@ pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Fingert
     while first < contacts.len() {
         let stem = contacts[first].name.as_deref().and_then(|name| name.strip_suffix(" 0"));
         let belongs = |stem: &str, i: usize| {
-            contacts[i].name.as_ref().is_some_and(|name| *name == format!("{stem} {}", i - first))
+            contacts[i].name.as_ref().is_some_and(|name| **name == *format!("{stem} {}", i - first))
                 && contacts[i].normal == contacts[first].normal
         };
         let points = stem.map_or(1, |stem| (first..contacts.len()).take_while(|i| belongs(stem, *i)).count());

@@ -5,7 +5,7 @@ use super::palette::PALETTE;
 use super::series::{Series, Stroke};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, ContactState};
-use crate::error::Error;
+use crate::error::{ContactLabel, Error};
 use crate::load_path::{Change, Event, Leg, PathEnd, Turn};
 
 /// Angles at which states are drawn, events besides.
@@ -62,10 +62,10 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
     for Series { name, points, stroke } in fullest(named.collect()) {
         chart = chart.series(name, points, stroke);
     }
-    let left = events.iter().find_map(|event| Some((event.fraction, left_by(grasp, event)?)));
+    let left = events.iter().find_map(|event| Some((event.fraction, left_by(event)?)));
     let end = match path.end() {
         Some(PathEnd::Lost(loss)) => {
-            let names: Vec<_> = loss.contacts.iter().map(|i| grasp.contacts()[*i].label_text(*i)).collect();
+            let names: Vec<_> = loss.contacts.iter().map(ContactLabel::text).collect();
             let who =
                 if left.is_none() { format!(": {} on the edge", names.join(", ")) } else { String::new() };
             Some((last, format!("lost{who}")))
@@ -104,15 +104,14 @@ fn fullest(mut curves: Vec<Series>) -> Vec<Series> {
 }
 
 /// Who stops sticking at an event, and how, if anybody does.
-fn left_by<const C: usize>(grasp: &Grasp<C>, event: &Event<C>) -> Option<String> {
+fn left_by<const C: usize>(event: &Event<C>) -> Option<String> {
     let word = |change: &Change<C>| match change {
         Change::Slides { .. } => Some("slides"),
         Change::Opens => Some("opens"),
         _ => None,
     };
-    let contact = event
-        .changes
-        .iter()
-        .find_map(|(i, change)| Some(format!("{} {}", grasp.contacts()[*i].label_text(*i), word(change)?)));
-    contact.or_else(|| event.drives.first().map(|(part, _)| format!("{} gives way", grasp.label_of(*part))))
+    let mut changes = event.changes.iter();
+    let contact =
+        changes.find_map(|change| Some(format!("{} {}", change.contact.text(), word(&change.what)?)));
+    contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

@@ -2,10 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::equilibrium::SolveAnswer;
-use super::onset::OnsetAnswer;
+use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
-use super::turn_onset::TurnAnswer;
+use crate::equilibrium::Outcome;
 
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,7 +14,7 @@ use super::turn_onset::TurnAnswer;
 #[non_exhaustive]
 pub enum Answer<const C: usize> {
     /// To `solve`.
-    Solve(SolveAnswer<C>),
+    Solve(Outcome<C>),
     /// To `onset`.
     Onset(OnsetAnswer<C>),
     /// To `onset_of_turn`.

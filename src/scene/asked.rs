@@ -4,11 +4,12 @@ use nalgebra::SVector;
 
 use super::answer::Answer;
 use super::finger::Finger;
-use super::place::{Place, Places};
+use super::labels::Labels;
+use super::onset::Factor;
 use super::question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 use super::setup::Setup;
 use crate::ask::Grasp;
-use crate::error::Error;
+use crate::error::{ContactLabel, Error};
 use crate::grasp::Wrench;
 use crate::load_path::{self, Ramp};
 
@@ -88,7 +89,7 @@ impl<const C: usize> Setup<C> {
 
     /// Commands of joints and tendons, if there are as many.
     fn of_joints(&self, commands: &[f64], what: &'static str) -> Result<Vec<f64>, Error> {
-        let (given, expected) = (commands.len(), self.joint_names().len() + self.tendons.len());
+        let (given, expected) = (commands.len(), self.joints() + self.tendons.len());
         if given == expected {
             Ok(commands.to_vec())
         } else {
@@ -96,27 +97,23 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Names of all joints; a finger that presses with a force counts as one joint.
-    fn joint_names(&self) -> Vec<Option<String>> {
-        let of = |finger: &Finger<C>| match finger.presses {
-            Some(_) => vec![None],
-            None => finger.joints.iter().map(|joint| joint.name.clone()).collect(),
-        };
-        self.fingers.iter().flat_map(of).collect()
+    /// Number of all joints; a finger that presses with a force counts as one joint.
+    fn joints(&self) -> usize {
+        let of = |finger: &Finger<C>| if finger.presses.is_some() { 1 } else { finger.joints.len() };
+        self.fingers.iter().map(of).sum()
     }
 
-    /// Where contacts, joints and tendons of the grasp stand in the scene.
-    pub(super) fn places(&self) -> Result<Places, Error> {
-        let mut contacts = Vec::new();
-        for (contact, entry) in self.entries().enumerate() {
-            let place = |point| Place { contact, point, name: entry.contact.name.clone() };
+    /// What the scene calls the contacts of its grasp.
+    pub(super) fn labels(&self) -> Result<Labels, Error> {
+        let mut labels = Vec::new();
+        for (index, entry) in self.entries().enumerate() {
+            let label = |point| ContactLabel { point, ..entry.contact.label(index) };
             match entry.soft {
-                None => contacts.push(place(None)),
-                Some(_) => contacts.extend((0..entry.count()?).map(Some).map(place)),
+                None => labels.push(label(None)),
+                Some(_) => labels.extend((0..entry.count()?).map(Some).map(label)),
             }
         }
-        let tendons = self.tendons.iter().map(|tendon| tendon.name.clone()).collect();
-        Ok(Places { contacts, joints: self.joint_names(), tendons })
+        Ok(Labels(labels))
     }
 
     /// The answer to every question, in order.
@@ -125,25 +122,25 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
     /// answer: a malformed question is an error, "no equilibrium" is an answer.
     pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
-        let (grasp, places) = (self.grasp()?, self.places()?);
-        self.questions.iter().map(|question| self.answer(&grasp, &places, question)).collect()
+        let (grasp, labels) = (self.grasp()?, self.labels()?);
+        self.questions.iter().map(|question| self.answer(&grasp, &labels, question)).collect()
     }
 
-    fn answer(&self, grasp: &Grasp<C>, places: &Places, question: &Question<C>) -> Result<Answer<C>, Error> {
+    fn answer(&self, grasp: &Grasp<C>, labels: &Labels, question: &Question<C>) -> Result<Answer<C>, Error> {
         Ok(match question {
-            Question::Solve { load } => Answer::Solve(places.solved(grasp, &grasp.solve(load)?)),
+            Question::Solve { load } => Answer::Solve(labels.solved(grasp, grasp.solve(load)?)),
             Question::Onset(asked) => {
                 let onset = grasp.onset(&self.ramp(asked)?)?;
-                Answer::Onset(places.onset(grasp, &onset))
+                Answer::Onset(labels.onset(grasp, &onset, |factor| Factor { factor }))
             }
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                Answer::OnsetOfTurn(places.onset_of_turn(grasp, &found))
+                Answer::OnsetOfTurn(labels.onset_of_turn(grasp, &found))
             }
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 let events = path.run();
-                Answer::Follow(places.path(&path, &events))
+                Answer::Follow(labels.path(&path, events))
             }
         })
     }

@@ -2,14 +2,13 @@
 
 use serde::Serialize;
 
-use super::place::{Doing, Places};
+use super::labels::Labels;
 use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
-use crate::equilibrium::{ContactAnswer, Equilibrium, Outcome};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::HandPart;
-use crate::load_path::{Departure, DriveChange, Leaving, Onset, PathEnd};
+use crate::load_path::{Departure, DriveChange, Onset, PathEnd};
 
 /// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
 ///
@@ -60,24 +59,24 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
-        let (grasp, places) = (self.grasp()?, self.places()?);
-        self.questions.iter().map(|question| self.brief(&grasp, &places, question)).collect()
+        let (grasp, labels) = (self.grasp()?, self.labels()?);
+        self.questions.iter().map(|question| self.brief(&grasp, &labels, question)).collect()
     }
 
-    fn brief(&self, grasp: &Grasp<C>, places: &Places, question: &Question<C>) -> Result<Brief, Error> {
+    fn brief(&self, grasp: &Grasp<C>, labels: &Labels, question: &Question<C>) -> Result<Brief, Error> {
         Ok(match question {
-            Question::Solve { load } => places.solved_briefly("solve", &grasp.solve(load)?),
-            Question::Onset(asked) => places.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
+            Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
+            Question::Onset(asked) => labels.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                let mut brief = places.onset_briefly("onset_of_turn", &found.onset);
+                let mut brief = labels.onset_briefly("onset_of_turn", &found.onset);
                 brief.angle = brief.factor.take();
                 brief
             }
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
-                places.path_briefly(path.end())
+                labels.path_briefly(path.end())
             }
         })
     }
@@ -90,7 +89,7 @@ impl Brief {
     }
 }
 
-impl Places {
+impl Labels {
     fn solved_briefly<const C: usize>(&self, question: &'static str, outcome: &Outcome<C>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
@@ -104,22 +103,19 @@ impl Places {
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
-        let (margin, first) = (Some(contact.margin), Some(self.contacts[site].label()));
-        Brief { margin, first, does: Some(doing(contact)), ..brief }
+        let (margin, first) = (Some(contact.margin), Some(self.0[site].text()));
+        Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
     fn onset_briefly<const C: usize>(&self, question: &'static str, onset: &Onset<C>) -> Brief {
         match onset {
             Onset::At(event) => {
-                let of_contact = |leaving: &Leaving<C>| {
+                let contact = event.leaving.first().map(|leaving| {
                     let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-                    (self.contacts[leaving.contact].label(), does)
-                };
-                let of_drive =
-                    |(part, change): &(HandPart, DriveChange)| (self.part(*part).label(), drive(*change));
-                let first =
-                    event.leaving.first().map(of_contact).or_else(|| event.drives.first().map(of_drive));
-                let (first, does) = first.unzip();
+                    (self.0[leaving.contact.index].text(), does)
+                });
+                let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
+                let (first, does) = contact.or_else(part).unzip();
                 Brief { factor: Some(event.factor), first, does, ..Brief::new(question, "at") }
             }
             Onset::Never => Brief::new(question, "never"),
@@ -141,7 +137,7 @@ impl Places {
         match end {
             Some(PathEnd::Completed) => brief("completed"),
             Some(PathEnd::Lost(loss)) => {
-                let first = loss.contacts.first().map(|site| self.contacts[*site].label());
+                let first = loss.contacts.first().map(|contact| self.0[contact.index].text());
                 Brief { first, ..brief("lost") }
             }
             Some(PathEnd::NoStart(_)) => brief("no_start"),
@@ -150,12 +146,12 @@ impl Places {
     }
 }
 
-fn doing<const C: usize>(contact: &ContactAnswer<C>) -> &'static str {
-    match Doing::from(contact.state) {
-        Doing::Separated => "separated",
-        Doing::Sticking => "sticking",
-        Doing::Sliding { .. } => "sliding",
-        Doing::Frictionless => "frictionless",
+fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {
+    match state {
+        ContactState::Separated => "separated",
+        ContactState::Sticking => "sticking",
+        ContactState::Sliding { .. } => "sliding",
+        ContactState::Frictionless => "frictionless",
     }
 }
 

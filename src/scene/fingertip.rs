@@ -1,5 +1,7 @@
 //! One entry of a list of contacts: a contact, or a soft fingertip in its place.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, SVector};
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, Serializer};
@@ -95,7 +97,7 @@ impl<const C: usize> Fingertip<C> {
 struct Written<const C: usize> {
     /// What messages and answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
+    name: Option<Arc<str>>,
     /// For the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,

@@ -1,11 +1,9 @@
 //! Answers that a grasp has given already, as a scene writes them.
 
-use super::equilibrium::{Equilibrium, SolveAnswer};
-use super::onset::OnsetAnswer;
+use super::onset::{Factor, OnsetAnswer, TurnAnswer};
 use super::setup::Setup;
-use super::turn_onset::TurnAnswer;
 use crate::ask::Grasp;
-use crate::equilibrium::{self as state, Outcome};
+use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
 use crate::load_path as path;
 
@@ -28,8 +26,8 @@ impl<const C: usize> Setup<C> {
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_outcome(&self, grasp: &Grasp<C>, outcome: &Outcome<C>) -> Result<SolveAnswer<C>, Error> {
-        Ok(self.places()?.solved(grasp, outcome))
+    pub fn tell_outcome(&self, grasp: &Grasp<C>, outcome: &Outcome<C>) -> Result<Outcome<C>, Error> {
+        Ok(self.labels()?.solved(grasp, outcome.clone()))
     }
 
     /// An answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. What comes beyond the onset and the
@@ -38,7 +36,7 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::points`].
     pub fn tell_onset(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> Result<OnsetAnswer<C>, Error> {
-        Ok(self.places()?.onset(grasp, onset))
+        Ok(self.labels()?.onset(grasp, onset, |factor| Factor { factor }))
     }
 
     /// An answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise as [`Self::tell_onset`].
@@ -50,14 +48,14 @@ impl<const C: usize> Setup<C> {
         grasp: &Grasp<C>,
         onset: &path::TurnOnset<C>,
     ) -> Result<TurnAnswer<C>, Error> {
-        Ok(self.places()?.onset_of_turn(grasp, onset))
+        Ok(self.labels()?.onset_of_turn(grasp, onset))
     }
 
     /// An equilibrium of this setup's grasp, one of [`Grasp::equilibria`] for instance; its accuracy is left out.
     ///
     /// # Errors
     /// As for [`Self::points`].
-    pub fn tell_equilibrium(&self, state: &state::Equilibrium<C>) -> Result<Equilibrium<C>, Error> {
-        Ok(self.places()?.equilibrium(state))
+    pub fn tell_equilibrium(&self, state: &Equilibrium<C>) -> Result<Equilibrium<C>, Error> {
+        Ok(self.labels()?.equilibrium(state.clone()))
     }
 }

@@ -1,5 +1,7 @@
 //! Joints and tendons as they are written.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -14,7 +16,7 @@ use crate::serial::{AsGiven, AxisRow, Given};
 struct WrittenJoint<const C: usize> {
     /// What answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
+    name: Option<Arc<str>>,
     /// Where it turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     revolute: Option<Hinge<C>>,
@@ -54,7 +56,7 @@ struct Hinge<const C: usize> {
 struct WrittenTendon {
     /// What answers call it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
+    name: Option<Arc<str>>,
     /// One for each joint of all fingers, m/rad or none.
     #[serde(with = "AsGiven::<Vec<f64>>")]
     arms: Vec<f64>,

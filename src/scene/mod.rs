@@ -149,7 +149,7 @@
 //! }"#)?;
 //! let Answers::Planar(answers) = scene.answers()? else { panic!("a planar scene") };
 //! let [Answer::Onset(OnsetAnswer::At(onset))] = &answers[..] else { panic!("{answers:?}") };
-//! assert!((onset.factor - 65f64.sqrt() / 66.0).abs() < 1e-15);
+//! assert!((onset.at.factor - 65f64.sqrt() / 66.0).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -229,7 +229,7 @@
 //!
 //! | question | outcomes | type |
 //! |---|---|---|
-//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`SolveAnswer`] |
+//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`Outcome`](crate::equilibrium::Outcome) |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with the `angle` in rad for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
@@ -255,44 +255,37 @@ mod schema;
 mod answer;
 mod asked;
 mod brief;
-mod drive;
-mod equilibrium;
 #[cfg(feature = "json")]
 mod fault;
 mod finger;
 mod fingertip;
 mod given_answers;
 mod joint;
+mod labels;
 mod matrix;
 mod motion;
 mod object;
 mod onset;
 mod patch;
 mod path;
-mod place;
 mod question;
 mod settings;
 mod setup;
 mod turn;
-mod turn_onset;
 mod warning;
 mod wrench;
 mod written;
 
 pub use answer::Answer;
 pub use brief::Brief;
-pub use drive::{DriveTurn, JointTold, Part, TendonTold};
-pub use equilibrium::{Accuracy, Cone, Equilibrium, Proof, Residuals, SolveAnswer};
 #[cfg(feature = "json")]
 pub use fault::{At, Fault, FaultKind};
 pub use finger::Finger;
 pub use fingertip::{Fingertip, MovedBy};
-pub use onset::{Beyond, Departure, Leaving, Onset, OnsetAnswer};
+pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;
-pub use path::{Change, Energy, Event, Loss, PathAnswer, PathEnd, Turn};
-pub use place::{Doing, Place, Touch};
+pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
-pub use turn_onset::{EdgeOf, EdgeTouch, TurnAnswer, TurnEvent, TurnOnset};
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

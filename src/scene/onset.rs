@@ -1,186 +1,161 @@
-//! Answers to "at which load does the first contact stop sticking?"
+//! Answers to "at which load does the first contact stop sticking?", and at which angle of a load that turns.
 
-use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::drive::DriveTurn;
-use super::equilibrium::{Equilibrium, Proof, proof};
-use super::place::{Doing, Place, Places};
+use super::labels::Labels;
 use crate::ask::Grasp;
-use crate::equilibrium::{Doubt, Rung};
-use crate::grasp::{Motion, Wrench};
-use crate::load_path as path;
+use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
+use crate::grasp::Wrench;
+use crate::load_path::{self as path, Beyond, EdgeOf, Leaving, PartChange, Touch};
 use crate::serial::AsComputed;
 
-/// When the first contact stops sticking; see [`path::Onset`].
+/// When the first contact stops sticking, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
-pub enum OnsetAnswer<const C: usize> {
-    /// At a load factor.
-    At(Box<Onset<C>>),
-    /// However far the load goes along this direction, everything keeps sticking.
+pub enum OnsetAnswer<const C: usize, At = Factor> {
+    /// There.
+    At(Box<OnsetAt<C, At>>),
+    /// However far the load goes along this direction, everything keeps sticking; of a turn, up to its last angle.
     Never,
-    /// At factor 0 something slides already.
+    /// Where the load begins something slides already.
     AlreadySliding {
         /// The equilibrium there.
         state: Box<Equilibrium<C>>,
     },
-    /// No equilibrium exists at factor 0.
-    NoBase(Proof<C>),
-    /// No contact stops sticking, but from this factor on nothing resists the load's direction.
+    /// No equilibrium exists where the load begins.
+    NoBase(NoEquilibrium<C>),
+    /// No contact stops sticking, but from here on nothing resists the load's direction.
     GivesWay {
-        /// The factor up to which the grasp holds.
-        #[serde(with = "AsComputed::<f64>")]
-        factor: f64,
+        /// Up to where the grasp holds.
+        #[serde(flatten)]
+        at: At,
         /// Why it does not hold beyond.
-        reason: Proof<C>,
+        reason: NoEquilibrium<C>,
     },
-    /// Nothing can be said about the equilibrium at factor 0.
-    Undecided {
-        /// Why.
-        doubt: Doubt,
-    },
+    /// Nothing can be said about the equilibrium where the load begins.
+    Undecided(Undecided),
+}
+
+/// Where an onset is while a load grows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Factor {
+    /// Load factor τ, no unit.
+    #[serde(with = "AsComputed::<f64>")]
+    pub factor: f64,
+}
+
+/// Where an onset is while a load turns.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Angle {
+    /// How far the load has turned, rad.
+    #[serde(with = "AsComputed::<f64>")]
+    pub angle: f64,
 }
 
 /// The first contact stops sticking; see [`path::OnsetEvent`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Onset<const C: usize> {
-    /// Load factor τ, no unit.
-    #[serde(with = "AsComputed::<f64>")]
-    pub factor: f64,
+pub struct OnsetAt<const C: usize, At = Factor> {
+    /// Where.
+    #[serde(flatten)]
+    pub at: At,
     /// The load there.
     pub load: Wrench<C>,
     /// Which contacts leave, all at once.
     pub leaving: Vec<Leaving<C>>,
     /// Which joints and tendons give way there.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub drives: Vec<DriveTurn>,
-    /// What comes next.
+    pub drives: Vec<PartChange>,
+    /// What comes next; rates are for one unit of the factor, or one radian.
     pub beyond: Beyond<C>,
     /// The equilibrium there.
     pub state: Equilibrium<C>,
 }
 
-/// A contact that stops sticking.
+/// The onset of sliding while a load turns, and what comes near to one; see [`path::TurnOnset`].
+///
+/// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "point": [0, -0.01], "normal": [0, 1], "series_stiffness": [1e3, 8e2], "friction": 0.125, "pressed_with": 10 },
+///             { "point": [0, 0.01], "normal": [0, -1], "series_stiffness": [1e3, 8e2], "friction": 0.125, "pressed_with": 10 }
+///         ],
+///         "questions": [{ "onset_of_turn": { "weight": [0, -4] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// // Half of the weight a palm: the upper one carries F_n = 10 - 2 cos θ and F_t = 2 sin θ.
+/// let angle = answers[0]["onset_of_turn"]["angle"].as_f64().unwrap();
+/// assert!((2.0 * angle.sin() - 0.125 * (10.0 - 2.0 * angle.cos())).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Leaving<const C: usize> {
-    /// Which contact.
+pub struct TurnAnswer<const C: usize> {
+    /// When the first contact stops sticking.
     #[serde(flatten)]
-    pub place: Place,
-    /// How it leaves.
-    #[serde(flatten)]
-    pub how: Departure<C>,
+    pub onset: OnsetAnswer<C, Angle>,
+    /// Where contacts and drives come as near to their edge as rounding without crossing it, up to the onset.
+    pub touches: Vec<Touch>,
 }
 
-/// How a contact stops sticking.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(tag = "how", rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum Departure<const C: usize> {
-    /// It slides.
-    Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes.
-        #[serde(with = "AsComputed::<SVector<f64, C>>")]
-        direction: SVector<f64, C>,
-    },
-    /// It opens.
-    Opens,
-}
-
-/// What comes after an onset or the end of a path; see [`path::Beyond`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(tag = "what", rename_all = "snake_case")]
-#[non_exhaustive]
-pub enum Beyond<const C: usize> {
-    /// The equilibrium goes on, with these rates per unit of load factor.
-    Continues {
-        /// What every contact does next, in the order of [`Equilibrium::contacts`].
-        states: Vec<Doing<C>>,
-        /// Rates of the contact forces in the contact frames, N, contact by contact.
-        #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>")]
-        force_rates: Vec<SVector<f64, C>>,
-        /// Rate of the object's motion, m and rad, and of the joints'.
-        twist_rate: Motion<C>,
-        /// By which rule it was found.
-        rule: Rung,
-    },
-    /// No equilibrium exists just beyond.
-    LimitLoad,
-    /// This equilibrium ends, others exist at slightly larger loads.
-    Snap,
-    /// This equilibrium ends; whether others exist is not known.
-    Ends {
-        /// Why.
-        reason: Proof<C>,
-    },
-    /// Nothing can be said.
-    Undecided {
-        /// Why.
-        doubt: Doubt,
-    },
-}
-
-impl Places {
-    pub(super) fn onset<const C: usize>(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> OnsetAnswer<C> {
+impl Labels {
+    pub(super) fn onset<const C: usize, At>(
+        &self,
+        grasp: &Grasp<C>,
+        onset: &path::Onset<C>,
+        at: impl Fn(f64) -> At,
+    ) -> OnsetAnswer<C, At> {
+        let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
-                let (beyond, state) = (grasp.beyond(event), grasp.state_at_onset(event));
                 // Both are there: the event is one of this grasp.
-                let (Some(beyond), Some(state)) = (beyond, state) else {
-                    return OnsetAnswer::Undecided { doubt: Doubt::Inaccurate };
+                let (Some(beyond), Some(state)) = (grasp.beyond(event), grasp.state_at_onset(event)) else {
+                    return undecided(Doubt::Inaccurate);
                 };
-                OnsetAnswer::At(Box::new(Onset {
-                    factor: event.factor,
-                    load: event.load,
-                    leaving: event.leaving.iter().map(|leaving| self.leaving(leaving)).collect(),
-                    drives: self.turns(&event.drives),
-                    beyond: told_beyond(&beyond),
-                    state: self.equilibrium(&state),
-                }))
+                let (load, drives, state) = (event.load, event.drives.clone(), self.equilibrium(state));
+                let mut leaving = event.leaving.clone();
+                for leaving in &mut leaving {
+                    self.name(&mut leaving.contact);
+                }
+                let at = at(event.factor);
+                OnsetAnswer::At(Box::new(OnsetAt { at, load, leaving, drives, beyond, state }))
             }
             path::Onset::Never => OnsetAnswer::Never,
             path::Onset::AlreadySliding(state) => {
-                OnsetAnswer::AlreadySliding { state: Box::new(self.equilibrium(state)) }
+                OnsetAnswer::AlreadySliding { state: Box::new(self.equilibrium(state.as_ref().clone())) }
             }
-            path::Onset::NoBase(none) => OnsetAnswer::NoBase(proof(none)),
+            path::Onset::NoBase(none) => OnsetAnswer::NoBase(none.clone()),
             path::Onset::GivesWay { factor, reason } => {
-                OnsetAnswer::GivesWay { factor: *factor, reason: proof(reason) }
+                OnsetAnswer::GivesWay { at: at(*factor), reason: reason.clone() }
             }
-            path::Onset::Undecided(undecided) => OnsetAnswer::Undecided { doubt: undecided.doubt },
+            path::Onset::Undecided(why) => undecided(why.doubt),
         }
     }
 
-    fn leaving<const C: usize>(&self, leaving: &path::Leaving<C>) -> Leaving<C> {
-        Leaving {
-            place: self.contacts[leaving.contact].clone(),
-            how: match leaving.how {
-                path::Departure::Slides { direction } => Departure::Slides { direction },
-                path::Departure::Opens => Departure::Opens,
-            },
+    pub(super) fn onset_of_turn<const C: usize>(
+        &self,
+        grasp: &Grasp<C>,
+        found: &path::TurnOnset<C>,
+    ) -> TurnAnswer<C> {
+        let mut touches = found.touches.clone();
+        for touch in &mut touches {
+            if let EdgeOf::Contact(contact) = &mut touch.of {
+                self.name(contact);
+            }
         }
-    }
-}
-
-/// What comes next, as it is written.
-pub(super) fn told_beyond<const C: usize>(beyond: &path::Beyond<C>) -> Beyond<C> {
-    match beyond {
-        path::Beyond::Continues(next) => Beyond::Continues {
-            states: next.states.iter().map(|state| (*state).into()).collect(),
-            force_rates: next.force_rates.clone(),
-            twist_rate: next.twist_rate.clone(),
-            rule: next.rule,
-        },
-        path::Beyond::LimitLoad => Beyond::LimitLoad,
-        path::Beyond::Snap => Beyond::Snap,
-        path::Beyond::Ends(none) => Beyond::Ends { reason: proof(none) },
-        path::Beyond::Undecided(doubt) => Beyond::Undecided { doubt: *doubt },
+        TurnAnswer { onset: self.onset(grasp, &found.onset, |angle| Angle { angle }), touches }
     }
 }

@@ -18,7 +18,8 @@ use crate::serial::{AsComputed, AxisRow, Given};
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
-/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup, SolveAnswer};
+/// use grasp_lcp::equilibrium::Outcome;
+/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup};
 ///
 /// // Two jaws press with 1000 N/m · 0.01 m = 10 N each; μ = 0.5, so that they hold 10 N.
 /// let jaw = |side: f64| {
@@ -29,11 +30,11 @@ use crate::serial::{AsComputed, AxisRow, Given};
 ///     .ask(Question::Solve { load: down * 4.0 })
 ///     .ask(Question::Onset(RampAsked::along(down)));
 ///
-/// let [Answer::Solve(SolveAnswer::Equilibrium(state)), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
+/// let [Answer::Solve(Outcome::Equilibrium(state)), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
 ///     panic!("it holds 4 N, and slides at some load")
 /// };
 /// assert!((state.contacts[0].force[0] - 10.0).abs() < 1e-13);
-/// assert!((onset.factor - 10.0).abs() < 1e-13);
+/// assert!((onset.at.factor - 10.0).abs() < 1e-13);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -215,7 +216,8 @@ impl<const C: usize> Setup<C> {
 
     /// The index of a contact in a message is that of the scene, whatever number of points come before it.
     fn in_the_scene(&self, error: Error) -> Error {
-        let Error::Contact { contact: ContactLabel { index, name }, field, value, allowed } = error else {
+        let Error::Contact { contact: ContactLabel { index, name, .. }, field, value, allowed } = error
+        else {
             return error;
         };
         let mut behind = 0;
@@ -223,7 +225,7 @@ impl<const C: usize> Setup<C> {
             behind += entry.count().unwrap_or(1);
             index < behind
         });
-        let contact = ContactLabel { index: entry.unwrap_or(index), name };
+        let contact = ContactLabel { index: entry.unwrap_or(index), point: None, name };
         Error::Contact { contact, field, value, allowed }
     }
 }

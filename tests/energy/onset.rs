@@ -77,7 +77,7 @@ fn same_onset<const D: usize, const C: usize>(
                 tally.worst.set(tally.worst.get().max(apart));
                 prop_assert!(apart <= 1e-12, "{} {}", event.factor, factor);
                 for leaving in &event.leaving {
-                    prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact));
+                    prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact.index));
                 }
                 // Just before they agree, just beyond they do not.
                 let at = |tau: f64| {

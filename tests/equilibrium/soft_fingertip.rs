@@ -125,7 +125,7 @@ fn planar_pads() {
             assert_relatively_close!(event.factor, N * square * half);
             let [leaving] = &event.leaving[..] else { panic!("{:?}", event.leaving) };
             assert_eq!(leaving.how, Departure::Opens);
-            assert!(leaving.contact == 0 || leaving.contact == grasp.len() - 1);
+            assert!(leaving.contact.index == 0 || leaving.contact.index == grasp.len() - 1);
             let state = grasp.solve(&(press + Wrench::new([0.0; 2], 0.5 * side * event.factor))).unwrap();
             let state = state.equilibrium().expect("pressed all over");
             assert_relatively_close!(

@@ -183,7 +183,7 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
         let Some(event) = onset.event() else { continue };
         for (i, tip) in tips.iter().enumerate() {
             let (value, slope) = margin(tip.friction, &base[i], &rate[i], event.factor);
-            if event.leaving[0].contact == i {
+            if event.leaving[0].contact.index == i {
                 worst = worst.max((value.float() / slope.float() / event.factor).abs());
                 onsets += 1;
             } else {

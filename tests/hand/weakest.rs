@@ -42,10 +42,10 @@ fn no_direction_of_a_force_on_a_hand_is_weaker() {
             let event = there.event().expect("gives way");
             assert!((event.factor - size).abs() < 1e-12 * size, "{limit:?}: {} {size}", event.factor);
             match leaver {
-                Leaver::Contact(i) => assert!(event.leaving.iter().any(|l| l.contact == i)),
+                Leaver::Contact(i) => assert!(event.leaving.iter().any(|l| l.contact.index == i)),
                 Leaver::Drive(part) => {
                     drives += 1;
-                    assert!(event.drives.iter().any(|(other, _)| *other == part), "{limit:?} {event:?}");
+                    assert!(event.drives.iter().any(|drive| drive.part.part == part), "{limit:?} {event:?}");
                 }
                 other => panic!("{other:?}"),
             }

@@ -45,7 +45,7 @@ fn ends_at_the_limit<const C: usize>(
     assert_eq!(event.leaving.len(), grasp.len());
     if asks_beyond {
         let beyond = grasp.beyond(event).expect("its own event");
-        assert!(matches!(beyond, Beyond::LimitLoad | Beyond::Ends(_)), "{beyond:?}");
+        assert!(matches!(beyond, Beyond::LimitLoad | Beyond::Ends { .. }), "{beyond:?}");
     }
     let legs = [grasp_lcp::load_path::Leg::load_to(limit * OVERLOAD)];
     let mut path = grasp.follow(&nothing, &legs).expect("a finite load");

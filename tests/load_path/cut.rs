@@ -3,6 +3,7 @@
 
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;
+use support::programs::changes;
 use support::programs::draw::{over, planar_scenes, spatial_scenes};
 use support::programs::tally::Tally;
 use support::programs::{Scene, same_state};
@@ -64,8 +65,9 @@ fn same_in_pieces<const D: usize, const C: usize>(
     for (a, b) in events.iter().zip(&again) {
         let apart = a.leg as f64 + a.fraction - place(b.leg, b.fraction);
         prop_assert!(apart.abs() <= 1e-9, "{} against {}", story(events), story(&again));
-        let what =
-            |e: &Event<C>| e.changes.iter().map(|(i, c)| (*i, std::mem::discriminant(c))).collect::<Vec<_>>();
+        let what = |e: &Event<C>| {
+            changes(e).iter().map(|(i, c)| (*i, std::mem::discriminant(c))).collect::<Vec<_>>()
+        };
         prop_assert_eq!(what(a), what(b));
         same_state(scene, &a.state, &b.state, 1e-9)?;
     }

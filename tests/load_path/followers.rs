@@ -87,7 +87,7 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
         let beyond = [path.beyond(), patch.beyond(), steps.beyond()];
         let kinds = beyond.each_ref().map(|beyond| beyond.as_ref().map(discriminant));
         assert!(kinds[0] == kinds[1] && kinds[1] == kinds[2], "{beyond:?}");
-        assert!(matches!(beyond[0], Some(Beyond::LimitLoad | Beyond::Ends(_))), "{beyond:?}");
+        assert!(matches!(beyond[0], Some(Beyond::LimitLoad | Beyond::Ends { .. })), "{beyond:?}");
         limits += usize::from(matches!(beyond[0], Some(Beyond::LimitLoad)));
 
         // All legs at once end there as well.

@@ -20,7 +20,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
         tally.count(&events, &path);
         let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
         if !matches!(path.end(), Some(PathEnd::Completed))
-            || !events.iter().flat_map(|e| &e.changes).all(|(_, c)| monotone(c))
+            || !events.iter().flat_map(|e| &e.changes).all(|change| monotone(&change.what))
         {
             return Ok(());
         }

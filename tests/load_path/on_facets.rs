@@ -60,7 +60,7 @@ fn together(event: &Event) -> (&'static str, Option<Vector2<f64>>) {
     let words: Vec<_> = event
         .changes
         .iter()
-        .map(|(_, change)| match change {
+        .map(|change| match &change.what {
             Change::Slides { direction } => ("slides", Some(direction.xy())),
             Change::Turns { direction } => ("turns", Some(direction.xy())),
             Change::Reverses { direction } => ("reverses", Some(direction.xy())),
@@ -68,7 +68,7 @@ fn together(event: &Event) -> (&'static str, Option<Vector2<f64>>) {
             other => panic!("{other:?}"),
         })
         .collect();
-    let contacts: Vec<_> = event.changes.iter().map(|(i, _)| *i).collect();
+    let contacts: Vec<_> = event.changes.iter().map(|change| change.contact.index).collect();
     assert_eq!(contacts, [0, 1, 2, 3], "the feet go together");
     let differ = |(word, d): &(&str, Option<Vector2<f64>>)| {
         *word != words[0].0 || d.zip(words[0].1).is_some_and(|(a, b)| (a - b).norm() > 1e-12)

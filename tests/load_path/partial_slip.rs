@@ -21,6 +21,7 @@
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
 use support::ends::limit_load;
+use support::programs::changes;
 
 const MU: f64 = 0.4;
 const P0: f64 = 3.0;
@@ -87,8 +88,8 @@ fn x_of(event: &Event) -> f64 {
 
 /// The contacts of an event, all of which must do the same.
 fn who(event: &Event, what: fn(&Change) -> bool) -> Vec<usize> {
-    assert!(event.changes.iter().all(|(_, change)| what(change)), "{:?}", event.changes);
-    let mut contacts: Vec<_> = event.changes.iter().map(|(i, _)| *i).collect();
+    assert!(changes(event).iter().all(|(_, change)| what(change)), "{:?}", changes(event));
+    let mut contacts: Vec<_> = changes(event).iter().map(|(i, _)| *i).collect();
     contacts.sort_unstable();
     contacts
 }

@@ -7,6 +7,7 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Change, Event, LoadPath, PathEnd};
 use nalgebra::SVector;
 use proptest::prelude::*;
+use support::programs::changes;
 use support::programs::draw::{over, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::programs::views::View;
@@ -112,7 +113,7 @@ fn word(change: &Change<3>) -> &'static str {
 fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
     let what = |event: &Event<3>| {
         let mut list: Vec<_> =
-            event.changes.iter().map(|(i, change)| format!("{} {}", contacts[*i], word(change))).collect();
+            changes(event).iter().map(|(i, change)| format!("{} {}", contacts[*i], word(change))).collect();
         list.sort();
         list.dedup();
         list

@@ -6,6 +6,7 @@ use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
 use nalgebra::{Vector2, Vector3};
 use support::assert_close;
+use support::programs::changes;
 
 const K: f64 = 80.0;
 const KT: f64 = 50.0;
@@ -79,7 +80,7 @@ fn what_is_dragged_follows_a_tractrix() {
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
             // One event, at the end of the leash; where that is the end of the leg it is the beginning of the next.
             let [event] = &events[..] else { panic!("{events:?}") };
-            assert!(matches!(event.changes[..], [(0, Change::Slides { .. })]));
+            assert!(matches!(changes(event)[..], [(0, Change::Slides { .. })]));
             let at = event.leg as f64 + event.fraction;
             assert_close!(at, 1.0 / ahead);
             // A way of so many leashes has a rounding of so many times that of a leash.

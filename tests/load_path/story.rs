@@ -23,7 +23,8 @@ pub(crate) fn story<const C: usize>(events: &[Event<C>]) -> Vec<Line> {
         Change::Closes => "closes",
         Change::ClosesSliding { .. } => "closes sliding",
     };
-    let all = |e: &Event<C>| e.changes.iter().map(|(i, change)| (*i, word(change))).collect();
+    let all =
+        |e: &Event<C>| e.changes.iter().map(|change| (change.contact.index, word(&change.what))).collect();
     events.iter().map(|e| (e.leg, e.fraction, all(e))).collect()
 }
 

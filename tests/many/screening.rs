@@ -38,7 +38,10 @@ fn check<const D: usize, const C: usize, const N: usize>(
             prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
             // Those of the first that the walk saw leave; at a tie the rates may let some stay.
             for leaving in &event.leaving {
-                prop_assert!(screened.leaving().any(|i| i == leaving.contact), "{leaving:?} {screened:?}");
+                prop_assert!(
+                    screened.leaving().any(|i| i == leaving.contact.index),
+                    "{leaving:?} {screened:?}"
+                );
             }
         }
         (Verdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),

@@ -43,7 +43,10 @@ fn check<const D: usize, const C: usize, const N: usize>(
             prop_assert!(agrees([angle, event.factor], close, shaken, tally), "{angle} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * angle) && !screened.holds_up_to(1.001 * angle));
             for leaving in &event.leaving {
-                prop_assert!(screened.leaving().any(|i| i == leaving.contact), "{leaving:?} {screened:?}");
+                prop_assert!(
+                    screened.leaving().any(|i| i == leaving.contact.index),
+                    "{leaving:?} {screened:?}"
+                );
             }
         }
         (Verdict::Never, Onset::Never) => {

@@ -27,7 +27,7 @@ fn never_and_opening() {
     let Onset::At(event) = onset(&grasp, Wrench::ZERO, sideways) else { panic!("opens") };
     // N_left = k (a - q), N_right = k (a + q), 2 k q = w: the left one opens at w = 2 k a.
     assert!((event.factor - 2.0).abs() < 1e-14);
-    assert_eq!(event.leaving[0].contact, 0);
+    assert_eq!(event.leaving[0].contact.index, 0);
     assert_eq!(event.leaving[0].how, Departure::Opens);
     let bonded = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded())).unwrap();
     assert!(matches!(onset(&bonded, Wrench::ZERO, Wrench::new([3.0, -2.0], 1.0)), Onset::Never));
@@ -111,7 +111,7 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     // T_i = τ/3 each; the moment of the horizontal load at height 0 is zero, so N_middle stays 2kc/3 and goes first.
     let exact = 3.0 * mu * 2.0 * k * c / 3.0;
     assert!((event.factor - exact).abs() < 1e-14 * exact, "{} {exact}", event.factor);
-    assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [2]);
+    assert_eq!(event.leaving.iter().map(|l| l.contact.index).collect::<Vec<_>>(), [2]);
     let beyond = grasp.beyond(&event).expect("its own event");
     assert!(matches!(&beyond, Beyond::Continues(next) if next.states[0] == ContactState::Sticking));
 }
@@ -133,7 +133,7 @@ fn a_contact_that_slides_the_moment_it_closes() {
         panic!("finite")
     };
     assert!((event.factor - closing).abs() < 1e-14, "{} {closing}", event.factor);
-    assert_eq!(event.leaving.iter().map(|l| l.contact).collect::<Vec<_>>(), [2]);
+    assert_eq!(event.leaving.iter().map(|l| l.contact.index).collect::<Vec<_>>(), [2]);
     let state = grasp.state_at_onset(&event).expect("its own event");
     assert_eq!(state.contacts[2].state, ContactState::Separated);
     assert!(state.contacts[2].gap < 1e-15);

@@ -201,7 +201,7 @@ fn compare_onsets<const D: usize, const C: usize>(
             let (up, down) = (scene.moved(by, step).onset(turns), scene.moved(by, -step).onset(turns));
             let (Some(up), Some(down)) = (up.event(), down.event()) else { continue };
             let same = |e: &grasp_lcp::load_path::OnsetEvent<C>| {
-                e.leaving.len() == 1 && e.leaving[0].contact == event.leaving[0].contact
+                e.leaving.len() == 1 && e.leaving[0].contact.index == event.leaving[0].contact.index
             };
             // Far from the edge a small change of the data may move the onset by far.
             if !same(up) || !same(down) || (up.factor - down.factor).abs() > 1e-3 * event.factor {

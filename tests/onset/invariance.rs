@@ -19,7 +19,7 @@ fn same_leave<const D: usize, const C: usize>(
     image: &Scene<D, C>,
     [event, seen]: [&OnsetEvent<C>; 2],
 ) -> Result<(), TestCaseError> {
-    let leaves = |event: &OnsetEvent<C>, i: usize| event.leaving.iter().any(|l| l.contact == i);
+    let leaves = |event: &OnsetEvent<C>, i: usize| event.leaving.iter().any(|l| l.contact.index == i);
     for (i, datum) in scene.contacts.iter().enumerate() {
         if leaves(event, i) == leaves(seen, i) {
             continue;

@@ -129,7 +129,7 @@ fn is_at_the_edge<const D: usize, const C: usize>(
     let state = scene.grasp().state_at_onset(event).expect("its own event");
     let size = state.contacts.iter().map(|c| c.force.norm()).fold(f64::MIN_POSITIVE, f64::max);
     for (i, c) in state.contacts.iter().enumerate() {
-        let leaves = event.leaving.iter().any(|l| l.contact == i);
+        let leaves = event.leaving.iter().any(|l| l.contact.index == i);
         let bounded = scene.contacts[i].friction > 0.0 && scene.contacts[i].friction.is_finite();
         let margin = if bounded { c.margin.min(c.force[0]) } else { c.force[0] };
         let allowed = 1e-10 * size * (1.0 + if bounded { scene.contacts[i].friction } else { 0.0 });

@@ -72,7 +72,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             Wrench::from_components(self.direction.as_slice()),
         );
         let Onset::At(event) = self.grasp().onset(&ramp).unwrap() else { return None };
-        Some((event.factor, event.leaving.iter().map(|l| l.contact).collect()))
+        Some((event.factor, event.leaving.iter().map(|l| l.contact.index).collect()))
     }
 
     fn moved(&self, by: Parameter, step: f64) -> Self {

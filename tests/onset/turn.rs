@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use grasp_lcp::load_path::{Leaver, PathEnd};
+use grasp_lcp::load_path::{EdgeOf, PathEnd};
 use grasp_lcp::planar::{self, Turn, Wrench};
 use grasp_lcp::{Error, PolygonCone, Settings, spatial};
+use support::programs::changes;
 
 fn palm(x: f64) -> planar::Contact {
     planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0)
@@ -33,7 +34,11 @@ fn an_edge_that_is_touched_is_told() {
         assert_eq!(answer.onset.event().is_some(), slides, "{part}: {answer:?}");
         assert_eq!(!answer.touches.is_empty(), touches, "{part}: {answer:?}");
         if let Some(touch) = answer.touches.first() {
-            assert!(touch.of == Leaver::Contact(0) && (touch.angle - angle).abs() < 1e-6, "{answer:?}");
+            assert!(
+                matches!(&touch.of, EdgeOf::Contact(contact) if contact.index == 0)
+                    && (touch.angle - angle).abs() < 1e-6,
+                "{answer:?}"
+            );
         }
         if let Some(event) = answer.onset.event() {
             // Before the place of the double root, by √(2 · part of it).
@@ -70,7 +75,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
     let onset = grasp.onset_of_turn(&turn).unwrap().onset;
     let event = onset.event().expect("opens");
     assert!((event.factor - (PI - (3.2_f64 / 9.5).asin())).abs() < 1e-15, "{}", event.factor);
-    let leaving: Vec<_> = event.leaving.iter().map(|leaving| (leaving.contact, leaving.how)).collect();
+    let leaving: Vec<_> = event.leaving.iter().map(|leaving| (leaving.contact.index, leaving.how)).collect();
     assert_eq!(leaving, [(2, planar::Departure::Opens)]);
     let angle = event.factor;
     // By chords, whose error falls with the square of their number.
@@ -78,7 +83,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
         let at = |k: usize| turn.load_at(3.0 * k as f64 / chords as f64);
         let legs: Vec<_> = (1..=chords).map(|k| planar::Leg::load_to(at(k))).collect();
         let mut path = grasp.follow(&at(0), &legs).unwrap();
-        let event = path.find(|event| event.changes.contains(&(2, planar::Change::Opens))).expect("opens");
+        let event = path.find(|event| changes(event).contains(&(2, planar::Change::Opens))).expect("opens");
         (3.0 * (event.leg as f64 + event.fraction) / chords as f64 - angle).abs()
     };
     // How large it is depends on where in a chord it falls: the worst of some numbers of chords near each other.

@@ -85,7 +85,7 @@ fn nor_for_a_hand() {
     let ramp = Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
     let mut workspace = OnsetWorkspace::default();
     let event = workspace.onset(&grasp, &ramp).expect("valid").event().cloned().expect("slides");
-    assert!(event.leaving.len() == 1 && event.leaving[0].contact == 1);
+    assert!(event.leaving.len() == 1 && event.leaving[0].contact.index == 1);
     let counted = measure(|| assert!(workspace.onset(&grasp, &ramp).is_ok()));
     assert_eq!(counted.count_total, 0);
 }

@@ -1,6 +1,7 @@
 //! Hands in scenes: what is written reads back, is answered as the same hand built by calls, and says what is wrong with it.
 
 use grasp_lcp::Limit;
+use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::Onset;
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
@@ -96,7 +97,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     assert_eq!(format!("{back:?}"), format!("{answers:?}"));
 
     let grasp = by_calls()?;
-    let [Answer::Solve(scene::SolveAnswer::Equilibrium(told)), onset, path] = &answers[..] else {
+    let [Answer::Solve(Outcome::Equilibrium(told)), onset, path] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
     let outcome = grasp.solve(&Wrench::new([0.25, -0.5], 0.125))?;
@@ -114,14 +115,14 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
         );
     }
     assert!((told.tendons[0].tension - state.tendons[0].tension).abs() < 1e-12);
-    assert_eq!(told.joints[0].part.name.as_deref(), Some("base"));
-    assert_eq!(told.tendons[0].part.name.as_deref(), Some("flexor"));
+    assert_eq!(told.joints[0].joint.name.as_deref(), Some("base"));
+    assert_eq!(told.tendons[0].tendon.name.as_deref(), Some("flexor"));
 
     let Answer::Onset(scene::OnsetAnswer::At(told)) = onset else { return Err(format!("{onset:?}").into()) };
     let Onset::At(event) = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 1.0]))? else {
         return Err("slides".into());
     };
-    assert!((told.factor - event.factor).abs() < 1e-12);
+    assert!((told.at.factor - event.factor).abs() < 1e-12);
     assert_eq!((told.leaving.len(), told.drives.len()), (event.leaving.len(), event.drives.len()));
 
     let Answer::Follow(told) = path else { return Err(format!("{path:?}").into()) };
@@ -165,7 +166,7 @@ fn hands_of_every_size_are_answered() -> Tested {
         let direct = direct.solve(&spatial::Wrench::force([0.1, 0.2, -1.0]))?;
         let direct = direct.equilibrium().ok_or("holds")?;
         let Answers::Spatial(answers) = scene.answers()? else { return Err("spatial".into()) };
-        let [Answer::Solve(scene::SolveAnswer::Equilibrium(told))] = &answers[..] else {
+        let [Answer::Solve(Outcome::Equilibrium(told))] = &answers[..] else {
             return Err(format!("{coordinates}: {answers:?}").into());
         };
         for (a, b) in told.contacts.iter().zip(&direct.contacts) {
@@ -185,10 +186,11 @@ fn a_finger_has_soft_tips() -> Tested {
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "moment": 0.2 } } }))?);
-    let [Answer::Solve(scene::SolveAnswer::Equilibrium(told))] = &setup.answers()?[..] else {
+    let [Answer::Solve(Outcome::Equilibrium(told))] = &setup.answers()?[..] else {
         return Err("holds".into());
     };
-    let places: Vec<_> = told.contacts.iter().map(|touch| (touch.place.contact, touch.place.point)).collect();
+    let places: Vec<_> =
+        told.contacts.iter().map(|touch| (touch.contact.index, touch.contact.point)).collect();
     assert_eq!(places, [(0, Some(0)), (0, Some(1)), (1, Some(0)), (1, Some(1))]);
     // The pairs share 1e4 N/m a side; the joints feel the sum alone.
     let force = 0.01 / (1e-3 + 1e-4);

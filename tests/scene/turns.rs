@@ -4,11 +4,11 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{HandPart, Wrench};
-use grasp_lcp::load_path::{Leg, Turn};
+use grasp_lcp::load_path::{EdgeOf, Leg, Touch, Turn};
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{self, Hand, Joint};
 use grasp_lcp::scene::{
-    self, Answer, Answers, EdgeOf, Fingertip, PathEnd, Question, Scene, Setup, TurnAnswer, TurnOnset,
+    self, Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
 };
 use grasp_lcp::{Limit, planar, spatial};
 use proptest::prelude::TestCaseError;
@@ -142,12 +142,12 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     let [Answer::OnsetOfTurn(onset), Answer::OnsetOfTurn(never), Answer::Follow(path)] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
-    let TurnOnset::At(event) = &onset.onset else { return Err(format!("{onset:?}").into()) };
-    assert!((event.angle - slides).abs() < 1e-15);
-    assert_eq!(event.leaving[0].place.name.as_deref(), Some("left"));
-    assert_eq!((&never.onset, never.touches.len()), (&TurnOnset::Never, 0));
+    let OnsetAnswer::At(event) = &onset.onset else { return Err(format!("{onset:?}").into()) };
+    assert!((event.at.angle - slides).abs() < 1e-15);
+    assert_eq!(event.leaving[0].contact.name.as_deref(), Some("left"));
+    assert_eq!((&never.onset, never.touches.len()), (&OnsetAnswer::Never, 0));
     // Both palms carry the same, so that nothing holds what the left one does not.
-    let PathEnd::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
+    let PathOutcome::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
     assert!((loss.fraction * 0.5 - slides).abs() < 1e-15);
     assert!((loss.load.resultant()[1] - 12.0 * slides.sin()).abs() < 1e-13);
     Ok(())
@@ -161,7 +161,7 @@ fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
         "contacts": [palm(-1.0), palm(1.0)],
         "questions": [{ "onset_of_turn": { "force": [weight, 0], "angle": 2.0 } }]
     }}))?;
-    let [Answer::OnsetOfTurn(TurnAnswer { onset: TurnOnset::Never, touches, .. })] = &answers[..] else {
+    let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::Never, touches, .. })] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
     let written = serde_json::to_value(touches)?;
@@ -189,10 +189,10 @@ fn a_limit_that_is_touched_is_told_by_its_joint() -> Tested {
         "fingers": jaws(),
         "questions": [{ "onset_of_turn": { "sine": { "force": [pull, 0] } } }]
     }}))?;
-    let [Answer::OnsetOfTurn(TurnAnswer { onset: TurnOnset::Never, touches, .. })] = &answers[..] else {
+    let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::Never, touches, .. })] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
-    let joint = |touch: &scene::EdgeTouch| match &touch.of {
+    let joint = |touch: &Touch| match &touch.of {
         EdgeOf::Drive(part) => Some(part.part),
         _ => None,
     };
@@ -220,13 +220,13 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
     let grasp: planar::Grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
     let turn = planar::Turn::new(Wrench::ZERO, Wrench::ZERO, planar::Wrench::force([5.0, 0.0])).up_to(4.0);
     let direct = grasp.onset_of_turn(&turn)?.onset;
-    let [Answer::OnsetOfTurn(TurnAnswer { onset: TurnOnset::At(event), .. }), Answer::Follow(path)] =
+    let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::At(event), .. }), Answer::Follow(path)] =
         &answers[..]
     else {
         return Err(format!("{answers:?}").into());
     };
-    assert!((event.angle - direct.factor().ok_or("stalls")?).abs() < 1e-14);
-    assert!((event.angle - (2.0 * (6.0 - 4.0 / 1.1) / 5.0_f64).asin()).abs() < 1e-13);
+    assert!((event.at.angle - direct.factor().ok_or("stalls")?).abs() < 1e-14);
+    assert!((event.at.angle - (2.0 * (6.0 - 4.0 / 1.1) / 5.0_f64).asin()).abs() < 1e-13);
     assert_eq!(event.drives[0].part.part, HandPart::Joint(1));
     let events = grasp.follow(&Wrench::ZERO, &[planar::Leg::turn(&turn)])?.run();
     assert!(events.len() > 1 && events.len() == path.events.len());

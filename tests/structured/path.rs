@@ -7,6 +7,7 @@ use std::mem::discriminant;
 use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::load_path::{Change, Event, PatchEvent, PathEnd};
 use proptest::prelude::*;
+use support::programs::changes;
 use support::programs::draw::{
     few_planar_contacts, over, planar_scenes, spatial_scenes, three_spatial_contacts,
 };
@@ -32,7 +33,7 @@ struct Told<const C: usize> {
 
 fn told<const C: usize>(events: &[Event<C>]) -> Vec<Told<C>> {
     let one = |e: &Event<C>, contact, change| Told { leg: e.leg, fraction: e.fraction, contact, change };
-    events.iter().flat_map(|e| e.changes.iter().map(move |(i, change)| one(e, *i, *change))).collect()
+    events.iter().flat_map(|e| changes(e).into_iter().map(move |(i, change)| one(e, i, change))).collect()
 }
 
 fn same<const C: usize>(a: &Told<C>, b: &PatchEvent<C>) -> bool {

@@ -146,14 +146,14 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
             state.is_some_and(|state| state.contacts[i].state == ContactState::Separated)
         };
         let first = both.onset.event().map_or_else(String::new, |event| {
-            let (i, how) = (event.leaving[0].contact, event.leaving[0].how);
-            let how = match how {
+            let first = &event.leaving[0];
+            let how = match first.how {
                 Departure::Opens => "opens",
                 // A tip that was out of reach is dragged from the first touch on.
-                Departure::Slides { .. } if separated(event, i) => "touches",
+                Departure::Slides { .. } if separated(event, first.contact.index) => "touches",
                 Departure::Slides { .. } => "slides",
             };
-            format!("{:7.3}  {} {how}", event.factor, grasp.contacts()[i].label_text(i))
+            format!("{:7.3}  {} {how}", event.factor, first.contact.text())
         });
         let limit = both.limit.map_or_else(|| "more than 100".into(), |limit| format!("{limit:7.3}"));
         println!("  {way:26}  {first:22} {limit}");

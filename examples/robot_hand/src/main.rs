@@ -14,7 +14,7 @@ use description::{Chain, fingers};
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
-use grasp_lcp::spatial::hand::{DriveChange, Finger, Hand, HandPart, Joint};
+use grasp_lcp::spatial::hand::{DriveChange, Finger, Hand, Joint, PartChange, PartLabel};
 use grasp_lcp::spatial::{self, Contact, PathEnd};
 use grasp_lcp::spatial::{Grasp, Leg, Ramp, Wrench};
 
@@ -186,14 +186,8 @@ fn of_grasp(
         let ramp = Ramp::load(Wrench::ZERO, pull(direction));
         let onset = grasp.onset(&ramp)?;
         let leaves = onset.event().map_or_else(String::new, |event| {
-            let contacts = event
-                .leaving
-                .iter()
-                .map(|leaving| grasp.contacts()[leaving.contact].label_text(leaving.contact));
-            contacts
-                .chain(event.drives.iter().map(|(part, _)| grasp.label_of(*part)))
-                .collect::<Vec<_>>()
-                .join(", ")
+            let contacts = event.leaving.iter().map(|leaving| leaving.contact.text());
+            contacts.chain(event.drives.iter().map(|drive| drive.part.text())).collect::<Vec<_>>().join(", ")
         });
         let told = springs
             .onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force_at(direction, at))?
@@ -203,7 +197,7 @@ fn of_grasp(
             most_stalled = stalled.len();
             shown = Some((format!("a pull along {label} at its limit"), state));
         }
-        let stalled: Vec<String> = stalled.iter().map(|part| grasp.label_of(*part)).collect();
+        let stalled: Vec<String> = stalled.iter().map(PartLabel::text).collect();
         println!(
             "  {label:<6} {:>9}   {leaves:<38} {:>11} {:>11}   {}",
             newtons(onset.factor()),
@@ -315,7 +309,7 @@ struct Reach {
     /// Up to which pull the hand holds, N.
     force: f64,
     /// The motors that stall on the way.
-    stalled: Vec<HandPart>,
+    stalled: Vec<PartLabel>,
     /// Where the path ends.
     state: Option<spatial::Equilibrium>,
 }
@@ -323,7 +317,7 @@ struct Reach {
 fn limit(grasp: &Grasp, pull: &Wrench) -> Result<Reach, Failure> {
     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
     let events = path.run();
-    let yields = |(part, change): &(HandPart, DriveChange)| (*change == DriveChange::Yields).then_some(*part);
+    let yields = |drive: &PartChange| (drive.what == DriveChange::Yields).then(|| drive.part.clone());
     let stalled = events.iter().flat_map(|event| event.drives.iter().filter_map(yields)).collect();
     let force = match path.end() {
         Some(PathEnd::Completed) => f64::INFINITY,

@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::scene::{
-    Answer, Answers, Goal, Leg, OnsetAnswer, PathEnd, Question, RampAsked, Setup, SolveAnswer, Space,
-    TurnOnset,
+    Answer, Answers, Goal, Leg, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
 use grasp_lcp::{planar, spatial};
 
@@ -176,10 +176,10 @@ fn spatial_turn(
 
 fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
     match answer {
-        Answer::Solve(answer) => matches!(answer, SolveAnswer::Undecided { .. }),
-        Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided { .. }),
-        Answer::OnsetOfTurn(answer) => matches!(answer.onset, TurnOnset::Undecided { .. }),
-        Answer::Follow(answer) => matches!(answer.end, PathEnd::Undecided { .. }),
+        Answer::Solve(answer) => matches!(answer, Outcome::Undecided(_)),
+        Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
+        Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
+        Answer::Follow(answer) => matches!(answer.end, PathOutcome::Undecided { .. }),
         _ => false,
     }
 }

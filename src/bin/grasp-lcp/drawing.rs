@@ -134,9 +134,8 @@ fn shown(
             let mut path = grasp.follow(start, &setup.legs(legs)?)?;
             let mut page = page;
             for event in path.run() {
-                let changes = event.changes.iter();
-                let contacts = changes.map(|(i, _)| grasp.contacts()[*i].label_text(*i));
-                let drives = event.drives.iter().map(|(part, _)| grasp.label_of(*part));
+                let contacts = event.changes.iter().map(|change| change.contact.text());
+                let drives = event.drives.iter().map(|drive| drive.part.text());
                 let names: Vec<_> = contacts.chain(drives).collect();
                 let label = format!(
                     "{number}. leg {} at {:.6}: {} changes",

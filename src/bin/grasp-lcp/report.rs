@@ -2,10 +2,9 @@
 
 use std::io::{self, Write};
 
-use grasp_lcp::scene::{
-    Answer, Beyond, Departure, Doing, DriveTurn, EdgeOf, Equilibrium, Leaving, OnsetAnswer, PathAnswer,
-    PathEnd, Question, Setup, SolveAnswer, Touch, Turn, TurnAnswer, TurnOnset,
-};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
+use grasp_lcp::load_path::{Beyond, Change, Departure, EdgeOf, Leaving, PartChange};
+use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
 
 use crate::words::{doing, gives_way, left, proof, row, wrench};
 
@@ -52,11 +51,11 @@ pub(crate) fn print<const C: usize>(
     Ok(())
 }
 
-fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &SolveAnswer<C>) -> io::Result<()> {
+fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &Outcome<C>) -> io::Result<()> {
     match outcome {
-        SolveAnswer::Equilibrium(state) => table(out, setup, state)?,
-        SolveAnswer::NoEquilibrium(why) => writeln!(out, "  no equilibrium exists: {}", proof(why))?,
-        SolveAnswer::Undecided { doubt } => writeln!(out, "  undecided: {doubt}")?,
+        Outcome::Equilibrium(state) => table(out, setup, state)?,
+        Outcome::NoEquilibrium(none) => writeln!(out, "  no equilibrium exists: {}", proof(&none.proof))?,
+        Outcome::Undecided(why) => writeln!(out, "  undecided: {}", why.doubt)?,
         other => writeln!(out, "  {other:?}")?,
     }
     Ok(())
@@ -65,7 +64,7 @@ fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &Solve
 fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAnswer<C>) -> io::Result<()> {
     match onset {
         OnsetAnswer::At(event) => {
-            writeln!(out, "  at factor {:.12}, that is {}", event.factor, wrench(&event.load))?;
+            writeln!(out, "  at factor {:.12}, that is {}", event.at.factor, wrench(&event.load))?;
             leave(out, &event.leaving, &event.drives)?;
             table(out, setup, &event.state)?;
             goes_on(out, &event.beyond)?;
@@ -75,13 +74,12 @@ fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAn
             writeln!(out, "  something slides already at factor 0:")?;
             table(out, setup, state)?;
         }
-        OnsetAnswer::NoBase(why) => writeln!(out, "  no equilibrium exists at factor 0: {}", proof(why))?,
-        OnsetAnswer::GivesWay { factor, reason } => {
-            writeln!(
-                out,
-                "  nothing slides, but from factor {factor:.12} on nothing resists: {}",
-                proof(reason)
-            )?;
+        OnsetAnswer::NoBase(none) => {
+            writeln!(out, "  no equilibrium exists at factor 0: {}", proof(&none.proof))?;
+        }
+        OnsetAnswer::GivesWay { at, reason } => {
+            let (factor, why) = (at.factor, proof(&reason.proof));
+            writeln!(out, "  nothing slides, but from factor {factor:.12} on nothing resists: {why}")?;
         }
         other => writeln!(out, "  {other:?}")?,
     }
@@ -94,32 +92,31 @@ fn slides_turned<const C: usize>(
     answer: &TurnAnswer<C>,
 ) -> io::Result<()> {
     match &answer.onset {
-        TurnOnset::At(event) => {
-            let (angle, load) = (event.angle, wrench(&event.load));
+        OnsetAnswer::At(event) => {
+            let (angle, load) = (event.at.angle, wrench(&event.load));
             writeln!(out, "  at {:.9} degrees, {angle:.12} rad, that is {load}", angle.to_degrees())?;
             leave(out, &event.leaving, &event.drives)?;
             table(out, setup, &event.state)?;
             goes_on(out, &event.beyond)?;
         }
-        TurnOnset::Never => writeln!(out, "  never: everything keeps sticking up to the last angle")?,
-        TurnOnset::AlreadySliding { state } => {
+        OnsetAnswer::Never => writeln!(out, "  never: everything keeps sticking up to the last angle")?,
+        OnsetAnswer::AlreadySliding { state } => {
             writeln!(out, "  something slides already at angle 0:")?;
             table(out, setup, state)?;
         }
-        TurnOnset::NoBase(why) => writeln!(out, "  no equilibrium exists at angle 0: {}", proof(why))?,
-        TurnOnset::GivesWay { angle, reason } => {
-            writeln!(
-                out,
-                "  nothing slides, but from {angle:.12} rad on nothing resists: {}",
-                proof(reason)
-            )?;
+        OnsetAnswer::NoBase(none) => {
+            writeln!(out, "  no equilibrium exists at angle 0: {}", proof(&none.proof))?;
+        }
+        OnsetAnswer::GivesWay { at, reason } => {
+            let (angle, why) = (at.angle, proof(&reason.proof));
+            writeln!(out, "  nothing slides, but from {angle:.12} rad on nothing resists: {why}")?;
         }
         other => writeln!(out, "  {other:?}")?,
     }
     for touch in &answer.touches {
         let who = match &touch.of {
-            EdgeOf::Contact(place) => place.label(),
-            EdgeOf::Drive(part) => part.label(),
+            EdgeOf::Contact(contact) => contact.text(),
+            EdgeOf::Drive(part) => part.text(),
             other => format!("{other:?}"),
         };
         writeln!(out, "  {who} touches its edge at {:.9} degrees", touch.angle.to_degrees())?;
@@ -131,24 +128,23 @@ fn slides_turned<const C: usize>(
 fn leave<const C: usize>(
     out: &mut dyn Write,
     leaving: &[Leaving<C>],
-    drives: &[DriveTurn],
+    drives: &[PartChange],
 ) -> io::Result<()> {
-    for Leaving { place, how, .. } in leaving {
+    for Leaving { contact, how, .. } in leaving {
         match how {
             Departure::Slides { direction } => {
                 writeln!(
                     out,
                     "  {} slides over the object along {}",
-                    place.label(),
+                    contact.text(),
                     row(direction.as_slice())
                 )?;
             }
-            Departure::Opens => writeln!(out, "  {} opens", place.label())?,
-            other => writeln!(out, "  {} {other:?}", place.label())?,
+            Departure::Opens => writeln!(out, "  {} opens", contact.text())?,
         }
     }
-    for DriveTurn { part, what, .. } in drives {
-        writeln!(out, "  {} {}", part.label(), what)?;
+    for PartChange { part, what, .. } in drives {
+        writeln!(out, "  {} {}", part.text(), what)?;
     }
     Ok(())
 }
@@ -156,8 +152,8 @@ fn leave<const C: usize>(
 /// What comes after an onset.
 fn goes_on<const C: usize>(out: &mut dyn Write, next: &Beyond<C>) -> io::Result<()> {
     match next {
-        Beyond::Continues { states, .. } => {
-            let sliding = states.iter().filter(|s| matches!(s, Doing::Sliding { .. })).count();
+        Beyond::Continues(next) => {
+            let sliding = next.states.iter().filter(|s| matches!(s, ContactState::Sliding { .. })).count();
             writeln!(out, "  beyond: the grasp holds on, points that slide: {sliding}")?;
         }
         other => beyond(out, other)?,
@@ -169,38 +165,37 @@ fn followed<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, path: &PathAn
     for event in &path.events {
         for change in &event.changes {
             let what = match &change.what {
-                Turn::Slides { direction } => format!("slides along {}", row(direction.as_slice())),
-                Turn::Sticks => "sticks".to_owned(),
-                Turn::Reverses { direction } => format!("slides back along {}", row(direction.as_slice())),
-                Turn::Turns { direction } => format!("turns to {}", row(direction.as_slice())),
-                Turn::Opens => "opens".to_owned(),
-                Turn::Closes => "closes".to_owned(),
-                Turn::ClosesSliding { direction } => {
+                Change::Slides { direction } => format!("slides along {}", row(direction.as_slice())),
+                Change::Sticks => "sticks".to_owned(),
+                Change::Reverses { direction } => format!("slides back along {}", row(direction.as_slice())),
+                Change::Turns { direction } => format!("turns to {}", row(direction.as_slice())),
+                Change::Opens => "opens".to_owned(),
+                Change::Closes => "closes".to_owned(),
+                Change::ClosesSliding { direction } => {
                     format!("closes, sliding along {}", row(direction.as_slice()))
                 }
-                other => format!("{other:?}"),
             };
             let at = format!("leg {} at {:.9}", event.leg, event.fraction);
-            writeln!(out, "  {at}, {}: {} {what}", wrench(&event.load), change.place.label())?;
+            writeln!(out, "  {at}, {}: {} {what}", wrench(&event.load), change.contact.text())?;
         }
-        for DriveTurn { part, what, .. } in &event.drives {
+        for PartChange { part, what, .. } in &event.drives {
             let at = format!("leg {} at {:.9}", event.leg, event.fraction);
-            writeln!(out, "  {at}, {}: {} {}", wrench(&event.load), part.label(), what)?;
+            writeln!(out, "  {at}, {}: {} {}", wrench(&event.load), part.text(), what)?;
         }
     }
     match &path.end {
-        PathEnd::Completed { state: Some(state) } => {
+        PathOutcome::Completed { state: Some(state) } => {
             writeln!(out, "  all legs are held to their end:")?;
             table(out, setup, state)?;
         }
-        PathEnd::Completed { state: None } => writeln!(out, "  all legs are held to their end")?,
-        PathEnd::Lost { loss, beyond: next } => {
+        PathOutcome::Completed { state: None } => writeln!(out, "  all legs are held to their end")?,
+        PathOutcome::Lost { loss, beyond: next } => {
             let how = loss.kind;
             let at = format!("{:.9} of leg {}", loss.fraction, loss.leg);
             writeln!(out, "  this equilibrium ends at {at}, {}: {how}", wrench(&loss.load))?;
             beyond(out, next)?;
         }
-        PathEnd::NoStart { start } => {
+        PathOutcome::NoStart { start } => {
             writeln!(out, "  there is nothing to start from:")?;
             solved(out, setup, start)?;
         }
@@ -213,7 +208,8 @@ fn followed<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, path: &PathAn
 fn table<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, state: &Equilibrium<C>) -> io::Result<()> {
     writeln!(out, "  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)")?;
     for (index, entry) in setup.entries().enumerate() {
-        let points: Vec<&Touch<C>> = state.contacts.iter().filter(|c| c.place.contact == index).collect();
+        let points: Vec<&ContactAnswer<C>> =
+            state.contacts.iter().filter(|c| c.contact.index == index).collect();
         let sum = |axis: usize| points.iter().map(|c| c.force[axis]).sum::<f64>();
         let tangential = (1..C).map(sum).fold(0.0, f64::hypot);
         let margin = points.iter().map(|c| c.margin).fold(f64::INFINITY, f64::min);
@@ -221,15 +217,14 @@ fn table<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, state: &Equilibr
         writeln!(out, "  {label:24} {:12.6} {tangential:12.6} {margin:12.6}  {}", sum(0), doing(&points))?;
     }
     for joint in &state.joints {
-        let (label, torque, margin) = (joint.part.label(), joint.torque, joint.margin);
+        let (label, torque, margin) = (joint.joint.text(), joint.torque, joint.margin);
         writeln!(out, "  {label:24} torque  {torque:12.6}{}{}", left(margin), gives_way(joint.state))?;
     }
     for tendon in &state.tendons {
-        let (label, tension, margin) = (tendon.part.label(), tendon.tension, tendon.margin);
+        let (label, tension, margin) = (tendon.tendon.text(), tendon.tension, tendon.margin);
         writeln!(out, "  {label:24} tension {tension:12.6}{}{}", left(margin), gives_way(tendon.state))?;
     }
-    let r = &state.residuals;
-    let worst = [r.equilibrium, r.springs, r.cone, r.gap, r.complementarity].into_iter().fold(0.0, f64::max);
+    let worst = state.residuals.worst();
     writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.components()))?;
     Ok(())
 }
@@ -239,7 +234,9 @@ fn beyond<const C: usize>(out: &mut dyn Write, beyond: &Beyond<C>) -> io::Result
     match beyond {
         Beyond::LimitLoad => writeln!(out, "  beyond: no equilibrium; it is the limit load")?,
         Beyond::Snap => writeln!(out, "  beyond: another equilibrium; the grasp snaps over or is lost")?,
-        Beyond::Ends { reason } => writeln!(out, "  beyond: this equilibrium ends: {}", proof(reason))?,
+        Beyond::Ends { reason } => {
+            writeln!(out, "  beyond: this equilibrium ends: {}", proof(&reason.proof))?;
+        }
         other => writeln!(out, "  beyond: {other:?}")?,
     }
     Ok(())

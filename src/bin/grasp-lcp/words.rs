@@ -1,9 +1,8 @@
 //! Words for what a scene's answers say.
 
-use grasp_lcp::equilibrium::DriveState;
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, DriveState, Proof};
 use grasp_lcp::grasp::Motion;
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Doing, Proof, Touch};
 
 /// What is left of a limit, if there is one.
 pub(crate) fn left(margin: f64) -> String {
@@ -24,13 +23,13 @@ fn motion<const C: usize>(motion: &Motion<C>) -> String {
     if motion.joints.is_empty() { object } else { format!("{object}, joints {}", row(&motion.joints)) }
 }
 
-pub(crate) fn doing<const C: usize>(points: &[&Touch<C>]) -> String {
+pub(crate) fn doing<const C: usize>(points: &[&ContactAnswer<C>]) -> String {
     let words = ["sticking", "sliding", "open", "smooth"];
-    let which = |c: &&&Touch<C>| match c.doing {
-        Doing::Sticking => 0,
-        Doing::Sliding { .. } => 1,
-        Doing::Separated => 2,
-        _ => 3,
+    let which = |c: &&&ContactAnswer<C>| match c.state {
+        ContactState::Sticking => 0,
+        ContactState::Sliding { .. } => 1,
+        ContactState::Separated => 2,
+        ContactState::Frictionless => 3,
     };
     let parts = words.iter().enumerate().filter_map(|(k, word)| {
         let count = points.iter().filter(|c| which(c) == k).count();

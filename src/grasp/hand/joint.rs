@@ -1,5 +1,7 @@
 //! One joint of a finger.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use crate::grasp::well_posed::{length_or_culprit, unit};
@@ -50,7 +52,7 @@ impl Limit {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint<const C: usize> {
-    pub(crate) name: Option<String>,
+    pub(crate) name: Option<Arc<str>>,
     pub(crate) motion: JointMotion<C>,
     pub(crate) stiffness: f64,
     pub(crate) command: f64,
@@ -92,7 +94,7 @@ impl<const C: usize> Joint<C> {
     /// A name for messages and tables.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into());
+        self.name = Some(name.into().into());
         self
     }
 

@@ -1,5 +1,8 @@
 //! What a grasp knows of the hand that holds it.
 
+use std::fmt;
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::drive::{Drive, Owner};
@@ -29,10 +32,10 @@ pub(crate) struct Linkage<D: Size, const C: usize> {
     pub(crate) commands: Vec<f64>,
 }
 
-/// A joint or a tendon as answers name it.
+/// What answers need to know of a joint or a tendon.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
-    pub(crate) name: Option<String>,
+    pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
     /// The torque or tension that acts whatever it does.
     pub(crate) held: f64,
@@ -48,6 +51,37 @@ pub enum HandPart {
     Joint(usize),
     /// A tendon, from 0.
     Tendon(usize),
+}
+
+impl fmt::Display for HandPart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Joint(joint) => write!(f, "joint {joint}"),
+            Self::Tendon(tendon) => write!(f, "tendon {tendon}"),
+        }
+    }
+}
+
+/// A joint or a tendon as answers name it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct PartLabel {
+    /// Which: joints are counted from 0 finger by finger, a finger that presses with a force counts as one. Written as `"joint": 3`.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub part: HandPart,
+    /// The user's name for it; not written if it has none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub name: Option<Arc<str>>,
+}
+
+impl PartLabel {
+    /// How messages and pictures call it: its name, or what it is and its number.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.name.as_deref().map_or_else(|| self.part.to_string(), str::to_owned)
+    }
 }
 
 impl<D: Size, const C: usize> Linkage<D, C> {
@@ -75,13 +109,13 @@ impl<D: Size, const C: usize> Linkage<D, C> {
         linkage
     }
 
-    /// How a drive's owner reads in messages and pictures: its name, or what it is and its number.
-    pub(crate) fn label(&self, part: HandPart) -> String {
-        let (list, kind, number) = match part {
-            HandPart::Joint(joint) => (&self.joints, "joint", joint),
-            HandPart::Tendon(tendon) => (&self.tendons, "tendon", tendon),
+    /// A joint or a tendon with its name.
+    pub(crate) fn label(&self, part: HandPart) -> PartLabel {
+        let named = match part {
+            HandPart::Joint(joint) => &self.joints[joint],
+            HandPart::Tendon(tendon) => &self.tendons[tendon],
         };
-        list[number].name.clone().unwrap_or_else(|| format!("{kind} {number}"))
+        PartLabel { part, name: named.name.clone() }
     }
 
     /// The drives of a joint or, behind the joints, of a tendon.

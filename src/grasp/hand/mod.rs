@@ -36,6 +36,6 @@ pub use hand_builder::Hand;
 #[cfg(feature = "serde")]
 pub(crate) use joint::JointMotion;
 pub use joint::{Joint, Limit};
-pub use linkage::HandPart;
+pub use linkage::{HandPart, PartLabel};
 pub(crate) use linkage::{Linkage, Named};
 pub use tendon::Tendon;

@@ -1,5 +1,7 @@
 //! A tendon, a linkage or a differential over several joints.
 
+use std::sync::Arc;
+
 use super::joint::Limit;
 
 /// A tendon over joints of a hand, with the spring and the pull of its motor. It pulls and never pushes, unless said otherwise.
@@ -8,7 +10,7 @@ use super::joint::Limit;
 /// and no stiffness it is a differential: equal to what the motor pulls with, whatever the joints do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tendon {
-    pub(crate) name: Option<String>,
+    pub(crate) name: Option<Arc<str>>,
     pub(crate) arms: Vec<f64>,
     pub(crate) stiffness: f64,
     pub(crate) pull: f64,
@@ -28,7 +30,7 @@ impl Tendon {
     /// A name for messages and tables.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into());
+        self.name = Some(name.into().into());
         self
     }
 

@@ -212,7 +212,7 @@ fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     let solved = start.elapsed().as_secs_f64();
     let words = match beyond {
         Some(Beyond::LimitLoad) => "a limit load",
-        Some(Beyond::Ends(_)) => "the rates are proved to have no solution",
+        Some(Beyond::Ends { .. }) => "the rates are proved to have no solution",
         _ => "not known",
     };
     let time = |from: f64, to: f64| format!("{:.1} ms", 1e3 * (to - from));

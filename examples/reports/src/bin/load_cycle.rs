@@ -31,11 +31,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("  no.  leg  fraction of the leg     load (N)   what happens");
     let mut happens = Vec::new();
     for event in path.by_ref() {
-        let what: Vec<String> = event
-            .changes
-            .iter()
-            .map(|(i, change)| format!("{} {}", grasp.contacts()[*i].label_text(*i), word(change)))
-            .collect();
+        let told =
+            event.changes.iter().map(|change| format!("{} {}", change.contact.text(), word(&change.what)));
+        let what: Vec<String> = told.collect();
         println!(
             "  {:3}  {:3}  {:.15}  {:11.6}   {}",
             happens.len() + 1,
@@ -44,7 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             event.load.to_vector()[0],
             what.join(", ")
         );
-        let pairs = event.changes.iter().map(|(i, _)| i / 2).collect();
+        let pairs = event.changes.iter().map(|change| change.contact.index / 2).collect();
         happens.push(Happens { leg: event.leg, fraction: event.fraction, pairs });
     }
     match path.end() {

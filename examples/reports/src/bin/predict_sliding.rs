@@ -61,7 +61,7 @@ fn main() -> Result<(), Failure> {
         );
     }
     for leaving in &event.leaving {
-        let name = grasp.contacts()[leaving.contact].label_text(leaving.contact);
+        let name = leaving.contact.text();
         match leaving.how {
             Departure::Slides { direction } => {
                 println!(

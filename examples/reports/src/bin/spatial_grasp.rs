@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let event = onset.event().ok_or("a finite onset")?;
     println!("Onset on the round cone (a quadratic equation for each contact): {:.12} N", event.factor);
     for leaving in &event.leaving {
-        let name = grasp.contacts()[leaving.contact].label_text(leaving.contact);
+        let name = leaving.contact.text();
         if let Departure::Slides { direction: d } = leaving.how {
             println!("  {name} slides over the bottle along ({:+.4}, {:+.4}, {:+.4})", d[0], d[1], d[2]);
         }

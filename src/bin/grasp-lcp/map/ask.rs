@@ -71,9 +71,9 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
         Onset::At(event) => {
             let who = event.leaving.iter().map(|leaving| {
                 let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-                format!("{} {does}", grasp.contacts()[leaving.contact].label_text(leaving.contact))
+                format!("{} {does}", leaving.contact.text())
             });
-            let drives = event.drives.iter().map(|(part, _)| format!("{} gives way", grasp.label_of(*part)));
+            let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
             let mut who: Vec<_> = who.chain(drives).collect();
             // Points of a soft fingertip leave by the dozen.
             if who.len() > MANY {

@@ -8,11 +8,11 @@ pub mod views;
 
 use std::f64::consts::{PI, TAU};
 
-use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use grasp_lcp::grasp::{Contact, Hold, Wrench};
-use grasp_lcp::load_path::{Change, Leg, Turn};
+use grasp_lcp::grasp::{Contact, HandPart, Hold, Wrench};
+use grasp_lcp::load_path::{Change, DriveChange, Event, Leg, PartChange, Turn};
+use grasp_lcp::{ContactLabel, Settings};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 
@@ -311,6 +311,21 @@ pub fn same_state<const D: usize, const C: usize>(
         prop_assert!(moved <= within * motion, "contact {i} by {moved:e}: {} against {}", brief(a), brief(b));
     }
     Ok(())
+}
+
+/// What changes at an event, by the number of the contact.
+pub fn changes<const C: usize>(event: &Event<C>) -> Vec<(usize, Change<C>)> {
+    event.changes.iter().map(|change| (change.contact.index, change.what)).collect()
+}
+
+/// What changes in the hand, by the number of the joint or the tendon.
+pub fn parts(drives: &[PartChange]) -> Vec<(HandPart, DriveChange)> {
+    drives.iter().map(|drive| (drive.part.part, drive.what)).collect()
+}
+
+/// Their numbers.
+pub fn numbers(contacts: &[ContactLabel]) -> Vec<usize> {
+    contacts.iter().map(|contact| contact.index).collect()
 }
 
 /// In which direction a contact slides from a change on.

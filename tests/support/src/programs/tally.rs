@@ -48,8 +48,8 @@ impl Tally {
     pub fn count<const C: usize>(&mut self, events: &[Event<C>], path: &LoadPath<'_, C>) {
         self.scenes += 1;
         self.events += events.len();
-        for (_, change) in events.iter().flat_map(|e| &e.changes) {
-            *match change {
+        for change in events.iter().flat_map(|e| &e.changes) {
+            *match change.what {
                 Change::Slides { .. } => &mut self.slides,
                 Change::Sticks => &mut self.sticks,
                 Change::Reverses { .. } => &mut self.reverses,

@@ -118,8 +118,8 @@ fn pad() -> Result<Panel, Failure> {
     let (slides, time) = timed(|| {
         let events = grasp.follow(&load(0.0), &legs)?.run();
         let slides = events.iter().flat_map(|e| {
-            let contacts =
-                e.changes.iter().filter(|(_, change)| self::slides(change)).map(|(contact, _)| *contact);
+            let sliding = e.changes.iter().filter(|change| self::slides(&change.what));
+            let contacts = sliding.map(|change| change.contact.index);
             contacts.map(|contact| (e.leg, e.load.to_vector()[0], contact))
         });
         Ok(slides.collect::<Vec<_>>())
