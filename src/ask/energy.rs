@@ -69,17 +69,17 @@ impl<const C: usize> Energy<'_, C> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::energy::Verdict;
+    /// use grasp_lcp::energy::ComparisonVerdict;
     ///
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let within = grasp.energy().compare(&Wrench::force([0.0, -4.0]))?;
-    /// assert_eq!(within.verdict, Verdict::Agree);
+    /// assert_eq!(within.verdict, ComparisonVerdict::Agree);
     /// // Beyond 10 N nothing holds, but the program returns numbers.
     /// let beyond = grasp.energy().compare(&Wrench::force([0.0, -11.0]))?;
-    /// assert!(matches!(beyond.verdict, Verdict::NoEquilibrium { force, .. } if force > 0.1));
+    /// assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { force, .. } if force > 0.1));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///

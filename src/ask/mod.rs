@@ -15,7 +15,7 @@ mod sensitivity;
 mod statics;
 mod workspace;
 
-pub use crate::structured::{Search, View};
+pub use crate::structured::{EquilibriumView, Search};
 pub use energy::Energy;
 pub use grasp::Grasp;
 pub use many::onset_of_each;

@@ -32,13 +32,13 @@ const NO_FRICTION: f64 = 1e-200;
 
 /// What a contact answers to a stretch.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Answer<const C: usize> {
+pub(crate) struct ContactResponse<const C: usize> {
     pub(crate) state: State<C>,
     /// N, contact frame.
     pub(crate) force: SVector<f64, C>,
 }
 
-impl<const C: usize> Answer<C> {
+impl<const C: usize> ContactResponse<C> {
     /// No force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
@@ -48,11 +48,11 @@ impl<const C: usize> Answer<C> {
 impl<const C: usize> LocalLaw<'_, C> {
     /// The force at a stretch on the round cone, or on the edge that the contact stands on. `near` is the λ of a stretch close by, or
     /// zero.
-    pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> Answer<C> {
+    pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> ContactResponse<C> {
         let mut force = self.springs.force(stretch);
-        let sticking = Answer { state: Mode::Sticking, force };
+        let sticking = ContactResponse { state: Mode::Sticking, force };
         match self.law {
-            Law::Absent => return Answer::open(),
+            Law::Absent => return ContactResponse::open(),
             Law::Bonded => return sticking,
             Law::Edge(facets) => {
                 let excess = -self.friction.facet_margin(&force, &facets[0]);
@@ -60,9 +60,9 @@ impl<const C: usize> LocalLaw<'_, C> {
                     return sticking;
                 }
                 let pull = Slide { direction: facets[0], lambda: 0.0 }.edge(self.springs).pull;
-                return Answer { state: Mode::Facet(0), force: force - pull * excess };
+                return ContactResponse { state: Mode::Facet(0), force: force - pull * excess };
             }
-            Law::Cone { gap: true } if force[0] <= 0.0 => return Answer::open(),
+            Law::Cone { gap: true } if force[0] <= 0.0 => return ContactResponse::open(),
             Law::Cone { .. } if !self.friction.has_edges() => return sticking,
             Law::Cone { .. } => {}
         }
@@ -73,7 +73,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         let lambda = slip_per_force(self.springs, &force, traction, r, near);
         let slide = self.slide_onto_the_cone(&mut force, r, lambda);
-        Answer { state: Mode::Round(slide), force }
+        ContactResponse { state: Mode::Round(slide), force }
     }
 
     /// Puts a trial force on the cone of radius r, along what the slip of λ per force leaves of its traction.

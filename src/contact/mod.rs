@@ -47,7 +47,7 @@ mod turning_exits;
 pub use polygon::{Fit, PolygonCone};
 
 pub(crate) use active_set::ActiveSet;
-pub(crate) use answer::Answer;
+pub(crate) use answer::ContactResponse;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;

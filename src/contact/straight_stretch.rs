@@ -14,7 +14,7 @@
 
 use nalgebra::SVector;
 
-use super::answer::Answer;
+use super::answer::ContactResponse;
 use super::law::LocalLaw;
 use super::relaxing_slide::RelaxingSlide;
 use super::slide::Slide;
@@ -29,13 +29,17 @@ const ALIKE: f64 = 1e-7;
 impl<const C: usize> LocalLaw<'_, C> {
     /// State and force where the stretch has gone straight from `before`, at rest and on its law there, to `stretch`. The slip until then
     /// is what the springs do not explain, [`Compliance::slip`](super::Compliance::slip). In the plane and where nothing can slide as [`Self::answer`] has it.
-    pub(crate) fn answer_after(&self, before: &SVector<f64, C>, stretch: &SVector<f64, C>) -> Answer<C> {
+    pub(crate) fn answer_after(
+        &self,
+        before: &SVector<f64, C>,
+        stretch: &SVector<f64, C>,
+    ) -> ContactResponse<C> {
         if C == 2 || !self.is_round() || self.friction.is_frictionless() {
             return self.answer(stretch, 0.0);
         }
         let [from, to] = [before, stretch].map(|v| self.springs.force(v));
         if to[0] <= 0.0 && self.may_open() {
-            return Answer::open();
+            return ContactResponse::open();
         }
         let rate = to - from;
         if from[0] <= 0.0 {
@@ -45,7 +49,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             return self.answer(&since, 0.0);
         }
         match self.stops_sticking(&from, &rate) {
-            None => Answer { state: Mode::Sticking, force: to },
+            None => ContactResponse { state: Mode::Sticking, force: to },
             Some(tau) => self.slid_on(&(from + rate * tau), &rate, 1.0 - tau),
         }
     }
@@ -71,7 +75,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// A contact that slides from a force on its cone for a part of the way.
-    fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> Answer<C> {
+    fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> ContactResponse<C> {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
         // ∫dτ/r over what is left of the way.
@@ -93,16 +97,16 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// A contact that slides along a direction in the end. Its springs across hold by this part: softened by the slip.
-    fn sliding_at(&self, normal: f64, direction: &SVector<f64, C>, r: f64, holds: f64) -> Answer<C> {
+    fn sliding_at(&self, normal: f64, direction: &SVector<f64, C>, r: f64, holds: f64) -> ContactResponse<C> {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();
             force[0] = normal;
-            return Answer { state: Mode::Sticking, force };
+            return ContactResponse { state: Mode::Sticking, force };
         }
         let lambda = self.springs.give_along(1, 1.0 / holds.clamp(ON_THE_CONE, 1.0) - 1.0);
         let slide = Slide::new(direction, lambda);
         let mut force = slide.direction * r;
         force[0] = normal;
-        Answer { state: Mode::Round(slide), force }
+        ContactResponse { state: Mode::Round(slide), force }
     }
 }

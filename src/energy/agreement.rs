@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::energy_rows::{ROUNDING, Row, most_pivots};
+use super::energy_rows::{ForceCondition, ROUNDING, most_pivots};
 use super::minimum::{MinimumEnergy, MinimumOutcome};
-use super::optimality::{Faces, Program};
+use super::optimality::{EnergyProgram, Faces};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
@@ -68,7 +68,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));
         }
-        let program = Program::new(self.on_polygons(&ramp.base, &settings.cone)?);
+        let program = EnergyProgram::new(self.on_polygons(&ramp.base, &settings.cone)?);
         if !program.stuck.resists(&direction) {
             return Ok(Agreement::Unbounded);
         }
@@ -78,7 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
 /// The program along a ramp.
 struct Line<'g, D: Size, const C: usize> {
-    program: Program<'g, D, C>,
+    program: EnergyProgram<'g, D, C>,
     change: Vec<SVector<f64, C>>,
     direction: Vector<D>,
 }
@@ -120,7 +120,7 @@ impl<D: Size, const C: usize> Line<'_, D, C> {
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);
-        let binds = |(r, other): &(usize, &Row<D, C>)| {
+        let binds = |(r, other): &(usize, &ForceCondition<D, C>)| {
             let (value, rate) = (other.value(&forces), other.value(&rates));
             *r == row || (rate < 0.0 && (value + factor * rate).abs() <= ROUNDING * size * other.weight)
         };

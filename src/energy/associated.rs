@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, values};
+use super::energy_rows::{ForceCondition, ROUNDING, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
@@ -150,7 +150,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 struct AssociatedLaw<'g, D: Size, const C: usize> {
     problem: Problem<'g, D, C>,
     stuck: Piece<D, C>,
-    rows: Vec<Row<D, C>>,
+    rows: Vec<ForceCondition<D, C>>,
 }
 
 impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {

@@ -27,7 +27,7 @@ pub struct Comparison<const C: usize> {
     /// How far they are apart, where both have one.
     pub difference: Option<Difference>,
     /// What to make of it.
-    pub verdict: Verdict,
+    pub verdict: ComparisonVerdict,
 }
 
 /// The largest differences between an equilibrium and a minimum of energy, none negative.
@@ -62,7 +62,7 @@ impl Difference {
 /// What the comparison says of the quadratic program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Verdict {
+pub enum ComparisonVerdict {
     /// Both give the same equilibrium; so it is called, too, where the minimum is one and complementarity found none.
     Agree,
     /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements: with friction
@@ -101,7 +101,7 @@ impl Difference {
     }
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for ComparisonVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let miss = |f: &mut fmt::Formatter<'_>, force: &f64, moment: &f64| {
             write!(f, "out of equilibrium by {force:.6} N, {moment:.6} N m")
@@ -158,18 +158,18 @@ impl<D: Size, const C: usize> Engine<D, C> {
             .zip(minimum.minimum())
             .map(|(equilibrium, minimum)| self.difference(equilibrium, minimum));
         let verdict = match (&minimum, &equilibrium) {
-            (MinimumOutcome::Unsolved, _) => Verdict::Unsolved,
-            (MinimumOutcome::NoMinimum | MinimumOutcome::Unbounded { .. }, _) => Verdict::NoMinimum,
+            (MinimumOutcome::Unsolved, _) => ComparisonVerdict::Unsolved,
+            (MinimumOutcome::NoMinimum | MinimumOutcome::Unbounded { .. }, _) => ComparisonVerdict::NoMinimum,
             (MinimumOutcome::Minimum(m), _) if m.is_equilibrium() => match &difference {
-                Some(d) if d.differ() => Verdict::TwoEquilibria,
-                _ => Verdict::Agree,
+                Some(d) if d.differ() => ComparisonVerdict::TwoEquilibria,
+                _ => ComparisonVerdict::Agree,
             },
             (MinimumOutcome::Minimum(m), answer) => {
                 let (force, moment) = m.out_of_balance();
                 match answer {
-                    Outcome::Equilibrium(_) => Verdict::OutOfEquilibrium { force, moment },
-                    Outcome::NoEquilibrium(_) => Verdict::NoEquilibrium { force, moment },
-                    Outcome::Undecided(_) => Verdict::Unknown { force, moment },
+                    Outcome::Equilibrium(_) => ComparisonVerdict::OutOfEquilibrium { force, moment },
+                    Outcome::NoEquilibrium(_) => ComparisonVerdict::NoEquilibrium { force, moment },
+                    Outcome::Undecided(_) => ComparisonVerdict::Unknown { force, moment },
                 }
             }
         };

@@ -24,7 +24,7 @@ const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
-pub(super) struct Row<D: Size, const C: usize> {
+pub(super) struct ForceCondition<D: Size, const C: usize> {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
@@ -40,7 +40,7 @@ pub(super) struct Row<D: Size, const C: usize> {
     pub(super) seen: Vector<D>,
 }
 
-impl<D: Size, const C: usize> Row<D, C> {
+impl<D: Size, const C: usize> ForceCondition<D, C> {
     fn new(
         (contact, local): (usize, &LocalLaw<'_, C>),
         facet: Option<usize>,
@@ -99,11 +99,11 @@ pub(super) fn rows<D: Size, const C: usize>(
     stuck: &Piece<D, C>,
     presses: impl Fn(&LocalLaw<'_, C>) -> bool,
     with_facets: bool,
-) -> Vec<Row<D, C>> {
+) -> Vec<ForceCondition<D, C>> {
     let mut rows = Vec::new();
     for (i, local) in problem.locals().enumerate() {
         let seen = stuck.seen(i);
-        let mut push = |facet, law| rows.push(Row::new((i, &local), facet, law, &seen));
+        let mut push = |facet, law| rows.push(ForceCondition::new((i, &local), facet, law, &seen));
         if presses(&local) {
             push(None, unit(0));
         }
@@ -116,7 +116,7 @@ pub(super) fn rows<D: Size, const C: usize>(
 
 /// `n·x` of every row.
 pub(super) fn values<'r, D: Size, const C: usize>(
-    rows: impl IntoIterator<Item = &'r Row<D, C>>,
+    rows: impl IntoIterator<Item = &'r ForceCondition<D, C>>,
     forces: &[SVector<f64, C>],
 ) -> DVector<f64> {
     DVector::from_vec(rows.into_iter().map(|row| row.value(forces) / row.length).collect())

@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::optimality::{Faces, Failure, Point, Program};
+use super::optimality::{EnergyProgram, Faces, NotOptimal, ProgramPoint};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
@@ -126,7 +126,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
         settings: &Settings,
     ) -> Result<MinimumOutcome<C>, Error> {
-        let program = Program::new(self.on_polygons(load, &settings.cone)?);
+        let program = EnergyProgram::new(self.on_polygons(load, &settings.cone)?);
         let problem = &program.problem;
         let stuck = match program.stuck.solve(problem.sites, &problem.drives, problem.load()) {
             Ok(stuck) => stuck,
@@ -145,8 +145,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if point.is_none() {
             let (faces, made, near) = match program.faces(&stuck, settings) {
                 Ok(found) => found,
-                Err(Failure::NoMinimum) => return Ok(MinimumOutcome::NoMinimum),
-                Err(Failure::Unsolved) => return Ok(MinimumOutcome::Unsolved),
+                Err(NotOptimal::NoMinimum) => return Ok(MinimumOutcome::NoMinimum),
+                Err(NotOptimal::Unsolved) => return Ok(MinimumOutcome::Unsolved),
             };
             pivots = made;
             point = program.on_faces(&faces, &stuck, &near).filter(|point| program.holds(point, &faces));
@@ -158,8 +158,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn write_out(
         &self,
         load: &Wrench<C>,
-        program: &Program<D, C>,
-        point: &Point<D, C>,
+        program: &EnergyProgram<D, C>,
+        point: &ProgramPoint<D, C>,
         pivots: usize,
     ) -> MinimumEnergy<C> {
         let most = program.problem.largest_force(&point.forces, &point.twist);

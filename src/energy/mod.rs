@@ -50,7 +50,7 @@ mod three_laws;
 
 pub use agreement::Agreement;
 pub use associated::{AssociatedContact, AssociatedOutcome, AssociatedState};
-pub use comparison::{Comparison, Difference, Verdict};
+pub use comparison::{Comparison, ComparisonVerdict, Difference};
 pub use minimum::{Binding, MinimumContact, MinimumEnergy, MinimumOutcome};
 pub use printed::{Displacements, Equality, Inequality, PrintedQp};
 pub use program::{QpMinimum, QpOutcome, QuadraticProgram};

@@ -25,18 +25,18 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use super::energy_rows::{ROUNDING, Row, axis_springs, by_pivots, dense, rows, values};
+use super::energy_rows::{ForceCondition, ROUNDING, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 
 /// Gaps that may open, rows that may bind, and the springs when all of them hold.
-pub(super) struct Program<'g, D: Size, const C: usize> {
+pub(super) struct EnergyProgram<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
     pub(super) stuck: Piece<D, C>,
-    pub(super) gaps: Vec<Row<D, C>>,
-    pub(super) friction: Vec<Row<D, C>>,
+    pub(super) gaps: Vec<ForceCondition<D, C>>,
+    pub(super) friction: Vec<ForceCondition<D, C>>,
 }
 
 /// Which gaps are open and which friction rows bind.
@@ -48,7 +48,7 @@ pub(super) struct Faces {
 
 /// A point of the program.
 #[derive(Debug, Clone)]
-pub(super) struct Point<D: Size, const C: usize> {
+pub(super) struct ProgramPoint<D: Size, const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) twist: Vector<D>,
     pub(super) gaps: Vec<f64>,
@@ -57,12 +57,12 @@ pub(super) struct Point<D: Size, const C: usize> {
     pub(super) free: Vec<Vector<D>>,
 }
 
-pub(super) enum Failure {
+pub(super) enum NotOptimal {
     NoMinimum,
     Unsolved,
 }
 
-impl<'g, D: Size, const C: usize> Program<'g, D, C> {
+impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     pub(super) fn new(problem: Problem<'g, D, C>) -> Self {
         let stuck = axis_springs(problem.sites, |_, _| true);
         Self {
@@ -73,7 +73,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &Row<D, C>> {
+    fn rows(&self) -> impl Iterator<Item = &ForceCondition<D, C>> {
         self.gaps.iter().chain(&self.friction)
     }
 
@@ -98,8 +98,8 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
         &self,
         stuck: &PieceState<D, C>,
         settings: &Settings,
-    ) -> Result<(Faces, usize, Vector<D>), Failure> {
-        let matrix = self.matrix().ok_or(Failure::Unsolved)?;
+    ) -> Result<(Faces, usize, Vector<D>), NotOptimal> {
+        let matrix = self.matrix().ok_or(NotOptimal::Unsolved)?;
         match by_pivots(matrix, self.vector(&stuck.forces), settings) {
             Some(Outcome::Solved(solution)) => {
                 let mut travelled = Vector::zeros();
@@ -109,8 +109,8 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
                 let near = &stuck.twist + self.stuck.motion(&travelled);
                 Ok((self.faces_of(&solution.basis), solution.pivots, near))
             }
-            Some(outcome) if outcome.is_infeasible() => Err(Failure::NoMinimum),
-            _ => Err(Failure::Unsolved),
+            Some(outcome) if outcome.is_infeasible() => Err(NotOptimal::NoMinimum),
+            _ => Err(NotOptimal::Unsolved),
         }
     }
 
@@ -131,8 +131,8 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
     }
 
     /// The point at which everything sticks.
-    pub(super) fn sticking(&self, stuck: &PieceState<D, C>) -> Point<D, C> {
-        Point {
+    pub(super) fn sticking(&self, stuck: &PieceState<D, C>) -> ProgramPoint<D, C> {
+        ProgramPoint {
             forces: stuck.forces.clone(),
             twist: stuck.twist.clone(),
             gaps: vec![0.0; self.problem.len()],
@@ -148,7 +148,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
         faces: &Faces,
         stuck: &PieceState<D, C>,
         near: &Vector<D>,
-    ) -> Option<Point<D, C>> {
+    ) -> Option<ProgramPoint<D, C>> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
         let (springs, PieceState { mut forces, mut twist }) = match &opened {
@@ -174,7 +174,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
             gaps = gaps_at(&twist);
         }
         let finite = forces.iter().flatten().all(|x| x.is_finite());
-        finite.then_some(Point { forces, twist, gaps, multipliers, free })
+        finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
     /// Puts the binding rows on their edges, with the forces that balance without them. Returns the motion that this takes,
@@ -248,7 +248,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
     }
 
     /// Whether a point satisfies every condition of the minimum up to rounding.
-    pub(super) fn holds(&self, point: &Point<D, C>, faces: &Faces) -> bool {
+    pub(super) fn holds(&self, point: &ProgramPoint<D, C>, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
         // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
@@ -260,7 +260,7 @@ impl<'g, D: Size, const C: usize> Program<'g, D, C> {
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
         let held = self.held_from_outside(&point.multipliers);
-        let gap_holds = |row: &Row<D, C>| {
+        let gap_holds = |row: &ForceCondition<D, C>| {
             let i = row.contact;
             let (push, held) = (point.forces[i][0], held[i][0]);
             let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);

@@ -13,7 +13,7 @@ use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
 use crate::numerics::{Fixed, Vector};
 use crate::object::Problem;
-use crate::proofs::{ESCAPE, Step, check};
+use crate::proofs::{ESCAPE, ProofStep, check};
 use crate::search::{Settings, refute};
 
 type Rational = BigRational;
@@ -205,14 +205,14 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         for step in &steps {
             let labels = open.pop().expect("a case for every step");
             match step {
-                Step::Divided { contact, halves } => {
+                ProofStep::Divided { contact, halves } => {
                     for half in halves {
                         let mut labels = labels.clone();
                         labels[*contact] = *half;
                         open.push(labels);
                     }
                 }
-                Step::Contradicted { motion, forces } => {
+                ProofStep::Contradicted { motion, forces } => {
                     leaves += 1;
                     assert!(
                         is_contradicted(&problem, &contacts, &labels, (motion, forces), &data),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
-use crate::proofs::{self, Step};
+use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
 
 /// A proof that no equilibrium exists on the round cone, to be kept and to be checked.
@@ -18,7 +18,7 @@ use crate::search::{self, Settings};
 /// every contact, and that no case is left out; it knows nothing of how the proof was found.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
-    /// A list of [`Step`]s in as many coordinates as the grasp has.
+    /// A list of [`ProofStep`]s in as many coordinates as the grasp has.
     steps: Arc<dyn Any + Send + Sync>,
     cases: usize,
     axes: PhantomData<[(); C]>,
@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<Option<f64>, Error> {
         let problem = self.problem_under(load, &Settings::default())?;
         // Steps in another number of coordinates are about another grasp.
-        let steps = proof.steps().downcast_ref::<Vec<Step<D, C>>>();
+        let steps = proof.steps().downcast_ref::<Vec<ProofStep<D, C>>>();
         Ok(steps.and_then(|steps| proofs::check(&problem, steps)))
     }
 }

@@ -51,13 +51,13 @@ impl<const C: usize> Facets<C> {
 /// A frictional contact problem with a polygon in place of each cone, see [`FrictionProblem::facets`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Polygon<const C: usize> {
+pub struct FacetedProblem<const C: usize> {
     /// The complementarity problem. Its unknowns are, contact by contact, r_N, one force along each facet, and the speed of the slip.
     pub lcp: Lcp,
     facets: Facets<C>,
 }
 
-impl<const C: usize> Polygon<C> {
+impl<const C: usize> FacetedProblem<C> {
     /// The entries of r_N, or of u_N, in a vector of the complementarity problem.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         DVector::from_fn(self.facets.0.len(), |i, _| z[self.facets.width() * i])
@@ -91,11 +91,11 @@ impl<const C: usize> FrictionProblem<C> {
     /// # Errors
     ///
     /// [`LcpError::MatrixEntry`] if a sum of entries of W leaves the range of double precision.
-    pub fn facets(&self, facets: usize) -> Result<Polygon<C>, LcpError> {
+    pub fn facets(&self, facets: usize) -> Result<FacetedProblem<C>, LcpError> {
         self.polygon(Facets::regular(facets.clamp(3, MOST_FACETS), &vec![0.0; self.len()]))
     }
 
-    pub(super) fn polygon(&self, facets: Facets<C>) -> Result<Polygon<C>, LcpError> {
+    pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {
         let (n, width) = (self.len(), facets.width());
         // Columns of the forces that one unknown makes, rows of the velocities that one slack sees.
         let mut span = DMatrix::zeros(C * n, width * n);
@@ -115,6 +115,6 @@ impl<const C: usize> FrictionProblem<C> {
                 m[(slip, force)] = -1.0;
             }
         }
-        Ok(Polygon { lcp: Lcp::new(m, q)?, facets })
+        Ok(FacetedProblem { lcp: Lcp::new(m, q)?, facets })
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::{DVector, SVector};
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum ContactState {
+pub enum ContactMode {
     /// It carries no force.
     Open,
     /// It does not move.
@@ -125,14 +125,14 @@ impl<const C: usize> FrictionProblem<C> {
         velocity: &SVector<f64, C>,
         mu: f64,
         rho: f64,
-    ) -> ContactState {
+    ) -> ContactMode {
         let tried = force - velocity * rho;
         if tried[0] <= 0.0 {
-            ContactState::Open
+            ContactMode::Open
         } else if tangent(&tried).norm() <= mu * tried[0] && mu > 0.0 {
-            ContactState::Sticking
+            ContactMode::Sticking
         } else {
-            ContactState::Sliding
+            ContactMode::Sliding
         }
     }
 }

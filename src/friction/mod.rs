@@ -28,7 +28,7 @@
 //! sliding contacts lift off; it is in here.
 //!
 //! ```
-//! use grasp_lcp::friction::{ContactState, SpatialContacts};
+//! use grasp_lcp::friction::{ContactMode, SpatialContacts};
 //! use nalgebra::{DMatrix, DVector};
 //!
 //! // A block on the floor is pushed sideways, harder than friction holds: W is the identity over its mass.
@@ -40,7 +40,7 @@
 //! )?;
 //! let outcome = problem.solve();
 //! let solution = outcome.solution().expect("the floor carries it");
-//! assert_eq!(solution.states, [ContactState::Sliding]);
+//! assert_eq!(solution.states, [ContactMode::Sliding]);
 //! let normal = 9.81 * mass;
 //! assert!((solution.r[0] - normal).abs() < 1e-12);
 //! assert!((solution.r[1] + 0.3 * normal * 0.6).abs() < 1e-12);
@@ -74,8 +74,8 @@ mod solution;
 mod solve;
 
 pub use error::Error;
-pub use facets::Polygon;
-pub use law::{ContactState, Residuals};
+pub use facets::FacetedProblem;
+pub use law::{ContactMode, Residuals};
 pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
 pub use settings::Settings;
 pub use solution::Solution;

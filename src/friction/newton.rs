@@ -8,7 +8,7 @@
 //! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
 //! ```
 
-use super::law::{ContactState, tangent};
+use super::law::{ContactMode, tangent};
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -80,11 +80,11 @@ impl<'a, const C: usize> Newton<'a, C> {
     }
 
     /// What each contact does under these forces.
-    pub(super) fn states(&self, r: &DVector<f64>, u: &DVector<f64>) -> Vec<ContactState> {
+    pub(super) fn states(&self, r: &DVector<f64>, u: &DVector<f64>) -> Vec<ContactMode> {
         (0..self.problem.len()).map(|i| self.state(i, &part(r, i), &part(u, i))).collect()
     }
 
-    fn state(&self, i: usize, force: &SVector<f64, C>, velocity: &SVector<f64, C>) -> ContactState {
+    fn state(&self, i: usize, force: &SVector<f64, C>, velocity: &SVector<f64, C>) -> ContactMode {
         FrictionProblem::state(force, velocity, self.problem.mu[i], self.rho[i])
     }
 
@@ -114,9 +114,9 @@ impl<'a, const C: usize> Newton<'a, C> {
     ) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
         let tried = force - velocity * self.rho[i];
         match self.state(i, force, velocity) {
-            ContactState::Open => (SVector::zeros(), SMatrix::zeros()),
-            ContactState::Sticking => (tried, SMatrix::identity()),
-            ContactState::Sliding => {
+            ContactMode::Open => (SVector::zeros(), SMatrix::zeros()),
+            ContactMode::Sticking => (tried, SMatrix::identity()),
+            ContactMode::Sliding => {
                 let (mu, slip) = (self.problem.mu[i], tangent(&tried));
                 let length = slip.norm();
                 let mut change = SMatrix::zeros();

@@ -1,6 +1,6 @@
 //! A solution.
 
-use super::law::{ContactState, Residuals};
+use super::law::{ContactMode, Residuals};
 use nalgebra::DVector;
 use std::fmt;
 
@@ -16,7 +16,7 @@ pub struct Solution {
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
     /// What each contact does (n entries). Where a contact is on the verge of two states, rounding says which is named.
-    pub states: Vec<ContactState>,
+    pub states: Vec<ContactMode>,
     /// How far the law is missed, recomputed from the data given.
     pub residuals: Residuals,
     /// Pivots of Lemke's method.
@@ -29,7 +29,7 @@ impl fmt::Display for Solution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let count = |state| self.states.iter().filter(|s| **s == state).count();
         let [open, sticking, sliding] =
-            [ContactState::Open, ContactState::Sticking, ContactState::Sliding].map(count);
+            [ContactMode::Open, ContactMode::Sticking, ContactMode::Sliding].map(count);
         write!(
             f,
             "{open} open, {sticking} sticking, {sliding} sliding, residuals up to {:.1e}",

@@ -1,7 +1,7 @@
 //! From the polygon to the round cone.
 
-use super::facets::{Facets, Polygon};
-use super::law::{ContactState, tangent};
+use super::facets::{FacetedProblem, Facets};
+use super::law::{ContactMode, tangent};
 use super::newton::Newton;
 use super::problem::{FrictionProblem, part};
 use super::settings::{MOST_FACETS, Settings};
@@ -128,7 +128,7 @@ impl<const C: usize> Attempt<'_, C> {
     fn settled(&self, mut r: DVector<f64>) -> Option<Solution> {
         let states = self.newton.states(&r, &self.problem.velocities(&r));
         // What is left on an open contact is noise.
-        for (i, _) in states.iter().enumerate().filter(|(_, state)| **state == ContactState::Open) {
+        for (i, _) in states.iter().enumerate().filter(|(_, state)| **state == ContactMode::Open) {
             r.fixed_rows_mut::<C>(C * i).fill(0.0);
         }
         let residuals = self.problem.residuals(&r);
@@ -177,7 +177,7 @@ impl<const C: usize> Attempt<'_, C> {
 }
 
 /// An outcome whose certificate weighs contacts, not the rows of the polygon's problem.
-fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &Polygon<C>) -> Outcome<Solution> {
+fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);
     match outcome {

@@ -5,7 +5,7 @@
 
 use super::certificate;
 use super::dictionary::Unknown;
-use super::lemke::End;
+use super::lemke::LemkeEnd;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
@@ -62,13 +62,13 @@ impl Workspace {
         let end = self.path.cover_and_run(m, settings, limit);
         let pivots = self.path.pivots;
         Some(match end {
-            End::Complementary => return self.finish_or_resume(lcp, settings, limit),
-            End::Ray(entering) => match certificate::ray(lcp, &self.path, entering) {
+            LemkeEnd::Complementary => return self.finish_or_resume(lcp, settings, limit),
+            LemkeEnd::Ray(entering) => match certificate::ray(lcp, &self.path, entering) {
                 Some(outcome) => outcome,
                 None => Outcome::Breakdown { pivots, cause: BreakdownCause::Overflow },
             },
-            End::PivotLimit => Outcome::PivotLimit { pivots },
-            End::Breakdown(cause) => Outcome::Breakdown { pivots, cause },
+            LemkeEnd::PivotLimit => Outcome::PivotLimit { pivots },
+            LemkeEnd::Breakdown(cause) => Outcome::Breakdown { pivots, cause },
         })
     }
 
@@ -111,7 +111,7 @@ impl Workspace {
         let sharp =
             Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
         let limit = limit.min(self.path.pivots + SHARPENING);
-        let goes_on = self.path.cover_and_run(m, &sharp, limit) == End::Complementary
+        let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();
         if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {
             (self.point, self.basis, self.degenerate) = kept;

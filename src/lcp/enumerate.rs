@@ -2,7 +2,7 @@
 
 use super::basis::Basis;
 use super::linear_program;
-use super::point::Point;
+use super::point::LcpPoint;
 use super::principal;
 use super::problem::Lcp;
 use super::residuals::ignores_q;
@@ -128,7 +128,7 @@ impl Search<'_> {
         for (i, value) in alpha.iter().zip(basic) {
             z[*i] = *value;
         }
-        let mut point = Point::new(z, lcp);
+        let mut point = LcpPoint::new(z, lcp);
         // The negative entries take part first: those that are more than noise must not be cut off.
         if !point.residuals(lcp).within(tolerance) {
             return None;

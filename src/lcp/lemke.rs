@@ -13,7 +13,7 @@ use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT, ZERO};
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum End {
+pub(super) enum LemkeEnd {
     /// z₀ left: the basis is a complementary one.
     Complementary,
     /// This variable grows for ever; its column is in the dictionary.
@@ -29,17 +29,17 @@ const CHECK_EVERY: usize = 32;
 impl Path {
     /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
     /// until z₀ has left again.
-    pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> End {
+    pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
-            Ok(None) => return End::Complementary,
+            Ok(None) => return LemkeEnd::Complementary,
             Err(row) => {
                 let value = settings.covering.as_ref().and_then(|d| d.get(row)).copied().unwrap_or(0.0);
-                return End::Breakdown(BreakdownCause::CoveringEntry { row, value });
+                return LemkeEnd::Breakdown(BreakdownCause::CoveringEntry { row, value });
             }
         };
         if self.pivots >= limit {
-            return End::PivotLimit;
+            return LemkeEnd::PivotLimit;
         }
         let leaving = self.pivot(Unknown::Covering, row, m);
         self.run(leaving.complement(), m, settings, limit)
@@ -58,23 +58,23 @@ impl Path {
     ) -> bool {
         self.install_basis(m, active).is_ok()
             && self.cover_violations(m, ZERO)
-            && self.cover_and_run(m, settings, limit) == End::Complementary
+            && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
     /// Follows the path from the entering variable on, whose column is in the dictionary.
-    fn run(&mut self, mut entering: Unknown, m: &[f64], settings: &Settings, limit: usize) -> End {
+    fn run(&mut self, mut entering: Unknown, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
-                return End::PivotLimit;
+                return LemkeEnd::PivotLimit;
             }
             let row = match self.blocking_row(entering, Covering::Artificial, m, settings) {
                 Ok(Some(row)) => row,
-                Ok(None) => return End::Ray(entering),
-                Err(cause) => return End::Breakdown(cause),
+                Ok(None) => return LemkeEnd::Ray(entering),
+                Err(cause) => return LemkeEnd::Breakdown(cause),
             };
             let leaving = self.pivot(entering, row, m);
             if leaving == Unknown::Covering {
-                return End::Complementary;
+                return LemkeEnd::Complementary;
             }
             entering = leaving.complement();
         }

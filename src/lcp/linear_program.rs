@@ -68,7 +68,7 @@ pub(super) fn of_piece(
     alpha: &[usize],
     margin: f64,
     settings: &Settings,
-) -> Option<Program> {
+) -> Option<LinearProgram> {
     let (n, k) = (q.len(), alpha.len());
     // Rows that must vanish are there a second time, with the other sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
@@ -76,17 +76,17 @@ pub(super) fn of_piece(
     let load = q.amax();
     let load = if load > 0.0 { load } else { 1.0 };
     let b = DVector::from_fn(n + k, |i, _| row(i).1 * q[row(i).0] / load);
-    let Program { x, y } = least_violation(&a, &b, margin, settings)?;
+    let LinearProgram { x, y } = least_violation(&a, &b, margin, settings)?;
     let mut folded = y.rows(0, n).into_owned();
     for (i, back) in alpha.iter().zip(y.iter().skip(n)) {
         folded[*i] -= back;
     }
-    Some(Program { x: x * load, y: folded })
+    Some(LinearProgram { x: x * load, y: folded })
 }
 
 /// The solution of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1,
 /// 1ᵀy ≤ 1, y ≥ 0 }, with a margin δ.
-pub(super) struct Program {
+pub(super) struct LinearProgram {
     pub(super) x: DVector<f64>,
     pub(super) y: DVector<f64>,
 }
@@ -95,7 +95,12 @@ pub(super) struct Program {
 /// column of A) is copositive-plus.
 ///
 /// Lemke's method is guaranteed to solve it, since the program is feasible and bounded.
-fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, margin: f64, settings: &Settings) -> Option<Program> {
+fn least_violation(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    margin: f64,
+    settings: &Settings,
+) -> Option<LinearProgram> {
     let (rows, columns) = a.shape();
     let size = columns + 1 + rows;
     let mut m = DMatrix::zeros(size, size);
@@ -115,7 +120,7 @@ fn least_violation(a: &DMatrix<f64>, b: &DVector<f64>, margin: f64, settings: &S
     let Outcome::Solved(solution) = problem.solve_with(&settings) else {
         return None;
     };
-    Some(Program {
+    Some(LinearProgram {
         x: solution.z.rows(0, columns).into_owned(),
         y: solution.z.rows(columns + 1, rows).into_owned(),
     })

@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::error::LcpError;
 use super::farkas::{Domain, cleaned};
 use super::outcome::{BreakdownCause, Certificate, Outcome, Unsolved};
-use super::point::Point;
+use super::point::LcpPoint;
 use super::principal;
 use super::problem::Lcp;
 use super::reduction::Reduction;
@@ -287,8 +287,8 @@ impl MixedLcp {
         self.evaluate(u.iter().chain(z).copied().collect()).0
     }
 
-    fn evaluate(&self, point: Vec<f64>) -> (Residuals, Point) {
-        let point = Point::new(point, &self.whole);
+    fn evaluate(&self, point: Vec<f64>) -> (Residuals, LcpPoint) {
+        let point = LcpPoint::new(point, &self.whole);
         let mut equality = 0.0_f64;
         for (w, terms) in point.w.iter().zip(&point.terms).take(self.free) {
             if *w != 0.0 {

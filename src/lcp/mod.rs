@@ -113,7 +113,7 @@ pub use enumerate::AllSolutions;
 pub use error::LcpError;
 pub use matrix_class::{Copositivity, Definiteness, Guarantee, MatrixClass};
 pub use mixed::{MixedLcp, MixedSolution};
-pub use outcome::{Answer, BreakdownCause, Certificate, Outcome, Ray};
+pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
 pub use residuals::Residuals;

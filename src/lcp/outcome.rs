@@ -8,7 +8,7 @@ use std::fmt;
 use thiserror::Error;
 
 /// What is known when a solve ends: of a problem, of one with free variables
-/// ([`MixedSolution`](super::MixedSolution)), or in the memory of a solver ([`Answer`]).
+/// ([`MixedSolution`](super::MixedSolution)), or in the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four say something about the problem; the last three say that nothing is known. Its `Display` is one line.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub enum Outcome<S = Solution> {
 }
 
 /// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series), whose solution lies in their memory.
-pub type Answer<'a> = Outcome<SolutionView<'a>>;
+pub type OutcomeView<'a> = Outcome<SolutionView<'a>>;
 
 /// Any outcome but a solution.
 pub(super) type Unsolved = Outcome<Infallible>;
@@ -102,7 +102,7 @@ impl Unsolved {
     }
 }
 
-impl Answer<'_> {
+impl OutcomeView<'_> {
     /// A copy that outlives the workspace.
     #[must_use]
     pub fn into_outcome(self) -> Outcome {

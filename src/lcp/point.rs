@@ -9,14 +9,14 @@ use nalgebra::DVector;
 
 /// z, w = M z + q, and the sizes of the terms of w.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Point {
+pub(super) struct LcpPoint {
     pub(super) z: Vec<f64>,
     pub(super) w: Vec<f64>,
     /// a_i = |q_i| + Σ_j |M_ij| |z_j|.
     pub(super) terms: Vec<f64>,
 }
 
-impl Point {
+impl LcpPoint {
     /// The point z of a problem.
     pub(super) fn new(z: Vec<f64>, lcp: &Lcp) -> Self {
         let mut point = Self { z, ..Self::default() };
@@ -83,6 +83,6 @@ impl Lcp {
         if z.len() != self.len() {
             return Residuals::UNUSABLE;
         }
-        Point::new(z.as_slice().to_vec(), self).residuals(self)
+        LcpPoint::new(z.as_slice().to_vec(), self).residuals(self)
     }
 }

@@ -1,7 +1,7 @@
 //! Many right-hand sides, one matrix.
 
 use super::error::LcpError;
-use super::outcome::Answer;
+use super::outcome::OutcomeView;
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::workspace::Workspace;
@@ -14,14 +14,14 @@ use nalgebra::{DMatrix, DVector};
 /// more unless a path fails.
 ///
 /// ```
-/// use grasp_lcp::lcp::{Answer, Series, Settings};
+/// use grasp_lcp::lcp::{Series, OutcomeView, Settings};
 /// use nalgebra::{DMatrix, DVector};
 ///
 /// let m = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
 /// let mut series = Series::new(m, Settings::default())?;
 /// for (q, pivots) in [([-5.0, -6.0], 3), ([-5.0, -6.1], 0)] {
 ///     let q = DVector::from_column_slice(&q);
-///     let Answer::Solved(solution) = series.solve(&q)? else { panic!("M > 0") };
+///     let OutcomeView::Solved(solution) = series.solve(&q)? else { panic!("M > 0") };
 ///     assert_eq!(solution.pivots, pivots);
 /// }
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -53,7 +53,7 @@ impl Series {
     ///
     /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for
     /// an entry that is not finite.
-    pub fn solve(&mut self, q: &DVector<f64>) -> Result<Answer<'_>, LcpError> {
+    pub fn solve(&mut self, q: &DVector<f64>) -> Result<OutcomeView<'_>, LcpError> {
         LcpError::check_vector("q", q, self.lcp.len())?;
         self.lcp.q.copy_from(q);
         let failure = if self.started {

@@ -2,9 +2,9 @@
 //! before.
 
 use super::basis::Basis;
-use super::lemke::End;
+use super::lemke::LemkeEnd;
 use super::memory::refill;
-use super::outcome::{Answer, Outcome, Unsolved};
+use super::outcome::{Outcome, OutcomeView, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::tolerances::ZERO;
@@ -73,7 +73,7 @@ impl Lcp {
 
 impl Workspace {
     /// Solves a problem like [`Lcp::solve_with`].
-    pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> Answer<'_> {
+    pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> OutcomeView<'_> {
         let failure = match self.refuse(lcp, settings) {
             Some(refused) => Some(refused),
             None if lcp.q.iter().all(|q| *q >= 0.0) => self.accept_slack_basis(lcp, settings),
@@ -83,7 +83,7 @@ impl Workspace {
     }
 
     /// Solves a problem like [`Lcp::solve_from`].
-    pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> Answer<'_> {
+    pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> OutcomeView<'_> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return self.answer(Some(refused));
         }
@@ -120,7 +120,7 @@ impl Workspace {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();
         let feasible = !self.path.cover_violations(m, ZERO);
-        if (feasible || self.path.cover_and_run(m, settings, limit) == End::Complementary)
+        if (feasible || self.path.cover_and_run(m, settings, limit) == LemkeEnd::Complementary)
             && self.finish_or_resume(lcp, settings, limit).is_none()
         {
             return None;

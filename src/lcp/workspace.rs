@@ -3,9 +3,9 @@
 use super::basis::Basis;
 use super::dictionary::Unknown;
 use super::memory::make_room;
-use super::outcome::{Answer, BreakdownCause, Unsolved};
+use super::outcome::{BreakdownCause, OutcomeView, Unsolved};
 use super::path::Path;
-use super::point::Point;
+use super::point::LcpPoint;
 use super::residuals::Residuals;
 use super::solution::SolutionView;
 
@@ -15,7 +15,7 @@ use super::solution::SolutionView;
 /// as the first path solves them.
 ///
 /// ```
-/// use grasp_lcp::lcp::{Answer, Lcp, Settings, Workspace};
+/// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};
 /// use nalgebra::{DMatrix, DVector};
 ///
 /// let mut workspace = Workspace::new();
@@ -23,7 +23,7 @@ use super::solution::SolutionView;
 ///     let q = DVector::from_element(1, -f64::from(load));
 ///     let problem = Lcp::new(DMatrix::from_element(1, 1, 2.0), q)?;
 ///     let answer = workspace.solve(&problem, &Settings::default());
-///     let Answer::Solved(solution) = answer else { panic!("2 > 0") };
+///     let OutcomeView::Solved(solution) = answer else { panic!("2 > 0") };
 ///     assert_eq!(solution.z, [f64::from(load) / 2.0]);
 /// }
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
@@ -32,8 +32,8 @@ use super::solution::SolutionView;
 pub struct Workspace {
     pub(super) path: Path,
     /// Where the last path ended, and another point to compare it with.
-    pub(super) point: Point,
-    pub(super) spare: Point,
+    pub(super) point: LcpPoint,
+    pub(super) spare: LcpPoint,
     /// Which basic z's are zero but for rounding.
     pub(super) vanishing: Vec<bool>,
     pub(super) correction: Vec<f64>,
@@ -51,7 +51,7 @@ impl Workspace {
         Self::default()
     }
 
-    pub(super) fn answer(&self, failure: Option<Unsolved>) -> Answer<'_> {
+    pub(super) fn answer(&self, failure: Option<Unsolved>) -> OutcomeView<'_> {
         let view = |residuals| SolutionView {
             z: &self.point.z,
             w: &self.point.w,
@@ -60,16 +60,17 @@ impl Workspace {
             pivots: self.path.pivots,
             degenerate: self.degenerate,
         };
-        let broken = || Answer::Breakdown { pivots: self.path.pivots, cause: BreakdownCause::SingularBasis };
+        let broken =
+            || OutcomeView::Breakdown { pivots: self.path.pivots, cause: BreakdownCause::SingularBasis };
         match failure {
             Some(unsolved) => unsolved.into(),
-            None => self.residuals.map_or_else(broken, |residuals| Answer::Solved(view(residuals))),
+            None => self.residuals.map_or_else(broken, |residuals| OutcomeView::Solved(view(residuals))),
         }
     }
 
     /// Makes room for steps that only some problems need.
     pub(super) fn reserve(&mut self, n: usize) {
-        let Point { z, w, terms } = &mut self.spare;
+        let LcpPoint { z, w, terms } = &mut self.spare;
         for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {
             make_room(scratch, n);
         }

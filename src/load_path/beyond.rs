@@ -104,7 +104,7 @@ pub(super) fn continuation<D: Size, const C: usize>(
 }
 
 /// Where an equilibrium ends.
-pub(super) struct End<'f, D: Size, const C: usize> {
+pub(super) struct EquilibriumEnd<'f, D: Size, const C: usize> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, C>],
     /// The motion with which the object leaves, inside coordinates.
@@ -116,7 +116,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
-    end: &End<'_, D, C>,
+    end: &EquilibriumEnd<'_, D, C>,
     settings: &Settings,
 ) -> Beyond<C> {
     let here = segment.problem_at(end.factor);

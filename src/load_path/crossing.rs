@@ -2,7 +2,7 @@
 //!
 //! The last step is made again, shorter or longer, by Newton's method on the condition, within a bracket: no interpolation comes in.
 
-use super::flow::{Flow, Goal, Reached, Rule};
+use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watch, watch};
@@ -12,7 +12,7 @@ use crate::numerics::Size;
 const MOST_TRIALS: usize = 80;
 
 /// Where a step ends.
-pub(super) struct End<D: Size, const C: usize> {
+pub(super) struct StepEnd<D: Size, const C: usize> {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: Reached<D, C>,
@@ -28,16 +28,16 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
         here: &Here<D, C>,
         (length, trial): (f64, usize),
         rule: Rule,
-    ) -> Option<End<D, C>> {
+    ) -> Option<StepEnd<D, C>> {
         let unit = self.pace.unit?;
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let reached = flow.reach(length, Goal::after(1.0, trial), rule)?;
+        let reached = flow.reach(length, StepGoal::after(1.0, trial), rule)?;
         let watches = watch(&self.segment, &self.node.states, (reached.to, &reached.here));
-        Some(End { length, rule, reached, watches, located: None })
+        Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
     /// The condition that is violated at the end of a step, the one that would be first on straight lines.
-    pub(super) fn first_crossing(start: &[Watch], end: &End<D, C>) -> Option<usize> {
+    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd<D, C>) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
             from / (from - to)
@@ -51,9 +51,9 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
         &self,
         here: &Here<D, C>,
         start: &[Watch],
-        mut end: End<D, C>,
+        mut end: StepEnd<D, C>,
         mut k: usize,
-    ) -> Option<End<D, C>> {
+    ) -> Option<StepEnd<D, C>> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
             // It stands there already, and leaves at once.

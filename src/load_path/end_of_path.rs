@@ -1,8 +1,8 @@
 //! How a path ends where the rates have no solution: what can be said of the place alone.
 
-use super::beyond::{Beyond, End, beyond_end, no_rates};
+use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
-use super::follower::Edge;
+use super::follower::StandAtEdge;
 use crate::contact::State;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
@@ -13,12 +13,12 @@ use crate::search::{Effort, Settings, Settled};
 /// The object gives way where a motion meets no resistance. Else it stands at a corner: no combination of the states of what stands on
 /// an edge has rates. Where that is not known, the proof that nothing holds beyond will do.
 pub(super) fn end_of_path<D: Size, const C: usize>(
-    edge: &Edge<'_, D, C>,
+    edge: &StandAtEdge<'_, D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
     loss: Loss<C>,
     settings: &Settings,
 ) -> PathEnd<C> {
-    let Edge { segment, rates, forces } = edge;
+    let StandAtEdge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
@@ -27,7 +27,7 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
     let corner = loss.leaving(segment.grasp, motion.as_ref());
     let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;
-    let end = End { factor: corner.fraction, forces, motion };
+    let end = EquilibriumEnd { factor: corner.fraction, forces, motion };
     if no_rates(rates)
         || matches!(beyond_end(segment, rates, (settled, effort), &end, settings), Beyond::LimitLoad)
     {

@@ -16,7 +16,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Energy {
+pub struct LegEnergy {
     /// Work of the load on the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
@@ -36,7 +36,7 @@ pub struct Energy {
     pub turnover: f64,
 }
 
-impl Energy {
+impl LegEnergy {
     /// `(load_work + finger_work - stored - dissipated) / turnover`: zero in exact arithmetic.
     #[must_use]
     pub fn residual(&self) -> f64 {

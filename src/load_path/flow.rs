@@ -13,7 +13,7 @@
 use nalgebra::SVector;
 
 use super::arc::{Arc, Direction};
-use super::energy::Energy;
+use super::energy::LegEnergy;
 use super::relaxation::Relaxation;
 use super::segment::{Here, Segment};
 use crate::contact::{State, Tangent, tangential, tangential_norm};
@@ -59,13 +59,13 @@ impl Rule {
 
 /// A factor at which a step may end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Goal {
+pub(super) struct StepGoal {
     factor: f64,
     /// So near it the tangent leads there.
     near: f64,
 }
 
-impl Goal {
+impl StepGoal {
     /// The goal of a trial after so many that missed it: steps of implicit rules come no nearer than their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         Self { factor, near: if trials < MANY_TRIALS { AT_THE_GOAL } else { NEAR_THE_GOAL } }
@@ -90,7 +90,7 @@ pub(super) struct Reached<D: Size, const C: usize> {
     pub(super) to: f64,
     /// With rates for one unit of arclength.
     pub(super) here: Here<D, C>,
-    pub(super) energy: Energy,
+    pub(super) energy: LegEnergy,
     /// The estimated error of forces, over the largest of them, and of the twist, over the largest displacement.
     pub(super) error: f64,
     /// Some contact slipped against its friction force on the way.
@@ -156,7 +156,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// A step of this length, which ends at the goal if it comes so near it. `None` if there is no such step.
-    pub(super) fn reach(&self, length: f64, goal: Goal, rule: Rule) -> Option<Reached<D, C>> {
+    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached<D, C>> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
@@ -196,7 +196,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         };
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
         let [finger_work, dissipated, load_work, turnover] = std::array::from_fn(|k| y[works + k]);
-        let mut energy = Energy { load_work, finger_work, stored: 0.0, dissipated, turnover };
+        let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = self.here.lines.iter().map(|line| line.force).collect();
         energy.store(self.arc.sites(), &before, &at.forces);
         let here = self.arc.segment.along(&self.here.piece, to, &at, &rate, way.factor);
@@ -300,7 +300,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
                 length = 0.5 * (low + high);
             }
             // What reached the end of a step reaches a part of it, if not always with the same error: rounding is in the way.
-            let goal_here = Goal::after(goal, trial);
+            let goal_here = StepGoal::after(goal, trial);
             let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
             if (reached.to - goal).abs() <= ROUNDED * goal.abs() {

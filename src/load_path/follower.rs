@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 
-use super::energy::Energy;
+use super::energy::LegEnergy;
 use super::event::PathEnd;
 use super::journey::Journey;
 use super::segment::Segment;
@@ -25,7 +25,7 @@ pub(crate) enum Came<T> {
 
 /// Contacts at the place where they stand, and the rates of what stands on an edge there.
 #[derive(Debug)]
-pub(crate) struct Edge<'g, D: Size, const C: usize> {
+pub(crate) struct StandAtEdge<'g, D: Size, const C: usize> {
     pub(super) segment: Segment<'g, D, C>,
     pub(super) rates: Problem<'g, D, C>,
     pub(super) forces: Vec<SVector<f64, C>>,
@@ -62,7 +62,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>>;
 
     /// What stands on an edge there.
-    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C>;
+    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C>;
 
     /// [`Self::go_on`] no further than a fraction of the leg, for a follower that can stop anywhere.
     ///
@@ -87,7 +87,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     }
 
     /// Energies of the legs so far, from a follower that counts them.
-    fn energies(&self) -> &[Energy] {
+    fn energies(&self) -> &[LegEnergy] {
         &[]
     }
 

@@ -4,10 +4,10 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 
-use super::beyond::{Beyond, End, beyond_end};
-use super::energy::Energy;
+use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
+use super::energy::LegEnergy;
 use super::event::PathEnd;
-use super::follower::{Came, Edge, Follower};
+use super::follower::{Came, Follower, StandAtEdge};
 use super::journey::Journey;
 use super::leg::Leg;
 use crate::equilibrium::Equilibrium;
@@ -83,7 +83,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error>;
     fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>>;
     fn step_error(&self) -> f64;
-    fn energies(&self) -> &[Energy];
+    fn energies(&self) -> &[LegEnergy];
     fn contacts_looked_at(&self) -> usize;
 }
 
@@ -151,9 +151,9 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
     fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>> {
         let settings = settings.unwrap_or(&self.journey.settings);
         let loss = self.end.as_ref()?.loss()?;
-        let Edge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
+        let StandAtEdge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
         let motion = loss.inside.as_ref().map(Coordinates::to);
-        let end = End { factor: loss.fraction, forces: &forces, motion };
+        let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };
         let (settled, effort) = settle(&rates, settings);
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
@@ -162,7 +162,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
         self.follower.as_ref().map_or(0.0, Follower::step_error)
     }
 
-    fn energies(&self) -> &[Energy] {
+    fn energies(&self) -> &[LegEnergy] {
         self.follower.as_ref().map_or(&[], Follower::energies)
     }
 

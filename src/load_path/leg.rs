@@ -42,12 +42,12 @@ use crate::numerics::{Size, Vector};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const C: usize> {
     load: LoadGoal<C>,
-    commands: Goal<Vec<SVector<f64, C>>>,
-    joints: Goal<Vec<f64>>,
+    commands: StepGoal<Vec<SVector<f64, C>>>,
+    joints: StepGoal<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Goal<T> {
+enum StepGoal<T> {
     Stay,
     By(T),
     To(T),
@@ -55,18 +55,18 @@ enum Goal<T> {
 
 impl<const C: usize> Leg<C> {
     const STAY: Self =
-        Self { load: LoadGoal::Straight(Goal::Stay), commands: Goal::Stay, joints: Goal::Stay };
+        Self { load: LoadGoal::Straight(StepGoal::Stay), commands: StepGoal::Stay, joints: StepGoal::Stay };
 
     /// The load changes by this much.
     #[must_use]
     pub fn load_by(change: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(Goal::By(change)), ..Self::STAY }
+        Self { load: LoadGoal::Straight(StepGoal::By(change)), ..Self::STAY }
     }
 
     /// The load changes to this.
     #[must_use]
     pub fn load_to(load: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(Goal::To(load)), ..Self::STAY }
+        Self { load: LoadGoal::Straight(StepGoal::To(load)), ..Self::STAY }
     }
 
     /// The load changes as this one does: from what it is, by what the turn takes away and adds. What else acts stays; the constant part of
@@ -99,37 +99,37 @@ impl<const C: usize> Leg<C> {
     /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: Goal::By(vectors(change)), ..Self::STAY }
+        Self { commands: StepGoal::By(vectors(change)), ..Self::STAY }
     }
 
     /// The finger commands change to these: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: Goal::To(vectors(commands)), ..Self::STAY }
+        Self { commands: StepGoal::To(vectors(commands)), ..Self::STAY }
     }
 
     /// Meanwhile the load changes by this much.
     #[must_use]
     pub fn and_load_by(self, change: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(Goal::By(change)), ..self }
+        Self { load: LoadGoal::Straight(StepGoal::By(change)), ..self }
     }
 
     /// Meanwhile the load changes to this.
     #[must_use]
     pub fn and_load_to(self, load: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(Goal::To(load)), ..self }
+        Self { load: LoadGoal::Straight(StepGoal::To(load)), ..self }
     }
 
     /// Meanwhile the finger commands change by this much.
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: Goal::By(vectors(change)), ..self }
+        Self { commands: StepGoal::By(vectors(change)), ..self }
     }
 
     /// Meanwhile the finger commands change to these.
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: Goal::To(vectors(commands)), ..self }
+        Self { commands: StepGoal::To(vectors(commands)), ..self }
     }
 
     /// The joint commands of a hand change by this much: one displacement for each joint and then each tendon, rad or m.
@@ -166,42 +166,42 @@ impl<const C: usize> Leg<C> {
     /// Meanwhile the joint commands change by this much.
     #[must_use]
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: Goal::By(change.into_iter().collect()), ..self }
+        Self { joints: StepGoal::By(change.into_iter().collect()), ..self }
     }
 
     /// Meanwhile the joint commands change to these.
     #[must_use]
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: Goal::To(commands.into_iter().collect()), ..self }
+        Self { joints: StepGoal::To(commands.into_iter().collect()), ..self }
     }
 
     /// What a ramp changes for one unit of its factor.
     pub(super) fn along(ramp: &Ramp<C>) -> Self {
-        let by = |change: &Vec<_>| Goal::By(change.clone());
+        let by = |change: &Vec<_>| StepGoal::By(change.clone());
         Self {
-            load: LoadGoal::Straight(Goal::By(ramp.direction)),
-            commands: ramp.command_change.as_ref().map_or(Goal::Stay, by),
-            joints: ramp.joint_change.as_ref().map_or(Goal::Stay, |change| Goal::By(change.clone())),
+            load: LoadGoal::Straight(StepGoal::By(ramp.direction)),
+            commands: ramp.command_change.as_ref().map_or(StepGoal::Stay, by),
+            joints: ramp.joint_change.as_ref().map_or(StepGoal::Stay, |change| StepGoal::By(change.clone())),
         }
     }
 
     fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match &self.load {
-            LoadGoal::Straight(Goal::Stay) => {}
-            LoadGoal::Straight(Goal::By(load) | Goal::To(load)) => {
+            LoadGoal::Straight(StepGoal::Stay) => {}
+            LoadGoal::Straight(StepGoal::By(load) | StepGoal::To(load)) => {
                 grasp.inside(load, "load of a leg")?;
             }
             LoadGoal::Turn(turn) => {
                 turn.check()?;
-                if self.commands != Goal::Stay || self.joints != Goal::Stay {
+                if self.commands != StepGoal::Stay || self.joints != StepGoal::Stay {
                     return Err(Error::CommandsWhileTurning);
                 }
             }
         }
-        if let Goal::By(commands) | Goal::To(commands) = &self.commands {
+        if let StepGoal::By(commands) | StepGoal::To(commands) = &self.commands {
             grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
         }
-        if let Goal::By(commands) | Goal::To(commands) = &self.joints {
+        if let StepGoal::By(commands) | StepGoal::To(commands) = &self.joints {
             grasp.check_joint_commands(commands, "joint commands of a leg")?;
         }
         Ok(())
@@ -211,7 +211,7 @@ impl<const C: usize> Leg<C> {
 /// What the load does along a leg.
 #[derive(Debug, Clone, PartialEq)]
 enum LoadGoal<const C: usize> {
-    Straight(Goal<Wrench<C>>),
+    Straight(StepGoal<Wrench<C>>),
     /// It changes as this one does.
     Turn(Turn<C>),
 }
@@ -220,9 +220,9 @@ impl<const C: usize> LoadGoal<C> {
     /// The way from a load on, and where it ends.
     fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
-            Self::Straight(Goal::Stay) => *from,
-            Self::Straight(Goal::By(change)) => *from + *change,
-            Self::Straight(Goal::To(goal)) => *goal,
+            Self::Straight(StepGoal::Stay) => *from,
+            Self::Straight(StepGoal::By(change)) => *from + *change,
+            Self::Straight(StepGoal::To(goal)) => *goal,
             Self::Turn(turn) => {
                 let course = turn.beginning_with(from);
                 return (course, course.at(1.0));
@@ -232,7 +232,7 @@ impl<const C: usize> LoadGoal<C> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> Goal<Vec<T>> {
+impl<T: Copy + Add<Output = T>> StepGoal<Vec<T>> {
     /// From commands at the end of the last leg, behind those at its beginning, to commands at both ends of this one.
     fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);

@@ -92,7 +92,7 @@ mod watch;
 
 pub use beyond::{Beyond, Continuation};
 pub use drive_change::{DriveChange, PartChange};
-pub use energy::Energy;
+pub use energy::LegEnergy;
 pub use event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
 pub use geometry_gradient::GeometryGradient;
 pub use leg::Leg;

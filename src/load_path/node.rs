@@ -4,7 +4,7 @@ use nalgebra::{Matrix, SVector};
 
 use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
-use super::follower::Edge;
+use super::follower::StandAtEdge;
 use super::journey::Journey;
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
@@ -14,7 +14,7 @@ use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
 use crate::search::{
-    Doubt, Effort, Found, Rung, Settings, Settled, Verdict, polish, settle, solution_near, try_states,
+    Doubt, Effort, Found, Judged, Rung, Settings, Settled, polish, settle, solution_near, try_states,
 };
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
@@ -76,7 +76,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         };
         let Settled::Found(found, _) = settled else {
             let loss = loss(LossKind::Corner, None);
-            let edge = Edge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
+            let edge = StandAtEdge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
             return Err(end_of_path(&edge, (settled, &effort), loss, settings));
         };
         let mut found = self.without_dragging(&rates, found);
@@ -114,7 +114,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
             let (settled, effort) = match self.guess(segment, factor, &rates) {
-                Verdict::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
+                Judged::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
                 _ => settle(&rates, settings),
             };
             Decided { ahead, rates, settled, effort }
@@ -129,7 +129,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             };
             // At the apex of a round cone the direction of a slide turns with the load.
             let here = segment.rates(factor + ANGLE_KNOWN / angle, laws.clone());
-            if decided.rates.round || matches!(try_states(&here, found.states.clone()), Verdict::Holds(_)) {
+            if decided.rates.round || matches!(try_states(&here, found.states.clone()), Judged::Holds(_)) {
                 return decided;
             }
             last = Some(Decided { settled: Settled::Undecided(Doubt::OnTheBoundary), ..decided });
@@ -142,11 +142,11 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.
-    fn guess(&self, segment: &Segment<'_, D, C>, factor: f64, rates: &Problem<D, C>) -> Verdict<D, C> {
+    fn guess(&self, segment: &Segment<'_, D, C>, factor: f64, rates: &Problem<D, C>) -> Judged<D, C> {
         // Within a leg something has just left its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
-        if let Some(holds @ Verdict::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
+        if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
@@ -155,16 +155,16 @@ impl<D: Size, const C: usize> Node<D, C> {
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
-                return Verdict::Unbalanced;
+                return Judged::Unbalanced;
             }
-            if let holds @ Verdict::Holds(_) = try_states(rates, sliding.clone()) {
+            if let holds @ Judged::Holds(_) = try_states(rates, sliding.clone()) {
                 return holds;
             }
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Sticking } else { sliding[i] });
             let found = [closed.collect(), sliding.clone()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
-            return found.map_or(Verdict::Unbalanced, Verdict::Holds);
+            return found.map_or(Judged::Unbalanced, Judged::Holds);
         }
         try_states(rates, sliding)
     }
@@ -184,7 +184,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             return found;
         }
         match try_states(rates, states) {
-            Verdict::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,
+            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,
             _ => found,
         }
     }

@@ -5,7 +5,7 @@
 //! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
 //! close on the way; it starts with F_t = 0 and sticks on if the rates lie in its cone.
 
-use super::beyond::{Beyond, End, beyond_end, continuation};
+use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motion;
 use super::first_to_leave::first_to_leave;
 use super::onset::{Onset, OnsetEvent};
@@ -101,7 +101,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             lost => lost,
         };
         let motion = leaving_motion(&rates, &segment.problem.wrench, &rates.yielding());
-        let end = End { factor: 0.0, forces: &local.found.forces, motion };
+        let end = EquilibriumEnd { factor: 0.0, forces: &local.found.forces, motion };
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 

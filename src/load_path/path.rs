@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::beyond::Beyond;
-use super::energy::Energy;
+use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
 use super::following::AnyPath;
 use super::leg::Leg;
@@ -174,7 +174,7 @@ impl<const C: usize> LoadPath<'_, C> {
 
     /// Energies of every leg that was entered, J, up to where the path has been followed.
     #[must_use]
-    pub fn energies(&self) -> &[Energy] {
+    pub fn energies(&self) -> &[LegEnergy] {
         self.0.energies()
     }
 

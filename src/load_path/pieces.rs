@@ -8,10 +8,10 @@
 
 use nalgebra::SVector;
 
-use super::energy::Energy;
+use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
-use super::follower::{Came, Edge, Follower};
+use super::follower::{Came, Follower, StandAtEdge};
 use super::following::Following;
 use super::journey::Journey;
 use super::leg::Leg;
@@ -40,7 +40,7 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) here: Option<Here<D, C>>,
     /// The pieces that the path has passed.
     pub(super) behind: Vec<Stretch<'g, D, C>>,
-    pub(super) energy: Vec<Energy>,
+    pub(super) energy: Vec<LegEnergy>,
     pub(super) stalls: usize,
     pub(super) pace: Pace,
     /// Sum of the estimated errors of the steps along sliding arcs.
@@ -66,7 +66,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
         self.factor = 0.0;
         self.pace = Pace::new();
-        self.energy.push(Energy::default());
+        self.energy.push(LegEnergy::default());
         self.at_node = true;
         Ok(())
     }
@@ -99,7 +99,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.step_error
     }
 
-    fn energies(&self) -> &[Energy] {
+    fn energies(&self) -> &[LegEnergy] {
         &self.energy
     }
 
@@ -111,10 +111,10 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.state_on(self.stretch_behind(leg, fraction)?, fraction)
     }
 
-    fn edge(&self, _: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+    fn edge(&self, _: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
-        Edge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
+        StandAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
     }
 }
 

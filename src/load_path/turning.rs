@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
-use super::crossing::End;
+use super::crossing::StepEnd;
 use super::event::{LossKind, PathEnd};
 use super::first_exits::PathState;
 use super::flow::{Flow, Rule};
@@ -207,7 +207,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         &mut self,
         journey: &Journey<'g, D, C>,
         here: &Here<D, C>,
-        end: &End<D, C>,
+        end: &StepEnd<D, C>,
     ) -> Result<bool, PathEnd<C>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());

@@ -71,7 +71,7 @@ pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::in_halves;
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use pseudo_random::{Draw, generic};
-pub(crate) use ray_shooting::{Crossing, shoot};
+pub(crate) use ray_shooting::{RayExit, shoot};
 pub(crate) use support::{Vertex, simplex};
 pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;

@@ -20,7 +20,7 @@ const MOST_PIVOTS: usize = 1000;
 
 /// A place where a ray leaves a set, up to the bounds.
 #[derive(Debug, Clone)]
-pub(crate) struct Crossing<const D: usize> {
+pub(crate) struct RayExit<const D: usize> {
     pub(crate) vertices: Vec<Vertex<D>>,
     /// β, not negative.
     pub(crate) shares: Vec<f64>,
@@ -37,15 +37,15 @@ pub(crate) fn shoot<const D: usize>(
     support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
     simplex: &[Vertex<D>],
     target: &SVector<f64, D>,
-) -> Option<Crossing<D>> {
+) -> Option<RayExit<D>> {
     let origin = middle(simplex);
     let ray = target - origin;
     if ray.norm() <= NOWHERE * (target.norm() + origin.norm()) {
         let vertices = simplex[..D].to_vec();
-        return Some(Crossing { vertices, shares: vec![0.0; D], normal: unit(0), reach: 1.0, stretch: 0.0 });
+        return Some(RayExit { vertices, shares: vec![0.0; D], normal: unit(0), reach: 1.0, stretch: 0.0 });
     }
     let (mut vertices, mut shares) = first_face(simplex, &origin, &ray)?;
-    let mut found: Option<Crossing<D>> = None;
+    let mut found: Option<RayExit<D>> = None;
     for _ in 0..MOST_PIVOTS {
         let points = matrix(&vertices, &origin);
         // Where the set is smooth, points come so close that rounding hides the plane through them: the last one is as good.
@@ -55,7 +55,7 @@ pub(crate) fn shoot<const D: usize>(
         let next = Vertex::of(support, normal);
         let reach = normal.dot(&(next.at - origin)).max(1.0);
         let stretch = normal.dot(&ray);
-        found = Some(Crossing { vertices: vertices.clone(), shares: shares.clone(), normal, reach, stretch });
+        found = Some(RayExit { vertices: vertices.clone(), shares: shares.clone(), normal, reach, stretch });
         if reach <= 1.0 + BEYOND {
             break;
         }

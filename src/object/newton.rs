@@ -35,7 +35,7 @@ impl<D: Size> Imbalance<D> {
 }
 
 /// Contacts that answer a motion of the object with forces.
-pub(crate) trait Answers<D: Size> {
+pub(crate) trait StretchAnswers<D: Size> {
     /// Their answers to a twist.
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D>;
 
@@ -49,7 +49,7 @@ pub(crate) trait Answers<D: Size> {
 /// A step that leaves more out of balance than before is halved: without that the method jumps
 /// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
 pub(crate) fn newton<D: Size>(
-    contacts: &mut impl Answers<D>,
+    contacts: &mut impl StretchAnswers<D>,
     mut twist: Vector<D>,
     settled: f64,
 ) -> Option<(Vector<D>, usize, Imbalance<D>)> {

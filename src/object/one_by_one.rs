@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
-use super::newton::{Answers, Imbalance};
+use super::newton::{Imbalance, StretchAnswers};
 use super::problem::Problem;
 use super::tangent::tangent_stiffness;
-use crate::contact::Answer;
+use crate::contact::ContactResponse;
 use crate::numerics::{Factors, in_halves};
 
 /// The contacts of a problem with what they have answered last, for [`newton`](super::newton).
@@ -16,14 +16,14 @@ pub(crate) struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     /// The answer of a contact to a stretch, from its last one.
     answer: F,
-    pub(crate) contacts: Vec<Answer<C>>,
+    pub(crate) contacts: Vec<ContactResponse<C>>,
     /// Counts beside the sizes of load and forces, N.
     beside: f64,
 }
 
 impl<'p, 'g, F, D: Size, const C: usize> OneByOne<'p, 'g, F, D, C>
 where
-    F: Fn(usize, &SVector<f64, C>, &Answer<C>) -> Answer<C>,
+    F: Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C>,
 {
     /// All open to begin with. `beside` is a size of forces in which Newton's method cannot see: of rounding, for instance.
     pub(crate) fn new(problem: &'p Problem<'g, D, C>, beside: f64, answer: F) -> Self {
@@ -33,22 +33,22 @@ where
     /// [`Self::new`] with a list that is there.
     pub(crate) fn in_memory(
         problem: &'p Problem<'g, D, C>,
-        (beside, mut contacts): (f64, Vec<Answer<C>>),
+        (beside, mut contacts): (f64, Vec<ContactResponse<C>>),
         answer: F,
     ) -> Self {
         contacts.clear();
-        contacts.resize(problem.len(), Answer::open());
+        contacts.resize(problem.len(), ContactResponse::open());
         Self { problem, answer, contacts, beside }
     }
 }
 
-impl<F, D: Size, const C: usize> Answers<D> for OneByOne<'_, '_, F, D, C>
+impl<F, D: Size, const C: usize> StretchAnswers<D> for OneByOne<'_, '_, F, D, C>
 where
-    F: Fn(usize, &SVector<f64, C>, &Answer<C>) -> Answer<C> + Sync,
+    F: Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
 {
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         let (problem, answer) = (self.problem, &self.answer);
-        let part = |(range, contacts): (Range<usize>, &mut [Answer<C>])| {
+        let part = |(range, contacts): (Range<usize>, &mut [ContactResponse<C>])| {
             let (mut left, mut size) = (Vector::zeros(), 0.0);
             for (i, contact) in range.zip(contacts) {
                 *contact = answer(i, &problem.stretch(i, twist), contact);

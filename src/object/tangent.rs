@@ -21,12 +21,12 @@ use crate::numerics::{PartialPivoting, in_halves};
 const STEPS: usize = 4;
 
 /// C_i of a contact: the derivative of its force by its stretch.
-pub(crate) type Springs<const C: usize> = SMatrix<f64, C, C>;
+pub(crate) type SpringTangent<const C: usize> = SMatrix<f64, C, C>;
 
 /// T of these contacts with these C_i, by number.
 pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
     sites: &[Site<D, C>],
-    springs: impl Fn(usize) -> Springs<C> + Sync,
+    springs: impl Fn(usize) -> SpringTangent<C> + Sync,
 ) -> Square<D> {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
@@ -39,7 +39,7 @@ pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
-fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &Springs<C>) {
+fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &SpringTangent<C>) {
     let pushed: [Vector<D>; C] = std::array::from_fn(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, a drive nothing but its own.
     for columns in site.support.ranges::<C>() {
@@ -57,7 +57,7 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, sp
 /// that changed a force at most; `None` if it does not get there.
 pub(crate) fn balance<D: Size, const C: usize>(
     sites: &[Site<D, C>],
-    springs: &[Springs<C>],
+    springs: &[SpringTangent<C>],
     tangent: &PartialPivoting<D>,
     wrench: &Vector<D>,
     state: &mut PieceState<D, C>,

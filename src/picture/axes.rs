@@ -13,7 +13,7 @@ const NUMBERS: f64 = 11.0;
 const SIZE: f64 = 14.0;
 
 /// A metre is as long upwards as sideways.
-pub(super) struct Axes {
+pub(super) struct EqualScales {
     window: Window,
     /// What lies in the middle of the window, m.
     middle: Vector2<f64>,
@@ -21,7 +21,7 @@ pub(super) struct Axes {
     scale: f64,
 }
 
-impl Axes {
+impl EqualScales {
     /// Axes along a window, of which these points take as much as leaves a border (pixels to either
     /// side, and above and below).
     pub(super) fn new(

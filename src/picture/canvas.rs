@@ -9,7 +9,7 @@ use plotters::prelude::{Cartesian2d, SVGBackend};
 
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
-pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
+pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<AxisRange, AxisRange>>;
 /// What plotters says of each stroke.
 pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
 
@@ -20,14 +20,14 @@ pub(super) const FINE: u32 = 4;
 const NUMBERS: f64 = 10.0;
 
 /// From one number to another.
-pub(super) struct Axis {
+pub(super) struct AxisRange {
     coordinates: RangedCoordf64,
     step: f64,
     /// Numbers are decimal logarithms of what they stand for.
     logarithmic: bool,
 }
 
-impl Axis {
+impl AxisRange {
     pub(super) fn new(range: Range<f64>, logarithmic: bool) -> Self {
         let step = (range.end - range.start) / NUMBERS;
         let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
@@ -35,7 +35,7 @@ impl Axis {
     }
 }
 
-impl Ranged for Axis {
+impl Ranged for AxisRange {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
@@ -56,7 +56,7 @@ impl Ranged for Axis {
     }
 }
 
-impl ValueFormatter<f64> for Axis {
+impl ValueFormatter<f64> for AxisRange {
     fn format_ext(&self, value: &f64) -> String {
         if self.logarithmic { power_of_ten(*value) } else { in_steps(*value, self.step) }
     }

@@ -4,12 +4,12 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::canvas::{Axis, Canvas, FINE, Plotted};
+use super::canvas::{AxisRange, Canvas, FINE, Plotted};
 use super::chart_strokes::{draw_label, draw_mark, draw_series};
 use super::error::PictureError;
 use super::legend_corner::emptiest_corner;
 use super::palette::{FONT, GREY, PALETTE};
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 
 /// Pixels of one chart, and heights of its letters.
 const SIZE: (u32, u32) = (860, 540);
@@ -28,7 +28,7 @@ pub struct Chart {
     title: String,
     x_label: String,
     y_label: String,
-    series: Vec<Series>,
+    series: Vec<ChartSeries>,
     marks: Vec<(f64, String)>,
     labels: Vec<((f64, f64), String)>,
     shaded: Option<(f64, String)>,
@@ -61,7 +61,7 @@ impl Chart {
     /// their order.
     #[must_use]
     pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
-        self.series.push(Series { name: name.into(), points, stroke });
+        self.series.push(ChartSeries { name: name.into(), points, stroke });
         self
     }
 
@@ -136,7 +136,7 @@ impl Chart {
         chart.marks.retain(|(x, _)| x.is_finite());
         let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
         chart.labels.retain(|(point, _)| is_finite(point));
-        let corners = chart.series.iter().flat_map(Series::corners);
+        let corners = chart.series.iter().flat_map(ChartSeries::corners);
         let finite: Vec<(f64, f64)> = corners.filter(is_finite).collect();
         if finite.is_empty() {
             return Err(PictureError("no finite point".into()));
@@ -189,7 +189,10 @@ impl Chart {
             .margin_right(30 * FINE)
             .x_label_area_size(50 * FINE)
             .y_label_area_size(82 * FINE)
-            .build_cartesian_2d(Axis::new(x0..x1, self.logarithmic), Axis::new(y0..y1, self.logarithmic))?;
+            .build_cartesian_2d(
+                AxisRange::new(x0..x1, self.logarithmic),
+                AxisRange::new(y0..y1, self.logarithmic),
+            )?;
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
             chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;

@@ -6,7 +6,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::canvas::{Canvas, FINE, Plotted};
 use super::palette::{FONT, GREY};
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 use super::sheet::plaque_size;
 
 /// Length and half the width of an arrow on a line, pixels.
@@ -28,7 +28,7 @@ const ARROWED: [(i32, i32); 10] =
 /// Draws a series and its entry in the legend.
 pub(super) fn draw_series<'a, 'b: 'a>(
     chart: &mut Canvas<'a, 'b>,
-    series: &Series,
+    series: &ChartSeries,
     color: RGBColor,
 ) -> Plotted {
     let (style, stroke) = (color.stroke_width(2 * FINE), series.stroke);

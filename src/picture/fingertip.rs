@@ -10,7 +10,7 @@ use crate::grasp::Contact;
 
 /// Consecutive contacts of a grasp.
 #[derive(Debug, Clone)]
-pub(super) struct Fingertip {
+pub(super) struct ContactGroup {
     pub(super) name: String,
     pub(super) contacts: Range<usize>,
 }
@@ -31,7 +31,7 @@ pub(super) struct Resultant<const C: usize> {
 
 /// Points of a soft fingertip have the name of the fingertip with 0, 1, 2 … behind it, as
 /// [`SoftFingertip`](crate::grasp::SoftFingertip) names them, and a normal in common.
-pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Fingertip> {
+pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<ContactGroup> {
     let mut tips = Vec::new();
     let mut first = 0;
     while first < contacts.len() {
@@ -43,13 +43,13 @@ pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Fingert
         let points = stem.map_or(1, |stem| (first..contacts.len()).take_while(|i| belongs(stem, *i)).count());
         let name = stem.filter(|_| points > 1).map(str::to_owned);
         let name = name.unwrap_or_else(|| contacts[first].label_text(first));
-        tips.push(Fingertip { name, contacts: first..first + points });
+        tips.push(ContactGroup { name, contacts: first..first + points });
         first += points;
     }
     tips
 }
 
-impl Fingertip {
+impl ContactGroup {
     /// Whether it is more than a point.
     pub(super) fn is_soft(&self) -> bool {
         self.contacts.len() > 1

@@ -14,12 +14,12 @@ const WAY: f64 = 0.48;
 const FLAT: f64 = 1e-3;
 
 /// A contact on which a force acts: its place, its unit normal, and its normal force.
-pub(super) type Push<const C: usize> = (SVector<f64, C>, SVector<f64, C>, f64);
+pub(super) type PushedContact<const C: usize> = (SVector<f64, C>, SVector<f64, C>, f64);
 
 /// Metres for a newton, in a picture of a size (m) with a largest force (N): as large as the picture
 /// allows, but no force goes through the object and out at its back, unless the object is thin.
-pub(super) fn metres_per_newton<const C: usize>(pushes: &[Push<C>], size: f64, largest: f64) -> f64 {
-    let inwards = |(at, normal, force): &Push<C>| {
+pub(super) fn metres_per_newton<const C: usize>(pushes: &[PushedContact<C>], size: f64, largest: f64) -> f64 {
+    let inwards = |(at, normal, force): &PushedContact<C>| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
         if depth > FLAT * size && *force > 0.0 { WAY * depth / force } else { f64::INFINITY }
     };

@@ -4,10 +4,10 @@ use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::actuators::Actuators;
-use super::axes::{Axes, bounds};
+use super::axes::{EqualScales, bounds};
 use super::contact_look::{ink, slope, word};
 use super::error::PictureError;
-use super::fingertip::{Fingertip, Resultant, fingertips};
+use super::fingertip::{ContactGroup, Resultant, fingertips};
 use super::force_scale::metres_per_newton;
 use super::labels::Labels;
 use super::painting::{Painting, flat};
@@ -97,7 +97,7 @@ struct Picture<'a> {
 
 /// A fingertip, its contact frame, and what it does.
 struct Tip {
-    of: Fingertip,
+    of: ContactGroup,
     middle: Vector2<f64>,
     frame: Matrix2<f64>,
     slope: f64,
@@ -122,7 +122,7 @@ impl<'a> Picture<'a> {
         let load = PlanarLoad::new(&state.load, low / 2.0 + high / 2.0, size((low, high)));
         let span = size(bounds(held().chain(bones.iter().flatten().copied())));
         let frames: Vec<_> = grasp.frames().copied().collect();
-        let tip = |of: Fingertip| Tip {
+        let tip = |of: ContactGroup| Tip {
             middle: of.middle(contacts),
             frame: frames[of.contacts.start],
             slope: slope(&contacts[of.contacts.start]),
@@ -144,7 +144,7 @@ impl<'a> Picture<'a> {
         });
         let of_load = [self.load.at, self.load.at + self.load.force * self.scale];
         let drawn = self.outline.iter().chain(self.bones.iter().flatten()).copied();
-        let axes = Axes::new(WINDOW, BORDER, drawn.chain(of_tips).chain(of_load));
+        let axes = EqualScales::new(WINDOW, BORDER, drawn.chain(of_tips).chain(of_load));
         if !axes.are_finite() {
             return Err(PictureError("a length or force is too large or too small to be drawn".into()));
         }
@@ -180,7 +180,7 @@ impl<'a> Picture<'a> {
         }))
     }
 
-    fn paint_object(&self, axes: &Axes, painting: &mut Painting) {
+    fn paint_object(&self, axes: &EqualScales, painting: &mut Painting) {
         let place = |point: &Vector2<f64>| axes.place(*point);
         for bone in &self.bones {
             painting.line(bone.map(|end| flat(axes.place(end))), GREY, 3.0);
@@ -202,7 +202,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn paint_tip(&self, axes: &Axes, painting: &mut Painting, tip: &Tip) {
+    fn paint_tip(&self, axes: &EqualScales, painting: &mut Painting, tip: &Tip) {
         let Resultant { at, force, word: does, .. } = tip.does;
         let place = |point| axes.place(point);
         painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
@@ -219,7 +219,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn paint_load(&self, axes: &Axes, painting: &mut Painting) {
+    fn paint_load(&self, axes: &EqualScales, painting: &mut Painting) {
         let PlanarLoad { at, force, moment } = self.load;
         let tip = at + force * self.scale;
         let (from, to) = (axes.place(at), axes.place(tip));
@@ -236,7 +236,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn write_load(&self, axes: &Axes, paper: &mut Sheet, labels: &mut Labels) {
+    fn write_load(&self, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let PlanarLoad { at, force, moment } = self.load;
         if force != Vector2::zeros() {
             let tip = axes.place(at + force * self.scale);

@@ -2,7 +2,7 @@
 
 use plotters::chart::SeriesLabelPosition;
 
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 
 /// Places for the legend: how much of the room beside and below it is on its left and below.
 const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
@@ -17,7 +17,7 @@ const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
 /// Where the legend hides least of the curves, of labels of marks, and of that of a shaded area.
 pub(super) fn emptiest_corner(
     [x0, x1, y0, y1]: [f64; 4],
-    series: &[Series],
+    series: &[ChartSeries],
     marked: bool,
     shaded: bool,
 ) -> SeriesLabelPosition {
@@ -32,7 +32,7 @@ pub(super) fn emptiest_corner(
             (left..left + width).contains(&x) && (bottom..bottom + height).contains(&y)
         };
         let mut count = 0;
-        for Series { points, stroke, .. } in series {
+        for ChartSeries { points, stroke, .. } in series {
             if matches!(stroke, Stroke::Circles | Stroke::Dots | Stroke::Bars) {
                 count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
                 continue;

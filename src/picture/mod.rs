@@ -39,7 +39,7 @@ pub use error::PictureError;
 pub use grasp_picture::{Outline, draw_grasp};
 pub use page::{SpatialPage, View};
 pub use polar::Polar;
-pub use series::{Series, Stroke};
+pub use series::{ChartSeries, Stroke};
 pub use sphere::SphereMap;
 pub use sphere_grid::SphereGrid;
 pub use turn_chart::chart_of_turn;

@@ -22,7 +22,7 @@ const MOST: f64 = 1e4;
 const PIECES: u32 = 48;
 
 /// Pixels to the right and downwards, and towards the eye.
-pub(super) type Seen = Vector3<f64>;
+pub(super) type EyePoint = Vector3<f64>;
 
 /// One stroke of the brush.
 enum Shape {
@@ -39,12 +39,12 @@ pub(super) struct Painting {
 }
 
 /// A place that lies on the paper.
-pub(super) fn flat((x, y): Place) -> Seen {
-    Seen::new(x, y, 0.0)
+pub(super) fn flat((x, y): Place) -> EyePoint {
+    EyePoint::new(x, y, 0.0)
 }
 
 impl Painting {
-    pub(super) fn line(&mut self, ends: [Seen; 2], ink: RGBColor, width: f64) {
+    pub(super) fn line(&mut self, ends: [EyePoint; 2], ink: RGBColor, width: f64) {
         let depth = f64::midpoint(ends[0].z, ends[1].z);
         let places = ends.iter().map(place).collect();
         self.strokes.push((depth, Shape::Line { places, ink, width }));
@@ -66,11 +66,11 @@ impl Painting {
     }
 
     /// A contact; an open circle carries nothing. It is in front of the lines that end there.
-    pub(super) fn dot(&mut self, at: Seen, radius: f64, ink: RGBColor, open: bool) {
+    pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: RGBColor, open: bool) {
         self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
     }
 
-    pub(super) fn arrow(&mut self, [from, tip]: [Seen; 2], ink: RGBColor, width: f64, heads: usize) {
+    pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: RGBColor, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
         if size < SHORTEST {
@@ -115,7 +115,7 @@ impl Painting {
     }
 
     /// The head of an arrow, as long as `along`.
-    fn head(&mut self, tip: Seen, along: Vector2<f64>, ink: RGBColor, width: f64) {
+    fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: RGBColor, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (HEAD.1 * width);
         let corners = [tip.xy(), base + across, base - across].map(|corner| (corner.x, corner.y));
@@ -170,6 +170,6 @@ fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64
     parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
 }
 
-fn place(seen: &Seen) -> Place {
+fn place(seen: &EyePoint) -> Place {
     (seen.x, seen.y)
 }

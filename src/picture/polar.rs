@@ -9,7 +9,7 @@ use super::palette::{GREY, PALETTE};
 use super::polar_curve::draw_curve;
 use super::polar_plane::{MIDDLE, RADIUS, at, turn, width_of};
 use super::round_numbers::{in_steps, round_up, whole_above};
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 use super::sheet::{Sheet, sheet};
 use super::words::lines;
 
@@ -31,7 +31,7 @@ use super::words::lines;
 pub struct Polar {
     title: String,
     unit: String,
-    curves: Vec<Series>,
+    curves: Vec<ChartSeries>,
     marks: Vec<(Vec<(f64, f64)>, String)>,
     rays: Vec<(f64, String)>,
     notes: Vec<String>,
@@ -65,7 +65,7 @@ impl Polar {
     /// to the first. [`Stroke::Bars`] are spokes from the middle.
     #[must_use]
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
-        self.curves.push(Series { name: name.into(), points, stroke });
+        self.curves.push(ChartSeries { name: name.into(), points, stroke });
         self
     }
 
@@ -202,7 +202,7 @@ impl Polar {
 
     fn draw_legend(&self, paper: &mut Sheet) {
         let mut y = 80.0;
-        for (k, Series { name, stroke, .. }) in self.curves.iter().enumerate() {
+        for (k, ChartSeries { name, stroke, .. }) in self.curves.iter().enumerate() {
             let ink = PALETTE[k % PALETTE.len()];
             let ends = [(LEGEND, y), (LEGEND + SAMPLE, y)];
             match stroke {

@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use super::palette::PALETTE;
 use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 use super::sheet::{Place, Sheet};
 
 /// Draws the curve with this index, which says its colour.
-pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Series) {
-    let Series { points, stroke, .. } = curve;
+pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &ChartSeries) {
+    let ChartSeries { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
     let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);
     let inside = points.iter().copied().filter(|(_, radius)| *radius <= rim);

@@ -3,7 +3,7 @@
 /// One series of a chart.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Series {
+pub struct ChartSeries {
     /// Its name in the legend.
     pub name: String,
     /// Its points (x, y).
@@ -12,7 +12,7 @@ pub struct Series {
     pub stroke: Stroke,
 }
 
-impl Series {
+impl ChartSeries {
     /// Two corners of each bar.
     pub(super) fn bars(&self) -> impl Iterator<Item = [(f64, f64); 2]> {
         let wide = self.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);

@@ -2,7 +2,7 @@
 
 use super::chart::Chart;
 use super::palette::PALETTE;
-use super::series::{Series, Stroke};
+use super::series::{ChartSeries, Stroke};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::error::{ContactLabel, Error};
@@ -53,13 +53,13 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
             curve.push((degrees(fraction), part_used(answer, contact.friction)));
         }
     }
-    let named = curves.into_iter().enumerate().map(|(i, points)| Series {
+    let named = curves.into_iter().enumerate().map(|(i, points)| ChartSeries {
         name: grasp.contacts()[i].label_text(i),
         points,
         stroke: Stroke::Line,
     });
     let mut chart = Chart::new(title, "angle (degrees)", "friction used, |F_t| / (μ F_n)");
-    for Series { name, points, stroke } in fullest(named.collect()) {
+    for ChartSeries { name, points, stroke } in fullest(named.collect()) {
         chart = chart.series(name, points, stroke);
     }
     let left = events.iter().find_map(|event| Some((event.fraction, left_by(event)?)));
@@ -91,8 +91,8 @@ fn part_used<const C: usize>(answer: &ContactAnswer<C>, friction: f64) -> f64 {
 }
 
 /// The curves that there are, or as many as there are colours for: those that come highest.
-fn fullest(mut curves: Vec<Series>) -> Vec<Series> {
-    let most = |series: &Series| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
+fn fullest(mut curves: Vec<ChartSeries>) -> Vec<ChartSeries> {
+    let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     curves.retain(|series| most(series).is_finite());
     let mut highest: Vec<f64> = curves.iter().map(most).collect();
     highest.sort_by(|a, b| b.total_cmp(a));

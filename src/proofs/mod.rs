@@ -14,7 +14,7 @@ mod wrench_cone;
 
 pub(crate) use escape::{ESCAPE, LEAST_WORK};
 pub(crate) use open_choices::nothing_holds;
-pub(crate) use refutation::{Step, check, yields};
+pub(crate) use refutation::{ProofStep, check, yields};
 pub(crate) use wrench_cone::{
     Generator, NearestForces, nearest_forces, round_generators, separates_from_here_on, separating_motion,
     straight_generators,

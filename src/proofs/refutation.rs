@@ -25,7 +25,7 @@ const BALANCED: f64 = 1e-13;
 
 /// A step of the proof; what follows a division is its second case with all below it, then its first.
 #[derive(Debug, Clone)]
-pub(crate) enum Step<D: Size, const C: usize> {
+pub(crate) enum ProofStep<D: Size, const C: usize> {
     /// What a contact does is one of these two.
     Divided { contact: usize, halves: [Label; 2] },
     /// The case is contradicted.
@@ -34,7 +34,10 @@ pub(crate) enum Step<D: Size, const C: usize> {
 
 /// The least factor by which an equilibrium that rounding has hidden would have to exceed the data, in √J; `None` where the steps
 /// leave a case out, or contradict one too weakly to count.
-pub(crate) fn check<D: Size, const C: usize>(problem: &Problem<D, C>, steps: &[Step<D, C>]) -> Option<f64> {
+pub(crate) fn check<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    steps: &[ProofStep<D, C>],
+) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, C>]| {
@@ -46,7 +49,7 @@ pub(crate) fn check<D: Size, const C: usize>(problem: &Problem<D, C>, steps: &[S
     for step in steps {
         let labels = open.pop()?;
         match step {
-            Step::Divided { contact, halves } => {
+            ProofStep::Divided { contact, halves } => {
                 if !labels.get(*contact)?.is_covered_by(halves) {
                     return None;
                 }
@@ -56,7 +59,7 @@ pub(crate) fn check<D: Size, const C: usize>(problem: &Problem<D, C>, steps: &[S
                     open.push(labels);
                 }
             }
-            Step::Contradicted { motion, forces } => {
+            ProofStep::Contradicted { motion, forces } => {
                 least = least.min(escape(problem, &labels, motion, forces)? / data);
             }
         }
@@ -75,7 +78,7 @@ pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option
         };
         problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
     };
-    let step = |sign: f64| Step::Contradicted { motion: &motion * sign, forces: forces(sign) };
+    let step = |sign: f64| ProofStep::Contradicted { motion: &motion * sign, forces: forces(sign) };
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 

@@ -3,10 +3,10 @@
 use nalgebra::SVector;
 
 use super::answer::Answer;
-use super::finger::Finger;
-use super::labels::Labels;
+use super::finger::FingerSetup;
+use super::labels::SceneNames;
 use super::onset::Factor;
-use super::question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
+use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::error::{ContactLabel, Error};
@@ -37,11 +37,11 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// [`Error::Size`] unless a leg has one command for each contact of the scene.
     /// [`Error::JointCommands`] unless it has one for each joint and each tendon.
-    pub fn legs(&self, legs: &[Leg<C>]) -> Result<Vec<load_path::Leg<C>>, Error> {
+    pub fn legs(&self, legs: &[LegAsked<C>]) -> Result<Vec<load_path::Leg<C>>, Error> {
         legs.iter().map(|leg| self.leg(leg)).collect()
     }
 
-    fn leg(&self, leg: &Leg<C>) -> Result<load_path::Leg<C>, Error> {
+    fn leg(&self, leg: &LegAsked<C>) -> Result<load_path::Leg<C>, Error> {
         let mut out = load_path::Leg::load_by(Wrench::ZERO);
         match &leg.load {
             None => {}
@@ -99,12 +99,12 @@ impl<const C: usize> Setup<C> {
 
     /// Number of all joints; a finger that presses with a force counts as one joint.
     fn joints(&self) -> usize {
-        let of = |finger: &Finger<C>| if finger.presses.is_some() { 1 } else { finger.joints.len() };
+        let of = |finger: &FingerSetup<C>| if finger.presses.is_some() { 1 } else { finger.joints.len() };
         self.fingers.iter().map(of).sum()
     }
 
     /// What the scene calls the contacts of its grasp.
-    pub(super) fn labels(&self) -> Result<Labels, Error> {
+    pub(super) fn labels(&self) -> Result<SceneNames, Error> {
         let mut labels = Vec::new();
         for (index, entry) in self.entries().enumerate() {
             let label = |point| ContactLabel { point, ..entry.contact.label(index) };
@@ -113,7 +113,7 @@ impl<const C: usize> Setup<C> {
                 Some(_) => labels.extend((0..entry.count()?).map(Some).map(label)),
             }
         }
-        Ok(Labels(labels))
+        Ok(SceneNames(labels))
     }
 
     /// The answer to every question, in order.
@@ -126,7 +126,12 @@ impl<const C: usize> Setup<C> {
         self.questions.iter().map(|question| self.answer(&grasp, &labels, question)).collect()
     }
 
-    fn answer(&self, grasp: &Grasp<C>, labels: &Labels, question: &Question<C>) -> Result<Answer<C>, Error> {
+    fn answer(
+        &self,
+        grasp: &Grasp<C>,
+        labels: &SceneNames,
+        question: &Question<C>,
+    ) -> Result<Answer<C>, Error> {
         Ok(match question {
             Question::Solve { load } => Answer::Solve(labels.solved(grasp, grasp.solve(load)?)),
             Question::Onset(asked) => {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::labels::Labels;
+use super::labels::SceneNames;
 use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
@@ -63,7 +63,7 @@ impl<const C: usize> Setup<C> {
         self.questions.iter().map(|question| self.brief(&grasp, &labels, question)).collect()
     }
 
-    fn brief(&self, grasp: &Grasp<C>, labels: &Labels, question: &Question<C>) -> Result<Brief, Error> {
+    fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
         Ok(match question {
             Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
@@ -89,7 +89,7 @@ impl Brief {
     }
 }
 
-impl Labels {
+impl SceneNames {
     fn solved_briefly<const C: usize>(&self, question: &'static str, outcome: &Outcome<C>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),

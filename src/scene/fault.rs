@@ -22,7 +22,7 @@ pub struct Fault {
     pub field: Option<String>,
     /// Where reading had come to when it was noticed.
     #[serde(flatten)]
-    pub at: Option<At>,
+    pub at: Option<TextPosition>,
 }
 
 /// What kind of fault it is.
@@ -42,7 +42,7 @@ pub enum FaultKind {
 /// A place in the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct At {
+pub struct TextPosition {
     /// From 1. It is not written: a scene of a stream stands on one line.
     #[serde(skip)]
     pub line: usize,
@@ -54,7 +54,7 @@ impl std::error::Error for Fault {}
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(At { line, column }) = self.at {
+        if let Some(TextPosition { line, column }) = self.at {
             write!(f, "line {line}, column {column}: ")?;
         }
         if let Some(field) = &self.field {
@@ -75,7 +75,7 @@ impl Fault {
     fn new(text: &[u8], error: &serde_path_to_error::Error<serde_json::Error>) -> Self {
         let inner = error.inner();
         let (line, column) = (inner.line(), inner.column());
-        let at = (line > 0).then_some(At { line, column });
+        let at = (line > 0).then_some(TextPosition { line, column });
         // Whatever a scene of another version has in it, the version comes first.
         let format = serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.format);
         if let Some(format) = format.filter(|format| format != FORMAT) {
@@ -130,7 +130,7 @@ impl Scene {
 fn parse_on_track(text: &[u8]) -> Result<Scene, Fault> {
     if text.starts_with(BYTE_ORDER_MARK) {
         let message = "begins with a byte-order mark, must begin with {: save it as UTF-8 without one";
-        let at = Some(At { line: 1, column: 1 });
+        let at = Some(TextPosition { line: 1, column: 1 });
         return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
     }
     let mut json = serde_json::Deserializer::from_slice(text);

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fingertip::{Carried, Fingertip, MovedBy};
+use super::fingertip::{Fingertip, LinkedContact, MovedBy};
 use super::matrix::Rows;
 use super::object;
 use crate::error::Error;
@@ -16,12 +16,12 @@ use crate::serial::AsGiven;
 /// ```
 /// use grasp_lcp::planar::Contact;
 /// use grasp_lcp::planar::hand::Joint;
-/// use grasp_lcp::scene::{Finger, Scene, Setup};
+/// use grasp_lcp::scene::{FingerSetup, Scene, Setup};
 ///
 /// // Two jaws of 1000 N/m, told to close by 10 mm, with stiff pads.
 /// let jaw = |side: f64| {
 ///     let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
-///     Finger::new([slide]).contact(Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
+///     FingerSetup::new([slide]).contact(Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
 /// };
 /// let scene = Scene::from(Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0)));
 /// let written = serde_json::to_value(&scene)?;
@@ -30,7 +30,7 @@ use crate::serial::AsGiven;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Finger<const C: usize> {
+pub struct FingerSetup<const C: usize> {
     /// For the reader of the file.
     pub comment: Option<String>,
     /// From the palm on; none for a finger that only gives way, or that presses with a force.
@@ -45,7 +45,7 @@ pub struct Finger<const C: usize> {
     pub contacts: Vec<Fingertip<C>>,
 }
 
-impl<const C: usize> Finger<C> {
+impl<const C: usize> FingerSetup<C> {
     /// A finger with these joints and no contact yet.
     pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
         Self {
@@ -132,7 +132,7 @@ struct Written<const C: usize> {
     #[serde(default, with = "AsGiven::<Option<f64>>")]
     presses_with: Option<f64>,
     /// At least one; stiffness may be left out where there is a `compliance`.
-    contacts: Vec<Carried<C>>,
+    contacts: Vec<LinkedContact<C>>,
 }
 
 #[derive(serde::Serialize)]
@@ -150,7 +150,7 @@ struct Out<'a, const C: usize> {
     contacts: &'a [Fingertip<C>],
 }
 
-impl<const C: usize> Serialize for Finger<C> {
+impl<const C: usize> Serialize for FingerSetup<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Out {
             comment: self.comment.as_deref(),
@@ -164,7 +164,7 @@ impl<const C: usize> Serialize for Finger<C> {
     }
 }
 
-impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
+impl<'de, const C: usize> Deserialize<'de> for FingerSetup<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a finger", |written: Written<C>| {
             let matrix = |rows: Option<Rows>, field| rows.map(|rows| rows.matrix(field)).transpose();
@@ -174,7 +174,7 @@ impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
                 stiffness_matrix: matrix(written.stiffness_matrix, "stiffness_matrix")?,
                 compliance: matrix(written.compliance, "compliance")?,
                 presses: written.presses_with,
-                contacts: written.contacts.into_iter().map(|Carried(entry)| entry).collect(),
+                contacts: written.contacts.into_iter().map(|LinkedContact(entry)| entry).collect(),
             }
             .checked()
         })
@@ -182,4 +182,4 @@ impl<'de, const C: usize> Deserialize<'de> for Finger<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Finger", Finger<C>, Written<C>, C);
+schema_as_written!("FingerSetup", FingerSetup<C>, Written<C>, C);

@@ -241,9 +241,9 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
 }
 
 /// A contact of a finger: it may say what moves it, and a compliance of the finger may stand for its springs.
-pub(super) struct Carried<const C: usize>(pub(super) Fingertip<C>);
+pub(super) struct LinkedContact<const C: usize>(pub(super) Fingertip<C>);
 
-impl<'de, const C: usize> Deserialize<'de> for Carried<C> {
+impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a contact", |written: Written<C>| {
             let given = written.stiffness()?;
@@ -324,4 +324,4 @@ impl<const C: usize> Written<C> {
 #[cfg(feature = "schema")]
 schema_as_written!("Contact", Fingertip<C>, Written<C>, C);
 #[cfg(feature = "schema")]
-schema_as_written!("Contact", Carried<C>, Written<C>, C);
+schema_as_written!("Contact", LinkedContact<C>, Written<C>, C);

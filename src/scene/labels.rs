@@ -5,9 +5,9 @@ use crate::equilibrium::{Equilibrium, Outcome, WorkDone};
 use crate::error::ContactLabel;
 
 /// What a scene calls the contacts of its grasp, in the order of the grasp.
-pub(super) struct Labels(pub(super) Vec<ContactLabel>);
+pub(super) struct SceneNames(pub(super) Vec<ContactLabel>);
 
-impl Labels {
+impl SceneNames {
     /// Calls a contact of the grasp what the scene calls it.
     pub(super) fn name(&self, contact: &mut ContactLabel) {
         contact.clone_from(&self.0[contact.index]);

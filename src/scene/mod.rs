@@ -55,7 +55,7 @@
 //! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!
-//! A finger (see [`Finger`](crate::grasp::Finger) for signs):
+//! A finger (see [`FingerSetup`](crate::grasp::Finger) for signs):
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -279,13 +279,13 @@ mod written;
 pub use answer::Answer;
 pub use brief::Brief;
 #[cfg(feature = "json")]
-pub use fault::{At, Fault, FaultKind};
-pub use finger::Finger;
+pub use fault::{Fault, FaultKind, TextPosition};
+pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
-pub use question::{Commands, Goal, Leg, LoadGoal, Question, RampAsked};
+pub use question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

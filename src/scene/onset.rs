@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::labels::Labels;
+use super::labels::SceneNames;
 use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
@@ -111,7 +111,7 @@ pub struct TurnAnswer<const C: usize> {
     pub touches: Vec<Touch>,
 }
 
-impl Labels {
+impl SceneNames {
     pub(super) fn onset<const C: usize, At>(
         &self,
         grasp: &Grasp<C>,

@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::labels::Labels;
+use super::labels::SceneNames;
 use crate::equilibrium::{Doubt, Equilibrium, Outcome};
-use crate::load_path::{Beyond, Energy, Event, LoadPath, Loss, PathEnd};
+use crate::load_path::{Beyond, Event, LegEnergy, LoadPath, Loss, PathEnd};
 use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`LoadPath`].
@@ -71,22 +71,22 @@ pub enum PathOutcome<const C: usize> {
 pub struct BalancedEnergy {
     /// The energies, J; their turnover is not told.
     #[serde(flatten)]
-    pub energy: Energy,
+    pub energy: LegEnergy,
     /// What does not balance, over the sum of the sizes of all contributions: zero in exact
     /// arithmetic.
     #[serde(with = "AsComputed::<f64>")]
     pub residual: f64,
 }
 
-impl Labels {
+impl SceneNames {
     /// A path that was followed to its end, and the events on the way.
     pub(super) fn path<const C: usize>(
         &self,
         path: &LoadPath<'_, C>,
         events: Vec<Event<C>>,
     ) -> PathAnswer<C> {
-        let balanced = |energy: &Energy| BalancedEnergy {
-            energy: Energy { turnover: 0.0, ..*energy },
+        let balanced = |energy: &LegEnergy| BalancedEnergy {
+            energy: LegEnergy { turnover: 0.0, ..*energy },
             residual: energy.residual(),
         };
         PathAnswer {

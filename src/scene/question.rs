@@ -32,7 +32,7 @@ pub enum Question<const C: usize> {
         #[serde(default = "no_load::<C>")]
         start: Wrench<C>,
         /// The program.
-        legs: Vec<Leg<C>>,
+        legs: Vec<LegAsked<C>>,
     },
 }
 
@@ -138,20 +138,20 @@ pub enum LoadGoal<const C: usize> {
 ///
 /// ```
 /// use grasp_lcp::planar::{Turn, Wrench};
-/// use grasp_lcp::scene::{Commands, Goal, Leg};
+/// use grasp_lcp::scene::{Commands, Goal, LegAsked};
 ///
 /// let grip = Commands(vec![[0.002, 0.0].into(); 2]);
-/// let leg: Leg<2> = Leg::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
+/// let leg: LegAsked<2> = LegAsked::new(Some(Goal::To(Wrench::force([0.0, -1.0]))), Some(Goal::By(grip)));
 /// let written = r#"{"load_to": {"force": [0, -1]}, "commands_by": [[0.002, 0], [0.002, 0]]}"#;
-/// assert_eq!(serde_json::from_str::<Leg<2>>(written)?, leg);
+/// assert_eq!(serde_json::from_str::<LegAsked<2>>(written)?, leg);
 ///
-/// let tilted: Leg<2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
-/// assert_eq!(tilted, Leg::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(1.5)));
+/// let tilted: LegAsked<2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
+/// assert_eq!(tilted, LegAsked::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(1.5)));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Leg<const C: usize> {
+pub struct LegAsked<const C: usize> {
     /// What becomes of the load.
     pub load: Option<LoadGoal<C>>,
     /// What becomes of the finger commands.
@@ -160,7 +160,7 @@ pub struct Leg<const C: usize> {
     pub joints: Option<Goal<Vec<f64>>>,
 }
 
-impl<const C: usize> Leg<C> {
+impl<const C: usize> LegAsked<C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
@@ -237,7 +237,7 @@ impl<const C: usize> WrittenLeg<C> {
     }
 }
 
-impl<const C: usize> Serialize for Leg<C> {
+impl<const C: usize> Serialize for LegAsked<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (straight, turn) = match &self.load {
             None => (None, None),
@@ -252,7 +252,7 @@ impl<const C: usize> Serialize for Leg<C> {
     }
 }
 
-impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
+impl<'de, const C: usize> Deserialize<'de> for LegAsked<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", |written: WrittenLeg<C>| {
             let load = written.load()?;
@@ -268,4 +268,4 @@ impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Leg", Leg<C>, WrittenLeg<C>, C);
+schema_as_written!("LegAsked", LegAsked<C>, WrittenLeg<C>, C);

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
-use super::finger::Finger;
+use super::finger::FingerSetup;
 use super::fingertip::Fingertip;
 use super::object;
 use super::question::Question;
@@ -46,7 +46,7 @@ pub struct Setup<const C: usize> {
     pub contacts: Vec<Fingertip<C>>,
     /// Fingers with joints; their contacts are counted on behind those above.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub fingers: Vec<Finger<C>>,
+    pub fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
@@ -75,7 +75,7 @@ struct Written<const C: usize> {
     contacts: Vec<Fingertip<C>>,
     /// Fingers with joints; their contacts are counted on behind those above.
     #[serde(default)]
-    fingers: Vec<Finger<C>>,
+    fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
     #[serde(default)]
     tendons: Vec<Tendon>,
@@ -134,7 +134,7 @@ impl<const C: usize> Setup<C> {
 
     /// This setup with one more finger.
     #[must_use]
-    pub fn finger(mut self, finger: Finger<C>) -> Self {
+    pub fn finger(mut self, finger: FingerSetup<C>) -> Self {
         self.fingers.push(finger);
         self
     }

@@ -3,19 +3,19 @@
 //! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
 use super::block::Block;
-use super::factors::Factors;
-use super::finger::{Finger, Force, moment, world};
+use super::factors::LaneFactors;
+use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Lanes, dot};
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: usize> {
-    pub(super) fingers: [Finger<C, L>; N],
+    pub(super) fingers: [LaneFinger<C, L>; N],
     centre: [Lanes<L>; C],
     pub(super) arms: [[Lanes<L>; C]; N],
     /// Largest entry of an arm.
     pub(super) reach: Lanes<L>,
-    factors: Factors<D, L>,
+    factors: LaneFactors<D, L>,
 }
 
 impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, N, L> {
@@ -23,7 +23,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
     pub(super) fn new(block: &Block<C, N, L>) -> Self {
         let share = Lanes::all(1.0 / N as f64);
         let none = [Lanes::ZERO; C];
-        let mut fingers = [Finger { normal: none, springs: [Lanes::ZERO; 2] }; N];
+        let mut fingers = [LaneFinger { normal: none, springs: [Lanes::ZERO; 2] }; N];
         for i in 0..N {
             for axis in 0..C {
                 fingers[i].normal[axis] = block.normal[axis][i];
@@ -46,7 +46,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
         for i in 0..N {
             add(&mut stiffness, &fingers[i], &arms[i]);
         }
-        Self { fingers, centre, arms, reach, factors: Factors::new(stiffness) }
+        Self { fingers, centre, arms, reach, factors: LaneFactors::new(stiffness) }
     }
 
     /// Positive if something moves freely.
@@ -118,7 +118,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, 
 #[inline(always)]
 fn add<const D: usize, const C: usize, const L: usize>(
     t: &mut [[Lanes<L>; D]; D],
-    finger: &Finger<C, L>,
+    finger: &LaneFinger<C, L>,
     arm: &[Lanes<L>; C],
 ) {
     let [normal, tangential] = finger.springs;

@@ -6,7 +6,7 @@ use super::load_cases::LoadCases;
 use super::method::Method;
 use super::prepared::Prepared;
 use super::pull::Pull;
-use super::question::{Question, Scenes};
+use super::question::{Scenes, ScreeningQuestion};
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
@@ -143,14 +143,14 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.ask_into(cases, answers);
     }
 
-    fn ask_into<Q: Question<D, C>>(&self, questions: &[Q], answers: &mut Vec<Q::Answer>) {
+    fn ask_into<Q: ScreeningQuestion<D, C>>(&self, questions: &[Q], answers: &mut Vec<Q::Answer>) {
         for part in self.parts(questions, self.blocks.len(), answers) {
             part.screen();
         }
     }
 
     /// The batch in parts of so many blocks of scenes, each with the places for its answers.
-    pub(crate) fn parts<'a, Q: Question<D, C>>(
+    pub(crate) fn parts<'a, Q: ScreeningQuestion<D, C>>(
         &'a self,
         questions: &'a [Q],
         blocks: usize,
@@ -166,20 +166,22 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 }
 
 /// A part of a batch.
-pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize, Q: Question<D, C>> {
+pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> {
     blocks: &'a [Block<C, N, LANES>],
     parted: &'a [Parted<N, LANES>],
     questions: &'a [Q],
     answers: &'a mut [Q::Answer],
 }
 
-impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Part<'_, D, C, N, Q> {
+impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> Part<'_, D, C, N, Q> {
     pub(crate) fn screen(self) {
         wide(self);
     }
 }
 
-impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for Part<'_, D, C, N, Q> {
+impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> Loop
+    for Part<'_, D, C, N, Q>
+{
     type Output = ();
 
     #[inline(always)]
@@ -195,7 +197,7 @@ impl<const D: usize, const C: usize, const N: usize, Q: Question<D, C>> Loop for
 
 /// Asks the scenes that go this way.
 #[inline(always)]
-fn answer<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
+fn answer<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>>(
     way: Method,
     (block, parted): (&Block<C, N, LANES>, &Parted<N, LANES>),
     questions: &[Q],

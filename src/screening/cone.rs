@@ -11,7 +11,7 @@ pub(super) const MOST: f64 = 1e150;
 /// What a contact must obey to stick, `α F_n >= β |F_t|`: α and β are the friction coefficient and
 /// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cone<const L: usize> {
+pub(super) struct StickingCone<const L: usize> {
     pub(super) alpha: Lanes<L>,
     pub(super) beta: Lanes<L>,
 }
@@ -23,7 +23,7 @@ pub(super) const OPENS_ONLY: f64 = -1.0;
 /// without or with infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
-impl<const L: usize> Cone<L> {
+impl<const L: usize> StickingCone<L> {
     /// From a friction coefficient or one of the two codes.
     #[inline(always)]
     pub(super) fn of(friction: Lanes<L>) -> Self {
@@ -32,7 +32,7 @@ impl<const L: usize> Cone<L> {
     }
 }
 
-impl<const L: usize> Cone<L> {
+impl<const L: usize> StickingCone<L> {
     /// `β F_t` of a contact.
     #[inline(always)]
     pub(super) fn friction<const C: usize, const N: usize>(

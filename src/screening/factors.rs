@@ -9,14 +9,14 @@ pub(super) const NOTHING: f64 = 1e-13;
 
 /// The factors of a matrix of `R` rows.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Factors<const R: usize, const L: usize> {
+pub(super) struct LaneFactors<const R: usize, const L: usize> {
     /// L below the diagonal, and D⁻¹ on it: zero where the pivot is rounding.
     entries: [[Lanes<L>; R]; R],
     /// Positive if some pivot is rounding.
     pub(super) free: Lanes<L>,
 }
 
-impl<const R: usize, const L: usize> Factors<R, L> {
+impl<const R: usize, const L: usize> LaneFactors<R, L> {
     /// From the entries on and below the diagonal.
     #[inline(always)]
     pub(super) fn new(mut t: [[Lanes<L>; R]; R]) -> Self {

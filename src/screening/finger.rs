@@ -4,7 +4,7 @@ use super::lanes::{Lanes, dot};
 
 /// One contact.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Finger<const C: usize, const L: usize> {
+pub(super) struct LaneFinger<const C: usize, const L: usize> {
     pub(super) normal: [Lanes<L>; C],
     pub(super) springs: [Lanes<L>; 2],
 }
@@ -57,7 +57,7 @@ pub(super) fn displacement<const D: usize, const C: usize, const L: usize>(
 /// The force in coordinate axes.
 #[inline(always)]
 pub(super) fn world<const C: usize, const L: usize>(
-    finger: &Finger<C, L>,
+    finger: &LaneFinger<C, L>,
     force: &Force<C, L>,
 ) -> [Lanes<L>; C] {
     let n = &finger.normal;
@@ -76,7 +76,7 @@ pub(super) fn world<const C: usize, const L: usize>(
 /// The force of a contact whose springs are stretched so.
 #[inline(always)]
 pub(super) fn stretched<const C: usize, const L: usize>(
-    finger: &Finger<C, L>,
+    finger: &LaneFinger<C, L>,
     s: &[Lanes<L>; C],
 ) -> Force<C, L> {
     let [normal, tangential] = finger.springs;

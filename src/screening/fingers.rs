@@ -8,7 +8,7 @@ use super::load_cases::LoadCases;
 use super::method::Method;
 use super::prepared::Prepared;
 use super::pull::Pull;
-use super::question::{Question, Scenes};
+use super::question::{Scenes, ScreeningQuestion};
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
@@ -162,7 +162,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     }
 
     #[inline(always)]
-    fn ask<Q: Question<D, C>>(&self, question: &Q) -> Q::Answer {
+    fn ask<Q: ScreeningQuestion<D, C>>(&self, question: &Q) -> Q::Answer {
         let Self { block, parted, ready, squeezed } = self;
         let [answer] = question.ask(Scenes { block, parted, ready, squeezed });
         answer

@@ -1,6 +1,6 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
-use super::cone::{Cone, Crossing, LEAST, MOST};
+use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_slip::UNCLEAR;
 use super::forces::Forces;
 use super::lanes::Lanes;
@@ -28,7 +28,7 @@ struct Exit<const L: usize> {
 /// quadratic is wanted, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, const N: usize, const L: usize>(
-    cone: &Cone<L>,
+    cone: &StickingCone<L>,
     contact: usize,
     base: &Forces<C, N, L>,
     rates: &Forces<C, N, L>,
@@ -80,7 +80,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     let mut factors = [zero; N];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
     for i in 0..N {
-        let exit = exit(&Cone::of(friction[i]), i, base, rates);
+        let exit = exit(&StickingCone::of(friction[i]), i, base, rates);
         factors[i] = exit.factor;
         first = first.min(exit.factor);
         margin = margin.min(exit.margin);

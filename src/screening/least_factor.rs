@@ -6,7 +6,7 @@
 //! the intervals of all contacts and loads have in common. In the plane a margin is two straight lines;
 //! in space both ends are roots of one quadratic, see [`Crossing`].
 
-use super::cone::{Cone, Crossing, LEAST, MOST};
+use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::forces::Forces;
 use super::lanes::{Lanes, dot};
@@ -160,7 +160,7 @@ impl<const L: usize> LeastFactor<L> {
     ) {
         let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
         for i in 0..N {
-            let cone = Cone::of(friction[i]);
+            let cone = StickingCone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
             let noise = weight * others.rounding[i];
             let gain_noise = weight * commands.rounding[i];

@@ -1,7 +1,7 @@
 //! The loads that a grasp is to hold, one at a time.
 
 use super::least_factor::LeastFactor;
-use super::question::{Question, Scenes};
+use super::question::{Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -27,7 +27,7 @@ impl<const C: usize> LoadCases<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Question<D, C> for LoadCases<C> {
+impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for LoadCases<C> {
     type Answer = ScreenedSqueeze;
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 

@@ -64,7 +64,7 @@ pub use fingers::Fingers;
 pub use first_slip::Verdict;
 pub use load_cases::LoadCases;
 pub use pull::Pull;
-pub(crate) use question::Question;
+pub(crate) use question::ScreeningQuestion;
 pub use screened::{Screened, ScreenedTurn};
 pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
 pub use turning_pull::TurningPull;

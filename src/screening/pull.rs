@@ -2,7 +2,7 @@
 
 use super::first_exit::judge;
 use super::first_slip::FirstSlip;
-use super::question::{Question, Scenes};
+use super::question::{Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -31,7 +31,7 @@ impl<const C: usize> Pull<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Question<D, C> for Pull<C> {
+impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for Pull<C> {
     type Answer = Screened;
     const UNKNOWN: Screened = Screened(FirstSlip::UNKNOWN);
 

@@ -18,7 +18,7 @@ pub(crate) struct Scenes<'a, const D: usize, const C: usize, const N: usize, con
 }
 
 /// What is asked of every scene alike.
-pub(crate) trait Question<const D: usize, const C: usize>: Sync {
+pub(crate) trait ScreeningQuestion<const D: usize, const C: usize>: Sync {
     type Answer: Copy + Send;
     /// Before it is asked.
     const UNKNOWN: Self::Answer;

@@ -20,7 +20,7 @@
 //! small among large forces comes out better there: [`super::way`] says which way a grasp takes.
 
 use super::block::Block;
-use super::factors::Factors;
+use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Lanes, dot};
 use crate::contact::ZERO_SLACK as ROUNDING;
@@ -47,7 +47,7 @@ pub(super) struct Triangle<const C: usize, const N: usize, const L: usize> {
     /// one along an edge and under forces `P_i = e_i`.
     pushed: [Lanes<L>; N],
     turned: [Lanes<L>; N],
-    pub(super) factors: Factors<N, L>,
+    pub(super) factors: LaneFactors<N, L>,
 }
 
 impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
@@ -96,7 +96,7 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
             begins,
             pushed,
             turned,
-            factors: Factors::new(gives),
+            factors: LaneFactors::new(gives),
         }
     }
 

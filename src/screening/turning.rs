@@ -18,7 +18,7 @@
 use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
-use super::cone::{Cone, LEAST, MOST};
+use super::cone::{LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::first_slip::UNCLEAR;
 use super::forces::{Forces, ON_THE_EDGE};
@@ -88,7 +88,11 @@ struct Waves<const C: usize, const L: usize> {
 
 impl<const C: usize, const L: usize> Waves<C, L> {
     #[inline(always)]
-    fn new<const N: usize>(cone: &Cone<L>, contact: usize, forces: &Harmonic<Forces<C, N, L>>) -> Self {
+    fn new<const N: usize>(
+        cone: &StickingCone<L>,
+        contact: usize,
+        forces: &Harmonic<Forces<C, N, L>>,
+    ) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
         let standing = Lanes::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
         let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
@@ -125,7 +129,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// Where the margin falls below zero.
     #[inline(always)]
-    fn fall(&self, cone: &Cone<L>, sticking: Lanes<L>) -> Fall<L> {
+    fn fall(&self, cone: &StickingCone<L>, sticking: Lanes<L>) -> Fall<L> {
         if C == 2 {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
@@ -149,7 +153,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// The same of a round cone with friction, where the scenes stick at the beginning.
     #[inline(always)]
-    fn round_fall(&self, cone: &Cone<L>, sticking: Lanes<L>) -> Fall<L> {
+    fn round_fall(&self, cone: &StickingCone<L>, sticking: Lanes<L>) -> Fall<L> {
         let zero = Lanes::ZERO;
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
@@ -201,7 +205,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// Zero if squares of these forces keep their digits, else minus infinity.
     #[inline(always)]
-    fn lost(&self, cone: &Cone<L>) -> Lanes<L> {
+    fn lost(&self, cone: &StickingCone<L>) -> Lanes<L> {
         let mut size = Lanes::ZERO;
         for (n, t) in self.n.parts().into_iter().zip(self.t.parts()) {
             size += n.abs();
@@ -238,7 +242,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     let (zero, one, infinite) = (Lanes::ZERO, Lanes::all(1.0), Lanes::all(f64::INFINITY));
     let (mut margin, mut sure) = (infinite, infinite);
     for i in 0..N {
-        let cone = Cone::of(friction[i]);
+        let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
         let here = waves.margin();
         margin = margin.min(here);
@@ -249,7 +253,7 @@ pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
     let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
     let mut cotangents = [zero; N];
     for i in 0..N {
-        let cone = Cone::of(friction[i]);
+        let cone = StickingCone::of(friction[i]);
         let never = Lanes::all(f64::from_bits(1));
         let fall = Waves::new(&cone, i, forces).fall(&cone, sure).unless(never, cone.alpha);
         cotangents[i] = fall.cotangent;

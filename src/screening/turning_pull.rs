@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::first_slip::FirstSlip;
-use super::question::{Question, Scenes};
+use super::question::{Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
 use super::turning::judge;
 use crate::error::Error;
@@ -35,7 +35,7 @@ impl<const C: usize> TurningPull<C> {
     }
 }
 
-impl<const D: usize, const C: usize> Question<D, C> for TurningPull<C> {
+impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for TurningPull<C> {
     type Answer = ScreenedTurn;
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: FirstSlip::UNKNOWN, most: 0.0 };
 

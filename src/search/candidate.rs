@@ -26,7 +26,7 @@ const OUT_OF_BALANCE: f64 = 1e-11;
 
 /// What became of a proposal.
 #[derive(Debug, Clone)]
-pub(crate) enum Verdict<D: Size, const C: usize> {
+pub(crate) enum Judged<D: Size, const C: usize> {
     Holds(Found<D, C>),
     Violated {
         /// So close that rounding could have done it.
@@ -40,17 +40,17 @@ pub(crate) enum Verdict<D: Size, const C: usize> {
 pub(crate) fn try_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
-) -> Verdict<D, C> {
+) -> Judged<D, C> {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
-        return Verdict::Violated { doubtful: false };
+        return Judged::Violated { doubtful: false };
     }
     let piece = Piece::new(problem, &states);
     match piece.solve(problem.sites, &problem.drives, problem.load()) {
         Ok(state) => match admit(problem, states, &piece, state) {
-            Ok(found) => Verdict::Holds(found),
-            Err(Refused { doubtful, .. }) => Verdict::Violated { doubtful },
+            Ok(found) => Judged::Holds(found),
+            Err(Refused { doubtful, .. }) => Judged::Violated { doubtful },
         },
-        Err(_) => Verdict::Unbalanced,
+        Err(_) => Judged::Unbalanced,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Trying every combination of contact states: complete, and affordable for a few contacts.
 
 use super::answer::Found;
-use super::candidate::Verdict;
+use super::candidate::Judged;
 use super::polish::accept;
 use crate::contact::State;
 use crate::numerics::Size;
@@ -33,7 +33,7 @@ pub(crate) fn for_each_combination<D: Size, const C: usize>(
 
 /// What an enumeration found.
 #[derive(Debug, Clone)]
-pub(crate) struct Search<D: Size, const C: usize> {
+pub(crate) struct Enumerated<D: Size, const C: usize> {
     pub(crate) found: Vec<Found<D, C>>,
     /// Combinations tried.
     pub(crate) tried: usize,
@@ -42,20 +42,20 @@ pub(crate) struct Search<D: Size, const C: usize> {
 }
 
 /// Tries all combinations, or all until the first that holds.
-pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Search<D, C> {
-    let mut search = Search { found: Vec::new(), tried: 0, doubtful: false };
+pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Enumerated<D, C> {
+    let mut search = Enumerated { found: Vec::new(), tried: 0, doubtful: false };
     for_each_combination(problem, |states| {
         search.tried += 1;
         match accept(problem, states) {
-            Verdict::Holds(found) => {
+            Judged::Holds(found) => {
                 search.found.push(found);
                 first_only
             }
-            Verdict::Violated { doubtful } => {
+            Judged::Violated { doubtful } => {
                 search.doubtful |= doubtful;
                 false
             }
-            Verdict::Unbalanced => false,
+            Judged::Unbalanced => false,
         }
     });
     search

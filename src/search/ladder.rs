@@ -9,12 +9,12 @@ use super::rungs::{
     kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
     separating_motion_of_many, touching_contacts_stick,
 };
-use super::scene::{Attempt, Log, Scene};
+use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
 use crate::numerics::Size;
 use crate::object::Problem;
 
-type TryRung<D, const C: usize> = fn(&Scene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
+type TryRung<D, const C: usize> = fn(&TrialScene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
 
 /// Climbs the ladder.
 pub(crate) fn settle<D: Size, const C: usize>(
@@ -54,7 +54,7 @@ pub(crate) fn settle<D: Size, const C: usize>(
         }
         Err(Refused { states, at, .. }) => (states, at),
     };
-    let scene = Scene::new(problem, settings, unjumped, trial, state);
+    let scene = TrialScene::new(problem, settings, unjumped, trial, state);
     for attempt in ladder {
         match attempt(&scene, &mut log) {
             Attempt::Found(found, rung) => {

@@ -36,7 +36,7 @@ pub use answer::{Doubt, Rung};
 pub use settings::Settings;
 
 pub(crate) use answer::{Effort, Found, Kept, Settled};
-pub(crate) use candidate::{Verdict, for_each_condition, try_states};
+pub(crate) use candidate::{Judged, for_each_condition, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search};
 pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};

@@ -1,6 +1,6 @@
 //! Newton's method on the round cone: each contact answers with its return map (`contact/answer`), free to change its state.
 
-use crate::contact::Answer;
+use crate::contact::ContactResponse;
 use crate::numerics::{Size, Vector};
 use crate::object::{self, OneByOne, Problem};
 
@@ -12,7 +12,7 @@ const SETTLED: f64 = 1e-9;
 pub(super) struct Arrived<D: Size, const C: usize> {
     pub(super) twist: Vector<D>,
     /// What each contact answers there.
-    pub(super) contacts: Vec<Answer<C>>,
+    pub(super) contacts: Vec<ContactResponse<C>>,
 }
 
 /// Newton's method from a twist until forces settle.

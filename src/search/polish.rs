@@ -5,7 +5,7 @@
 //! twist says nothing of forces, the pieces are followed from the polygon's answer on.
 
 use super::answer::Found;
-use super::candidate::{Verdict, try_states};
+use super::candidate::{Judged, try_states};
 use super::newton::newton;
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
@@ -19,15 +19,14 @@ const NEAR: f64 = 1e-12;
 pub(super) fn accept<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
-) -> Verdict<D, C> {
+) -> Judged<D, C> {
     if !problem.round {
         return try_states(problem, states);
     }
     match try_states(problem, states) {
-        Verdict::Holds(found) => {
+        Judged::Holds(found) => {
             let near = PieceState { forces: found.forces, twist: found.twist };
-            polish(problem, &found.states, &near)
-                .map_or(Verdict::Violated { doubtful: false }, Verdict::Holds)
+            polish(problem, &found.states, &near).map_or(Judged::Violated { doubtful: false }, Judged::Holds)
         }
         other => other,
     }
@@ -42,11 +41,11 @@ pub(crate) fn solution_near<D: Size, const C: usize>(
         return Some(near);
     }
     match try_states(problem, states.to_vec()) {
-        Verdict::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
-        Verdict::Violated { .. } => {
+        Judged::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
+        Judged::Violated { .. } => {
             Piece::new(problem, states).solve(problem.sites, &problem.drives, problem.load()).ok()
         }
-        Verdict::Unbalanced => None,
+        Judged::Unbalanced => None,
     }
 }
 

@@ -1,10 +1,10 @@
 //! Lemke's method proposes contact states, which are solved and checked; on the round cone Newton's method goes on from there.
 
 use super::answer::{Doubt, Found};
-use super::candidate::{Verdict, try_states};
+use super::candidate::{Judged, try_states};
 use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
-use super::scene::{Log, Scene};
+use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use super::tree::most_cases;
 use crate::contact::State;
@@ -49,12 +49,12 @@ pub(super) fn climb<D: Size, const C: usize>(
     let proposed = propose(problem, log)?;
     if !problem.round {
         return match try_states(problem, proposed) {
-            Verdict::Holds(found) => Some(found),
-            Verdict::Violated { doubtful: true } => {
+            Judged::Holds(found) => Some(found),
+            Judged::Violated { doubtful: true } => {
                 log.doubt = Doubt::OnTheBoundary;
                 None
             }
-            Verdict::Violated { doubtful: false } | Verdict::Unbalanced => None,
+            Judged::Violated { doubtful: false } | Judged::Unbalanced => None,
         };
     }
     let near = solution_near(problem, &proposed)?;
@@ -63,7 +63,7 @@ pub(super) fn climb<D: Size, const C: usize>(
 
 /// Contact states from Lemke's method on lists of contact states.
 pub(super) fn propose_structured<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     problem: &Problem<D, C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {

@@ -38,7 +38,7 @@ const MOST_PER_ROW: usize = 40;
 pub(super) type Tag = (usize, usize);
 
 /// The equation.
-pub(super) struct Balance<const C: usize> {
+pub(super) struct BalanceEquation<const C: usize> {
     /// P, column by column.
     projector: Vec<f64>,
     /// f⁰ over its length.
@@ -57,7 +57,7 @@ pub(super) enum Relaxed<const C: usize> {
     Contradicted { escape: f64 },
 }
 
-impl<const C: usize> Balance<C> {
+impl<const C: usize> BalanceEquation<C> {
     /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
     pub(super) fn new<D: Size>(
         problem: &Problem<D, C>,

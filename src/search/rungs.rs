@@ -4,7 +4,7 @@ use super::answer::{Doubt, Rung, Settled};
 use super::enumerate::search;
 use super::polish::polish_from;
 use super::proposals::{MANY, climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
-use super::scene::{Attempt, Log, Scene};
+use super::scene::{Attempt, Log, TrialScene};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
@@ -20,7 +20,7 @@ const STRUCTURED_FROM: usize = 8;
 
 /// What would pull is open, and the rest sticks.
 pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
@@ -29,7 +29,7 @@ pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
 
 /// Newton's method on the answers of many contacts.
 pub(super) fn newton_on_answers<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     if scene.problem.len() < MANY {
@@ -41,7 +41,7 @@ pub(super) fn newton_on_answers<D: Size, const C: usize>(
 
 /// Lemke's method on the kinematic form, on lists of contact states: its cost is that of a few numbers a contact.
 pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     if scene.problem.len() < STRUCTURED_FROM {
@@ -57,7 +57,7 @@ pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
 
 /// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
 pub(super) fn everything_yields<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     if !scene.problem.locals().any(|local| local.is_on_an_edge()) {
@@ -69,7 +69,7 @@ pub(super) fn everything_yields<D: Size, const C: usize>(
 
 /// Among many contacts a proof is cheaper than any path.
 pub(super) fn separating_motion_of_many<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     if scene.problem.len() < MANY { Attempt::Nothing } else { separating_motion(scene, log) }
@@ -77,7 +77,7 @@ pub(super) fn separating_motion_of_many<D: Size, const C: usize>(
 
 /// Contact states from Lemke's method on the dense kinematic form.
 fn propose_kinematic<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     problem: &Problem<D, C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
@@ -87,7 +87,7 @@ fn propose_kinematic<D: Size, const C: usize>(
 
 /// Lemke's method on the kinematic form with a dense matrix.
 pub(super) fn kinematic_form<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     // With too many contacts nothing is left that the lists of states have not said.
@@ -100,7 +100,7 @@ pub(super) fn kinematic_form<D: Size, const C: usize>(
 
 /// The kinematic form once more, with facets for infinite friction.
 pub(super) fn kinematic_form_with_edges<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
@@ -110,7 +110,7 @@ pub(super) fn kinematic_form_with_edges<D: Size, const C: usize>(
 
 /// Lemke's method on the force form.
 pub(super) fn force_form<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     let propose = |problem: &Problem<D, C>, log: &mut Log| {
@@ -121,7 +121,7 @@ pub(super) fn force_form<D: Size, const C: usize>(
 
 /// A motion that separates the load from all that friction can do.
 pub(super) fn separating_motion<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     let motion = proofs::separating_motion(scene.proposing());
@@ -130,7 +130,7 @@ pub(super) fn separating_motion<D: Size, const C: usize>(
 
 /// Newton's method on the round cone, from the elastic trial state.
 pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
 ) -> Attempt<D, C> {
     if !has_round_cones(scene.problem) {
@@ -141,7 +141,7 @@ pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
 
 /// On the round cone: branch and bound over contact states and directions of friction.
 pub(super) fn every_case<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     let most = most_cases(scene.problem, scene.settings);
@@ -160,7 +160,7 @@ pub(super) fn every_case<D: Size, const C: usize>(
 
 /// Every combination of contact states, where they are few.
 pub(super) fn every_combination<D: Size, const C: usize>(
-    scene: &Scene<'_, '_, D, C>,
+    scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
     let problem = scene.proposing();

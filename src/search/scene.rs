@@ -12,7 +12,7 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// A question for an equilibrium, with its elastic trial state.
-pub(super) struct Scene<'s, 'g, D: Size, const C: usize> {
+pub(super) struct TrialScene<'s, 'g, D: Size, const C: usize> {
     pub(super) problem: &'s Problem<'g, D, C>,
     pub(super) settings: &'s Settings,
     /// The states of the trial: everything that is there sticks.
@@ -23,7 +23,7 @@ pub(super) struct Scene<'s, 'g, D: Size, const C: usize> {
     with_edges: OnceCell<Option<Problem<'g, D, C>>>,
 }
 
-impl<'s, 'g, D: Size, const C: usize> Scene<'s, 'g, D, C> {
+impl<'s, 'g, D: Size, const C: usize> TrialScene<'s, 'g, D, C> {
     pub(super) fn new(
         problem: &'s Problem<'g, D, C>,
         settings: &'s Settings,

@@ -11,12 +11,12 @@ use nalgebra::SVector;
 
 use super::answer::{Doubt, Found};
 use super::polish::polish_from;
-use super::relaxed::{Balance, Relaxed, Tag};
+use super::relaxed::{BalanceEquation, Relaxed, Tag};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
 use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
-use crate::proofs::Step;
+use crate::proofs::ProofStep;
 
 /// Newton's method starts from every so manieth case: it costs as much as a few of them.
 const EVERY: usize = 4;
@@ -76,9 +76,9 @@ pub(super) fn search_tree<D: Size, const C: usize>(
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
     most_cases: usize,
-    mut record: Option<&mut Vec<Step<D, C>>>,
+    mut record: Option<&mut Vec<ProofStep<D, C>>>,
 ) -> Tree<D, C> {
-    let Some(balance) = Balance::new(problem, trial, state) else {
+    let Some(balance) = BalanceEquation::new(problem, trial, state) else {
         return Tree::Unresolved(Doubt::RayWithoutProof);
     };
     let hull = |local: LocalLaw<'_, C>, label: &Label| Hull::from(local.hull(label));
@@ -99,7 +99,7 @@ pub(super) fn search_tree<D: Size, const C: usize>(
                 least_escape = least_escape.min(escape);
                 if let Some(steps) = &mut record {
                     let (motion, forces) = balance.contradiction(trial, &nearest);
-                    steps.push(Step::Contradicted { motion, forces });
+                    steps.push(ProofStep::Contradicted { motion, forces });
                 }
                 continue;
             }
@@ -121,7 +121,7 @@ pub(super) fn search_tree<D: Size, const C: usize>(
             continue;
         };
         if let Some(steps) = &mut record {
-            steps.push(Step::Divided { contact, halves });
+            steps.push(ProofStep::Divided { contact, halves });
         }
         let nearest = Rc::new(nearest);
         for label in halves {
@@ -141,7 +141,7 @@ pub(super) fn search_tree<D: Size, const C: usize>(
 pub(crate) fn refute<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
-) -> Option<(Vec<Step<D, C>>, usize)> {
+) -> Option<(Vec<ProofStep<D, C>>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
         return None;
@@ -158,7 +158,7 @@ pub(crate) fn refute<D: Size, const C: usize>(
 /// The contact whose force is farthest from what its law says of its stretch, and by how much.
 fn farthest_from_the_law<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    balance: &Balance<C>,
+    balance: &BalanceEquation<C>,
     labels: &[Label],
     stretches: &[SVector<f64, C>],
     forces: &[SVector<f64, C>],

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::bounds::Bounds;
-use super::sticking::{Forces, Sticking, is_broken, round_row};
+use super::sticking::{ContactForces, Sticking, is_broken, round_row};
 use crate::contact::{Edges, Line};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
@@ -66,7 +66,7 @@ enum Datum {
 struct Share<const C: usize> {
     datum: Datum,
     bound: f64,
-    forces: Forces<C>,
+    forces: ContactForces<C>,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -188,7 +188,7 @@ fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: us
 
 /// The force of a contact at a corner of the box, and its rate.
 fn corner<const C: usize>(
-    [base, rate]: [&Forces<C>; 2],
+    [base, rate]: [&ContactForces<C>; 2],
     shares: &[Share<C>],
     signs: &[f64],
     contact: usize,

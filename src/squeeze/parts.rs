@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::loads::Loads;
-use super::sticking::{Forces, Push, Sticking, is_broken, push, round_parts, round_row};
+use super::sticking::{ContactForces, Push, Sticking, is_broken, push, round_parts, round_row};
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
@@ -22,9 +22,9 @@ pub(super) struct Condition<const C: usize> {
 /// Forces contact by contact, of the whole squeeze and of the loads without it.
 pub(super) struct Parts<'l, const C: usize> {
     loads: &'l Loads<C>,
-    squeeze: Forces<C>,
+    squeeze: ContactForces<C>,
     /// For each load of a list; of a turn its three parts; of forces of any direction that of the base.
-    base: Vec<Forces<C>>,
+    base: Vec<ContactForces<C>>,
     pushes: Vec<Push<C>>,
 }
 
@@ -105,7 +105,7 @@ impl<'l, const C: usize> Parts<'l, C> {
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<C>> {
         let (squeeze, size) = self.pressed(contact, factor);
-        let worst = |(load, forces): (&Wrench<C>, &Forces<C>)| {
+        let worst = |(load, forces): (&Wrench<C>, &ContactForces<C>)| {
             let (row, value) = edges.worst(&(forces.of[contact] + squeeze))?;
             Some(Condition { row, value, size: forces.sizes[contact] + size, load: *load })
         };

@@ -18,7 +18,7 @@ pub(super) struct Sticking<'g, D: Size, const C: usize> {
 
 /// Forces contact by contact, and what their rounding is measured against.
 #[derive(Debug, Clone)]
-pub(super) struct Forces<const C: usize> {
+pub(super) struct ContactForces<const C: usize> {
     pub(super) of: Vec<SVector<f64, C>>,
     pub(super) sizes: Vec<f64>,
 }
@@ -70,11 +70,11 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
         &self,
         drives: &[SVector<f64, C>],
         load: &Vector<D>,
-    ) -> Result<Forces<C>, Motion<C>> {
+    ) -> Result<ContactForces<C>, Motion<C>> {
         match self.piece.solve(self.problem.sites, drives, load) {
             Ok(state) => {
                 let sizes = self.problem.force_sizes(drives, load.norm(), &state);
-                Ok(Forces { of: state.forces, sizes })
+                Ok(ContactForces { of: state.forces, sizes })
             }
             Err(unbalanced) => {
                 let motion = unbalanced.motion.unwrap_or_else(Vector::zeros);

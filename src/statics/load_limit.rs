@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
-use crate::numerics::{Crossing, Fixed, Vertex, shoot, simplex};
+use crate::numerics::{Fixed, RayExit, Vertex, shoot, simplex};
 use crate::search::Settings;
 
 /// A target this part beyond where the ray leaves the set lies on its boundary, as far as rounding can tell.
@@ -108,7 +108,7 @@ fn limit<const D: usize, const C: usize>(
     }
     let plane = |normal: &SVector<f64, D>| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), *rate);
-    let mut last: Option<(f64, Crossing<D>)> = None;
+    let mut last: Option<(f64, RayExit<D>)> = None;
     for _ in 0..MOST_PLANES {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + ON_THE_BOUNDARY, plane(&there.normal));
@@ -125,7 +125,7 @@ fn limit<const D: usize, const C: usize>(
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
     }
     // The last load that a ray reaches inside the set, nearer by as little as rounding allows.
-    let reached = |(factor, crossing): &(f64, Crossing<D>)| crossing.stretch <= 1.0 && *factor <= at_most;
+    let reached = |(factor, crossing): &(f64, RayExit<D>)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = SHORTER.iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
         Some((factor, shoot(&(base + rate * factor))?))
@@ -142,7 +142,7 @@ fn limit<const D: usize, const C: usize>(
 fn forces<const D: usize, const C: usize>(
     set: &WrenchSet<D, C>,
     simplex: &[Vertex<D>],
-    crossing: &Crossing<D>,
+    crossing: &RayExit<D>,
 ) -> Vec<SVector<f64, C>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

@@ -4,7 +4,7 @@
 pub const LONGEST_LINE: usize = 1 << 26;
 
 /// One line.
-pub(super) struct Line {
+pub(super) struct InputLine {
     /// From 1.
     pub(super) number: usize,
     /// What is kept of it: of a line that is too long, its beginning.

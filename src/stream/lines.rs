@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TryRecvError, channel, sync_channel};
 use std::thread;
 
-use super::line::{LONGEST_LINE, Line};
+use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
@@ -46,7 +46,7 @@ const fn queue(threads: usize) -> usize {
 }
 
 struct Job {
-    lines: Vec<Line>,
+    lines: Vec<InputLine>,
     answer: Sender<io::Result<Answered>>,
 }
 
@@ -132,9 +132,9 @@ fn read_blocks(
 }
 
 /// The next line without its end; of one that is too long, its beginning.
-fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<Line>> {
+fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
-    let mut line = Line { number, text: Vec::new(), too_long: false };
+    let mut line = InputLine { number, text: Vec::new(), too_long: false };
     let mut any = false;
     loop {
         let arrived = match input.fill_buf() {
@@ -190,7 +190,7 @@ fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<
     }
 }
 
-fn answer_block(lines: &[Line], options: &StreamOptions) -> io::Result<Answered> {
+fn answer_block(lines: &[InputLine], options: &StreamOptions) -> io::Result<Answered> {
     let mut block = Answered { text: Vec::new(), tally: Tally::default() };
     for line in lines {
         let reply = Reply::to(line, options);

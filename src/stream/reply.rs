@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::line::{LONGEST_LINE, Line};
+use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use crate::error::Error;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
@@ -40,7 +40,7 @@ fn is_false(value: &bool) -> bool {
 
 impl Reply {
     /// The reply to a line.
-    pub(super) fn to(line: &Line, options: &StreamOptions) -> Self {
+    pub(super) fn to(line: &InputLine, options: &StreamOptions) -> Self {
         let text = line.text.trim_ascii();
         let (answers, brief, warnings, error, begins) = (None, None, Vec::new(), None, None);
         let mut reply = Self {

@@ -1,6 +1,6 @@
 //! One line by itself, for callers that have no threads or no stream.
 
-use super::line::{LONGEST_LINE, Line};
+use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
@@ -18,6 +18,6 @@ use super::reply::Reply;
 /// # Errors
 /// What writing the answer in JSON fails with; a line that is no scene is answered by an error in it.
 pub fn answer_line(text: &[u8], options: &StreamOptions) -> serde_json::Result<String> {
-    let line = Line { number: 1, text: text.to_vec(), too_long: text.len() > LONGEST_LINE };
+    let line = InputLine { number: 1, text: text.to_vec(), too_long: text.len() > LONGEST_LINE };
     serde_json::to_string(&Reply::to(&line, options))
 }

@@ -13,7 +13,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::contact_form::{ContactForm, Local};
+use super::contact_form::{ContactForm, PairedContact};
 use crate::numerics::Size;
 use crate::object::{Slipping, Sums, normal};
 
@@ -110,7 +110,7 @@ impl<const C: usize> Reaction<C> {
 impl<D: Size, const C: usize> ContactForm<D, C> {
     /// `None` where the slips of the active pairs are not independent: no exact basis has such a
     /// state.
-    pub(super) fn reaction(&self, local: &Local<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
+    pub(super) fn reaction(&self, local: &PairedContact<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
         let slipping = Slipping::independent(slipping.map(|(_, pair)| &facets[pair]))?;
@@ -158,7 +158,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         jumped: Option<&Reaction<C>>,
         sign: f64,
     ) {
-        let Local { contact, trial, .. } = &self.locals[contact];
+        let PairedContact { contact, trial, .. } = &self.locals[contact];
         let pushed =
             jumped.map(|reaction| [reaction.hold * trial - trial, reaction.cover.of_x, reaction.tie.of_x]);
         let hold = jumped.map(|reaction| &reaction.hold);
@@ -168,20 +168,20 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
 
 /// A list of contact states.
 #[derive(Debug, Clone)]
-pub(super) struct Basis<const C: usize> {
+pub(super) struct StateBasis<const C: usize> {
     pub(super) active: Vec<Active<C>>,
     /// Only those of contacts that jump mean anything.
     reactions: Vec<Reaction<C>>,
     sticking: Reaction<C>,
 }
 
-impl<const C: usize> Default for Basis<C> {
+impl<const C: usize> Default for StateBasis<C> {
     fn default() -> Self {
         Self { active: Vec::new(), reactions: Vec::new(), sticking: Reaction::sticking() }
     }
 }
 
-impl<const C: usize> Basis<C> {
+impl<const C: usize> StateBasis<C> {
     /// Every contact as in the trial state.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();

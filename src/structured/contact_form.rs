@@ -18,7 +18,7 @@ use crate::object::{EnergyContact, EnergyCoordinates, Facet, Problem, normal};
 
 /// A contact with its pairs (w, z).
 #[derive(Debug, Clone)]
-pub(super) struct Local<D: Size, const C: usize> {
+pub(super) struct PairedContact<D: Size, const C: usize> {
     pub(super) contact: EnergyContact<D, C>,
     /// x⁰_i.
     pub(super) trial: SVector<f64, C>,
@@ -27,7 +27,7 @@ pub(super) struct Local<D: Size, const C: usize> {
     pub(super) first: usize,
 }
 
-impl<D: Size, const C: usize> Local<D, C> {
+impl<D: Size, const C: usize> PairedContact<D, C> {
     /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
@@ -42,7 +42,7 @@ impl<D: Size, const C: usize> Local<D, C> {
 /// The kinematic form.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm<D: Size, const C: usize> {
-    pub(super) locals: Vec<Local<D, C>>,
+    pub(super) locals: Vec<PairedContact<D, C>>,
     pub(super) coordinates: EnergyCoordinates<C>,
     pub(super) size: D,
     /// Pairs of all contacts.
@@ -74,7 +74,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
             let first = *pairs;
             *pairs += contact.pairs();
             *widest = widest.max(contact.seen.norm());
-            locals.push(Local { contact, trial, first });
+            locals.push(PairedContact { contact, trial, first });
         });
     }
 
@@ -85,19 +85,19 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     /// The pairs of a contact: the row of each, and what an entry for a row of length one is
     /// multiplied with in its unit.
     #[inline]
-    pub(super) fn pairs_of(&self, local: &Local<D, C>) -> &[Facet<C>] {
+    pub(super) fn pairs_of(&self, local: &PairedContact<D, C>) -> &[Facet<C>] {
         self.coordinates.pairs(&local.contact)
     }
 
     /// The column of a pair.
-    pub(super) fn column(&self, local: &Local<D, C>, pair: usize) -> SVector<f64, C> {
+    pub(super) fn column(&self, local: &PairedContact<D, C>, pair: usize) -> SVector<f64, C> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
     }
 
     /// The entry of the covering vector for a pair, in the unit of its row.
     #[inline]
-    pub(super) fn cover(&self, local: &Local<D, C>, pair: usize, unit: f64) -> f64 {
+    pub(super) fn cover(&self, local: &PairedContact<D, C>, pair: usize, unit: f64) -> f64 {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 

@@ -28,5 +28,5 @@ mod view;
 mod workspace;
 
 pub(crate) use proposal::{propose, propose_by_newton};
-pub use view::{Search, View};
+pub use view::{EquilibriumView, Search};
 pub(crate) use workspace::SearchSettings;

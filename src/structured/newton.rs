@@ -11,7 +11,7 @@ use super::solution::{BALANCED, Solution};
 use crate::contact::{Mode, PolygonState, Tangent};
 use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Square, Vector, in_halves};
-use crate::object::{self, Answers, Imbalance, Problem};
+use crate::object::{self, Imbalance, Problem, StretchAnswers};
 
 /// Of some contacts: R without the load, the sizes of its terms and T.
 struct Sums<D: Size> {
@@ -30,7 +30,7 @@ struct OnPolygons<'p, 'g, D: Size, const C: usize> {
     sums: Sums<D>,
 }
 
-impl<D: Size, const C: usize> Answers<D> for OnPolygons<'_, '_, D, C> {
+impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         self.sums = answer(self.problem, twist, self.states, self.forces);
         let load = &self.problem.wrench;

@@ -7,9 +7,9 @@
 //! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together the one with the least change by p per rate leaves first. One more solve with the same factors says
 //! which. Nothing is added to the data. If z₀ is among the tied it leaves, always.
 
-use super::basis::{Basis, COVER, PERTURBED, TRIAL};
+use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
-use super::variables::{Candidate, Entering, GREY, Step, TIE, Vanishing};
+use super::variables::{Candidate, Entering, GREY, PivotStep, TIE, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
 use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
@@ -22,7 +22,7 @@ const DOUBTFUL: f64 = 1e-7;
 
 /// How a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum PivotEnd {
     /// z₀ has left: every contact has a state of its own.
     Complementary,
     /// The entering variable grows for ever. On this form that proves nothing.
@@ -36,7 +36,7 @@ pub(crate) enum End {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Path<D: Size, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
-    pub(super) basis: Basis<C>,
+    pub(super) basis: StateBasis<C>,
     pub(super) sums: Sums<D, 3>,
     pub(crate) pivots: usize,
     /// Contacts that were looked at, for all of these pivots.
@@ -58,14 +58,14 @@ impl<D: Size, const C: usize> Path<D, C> {
     }
 
     /// Follows the path of a covering vector (0: all ones) from the trial state.
-    pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> End {
+    pub(crate) fn run_from_trial(&mut self, attempt: usize, limit: usize) -> PivotEnd {
         self.basis.unjump(self.form.len());
         self.form.scatter(attempt);
         self.sums.stick(self.form.size);
         self.age = 0;
-        let Some((first, z0)) = self.most_violated() else { return End::Complementary };
+        let Some((first, z0)) = self.most_violated() else { return PivotEnd::Complementary };
         if self.pivots >= limit {
-            return End::PivotLimit;
+            return PivotEnd::PivotLimit;
         }
         self.pivots += 1;
         self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
@@ -123,23 +123,23 @@ impl<D: Size, const C: usize> Path<D, C> {
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
-    pub(super) fn run(&mut self, mut entering: Entering, at: &Point<D>, limit: usize) -> End {
+    pub(super) fn run(&mut self, mut entering: Entering, at: &Point<D>, limit: usize) -> PivotEnd {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
         if self.is_lazy() {
-            let Some(first) = self.step(&entering) else { return End::Breakdown };
+            let Some(first) = self.step(&entering) else { return PivotEnd::Breakdown };
             self.line_up(entering.contact, at, &first.along);
         }
         loop {
             if self.pivots >= limit || self.most_looks.is_some_and(|most| self.looks > most) {
-                return End::PivotLimit;
+                return PivotEnd::PivotLimit;
             }
             if are_stale(self.age, self.form.len()) {
                 self.refresh();
             }
             let Some(step) = self.step(&entering) else {
                 if self.age == 0 {
-                    return End::Breakdown;
+                    return PivotEnd::Breakdown;
                 }
                 self.refresh();
                 continue;
@@ -155,20 +155,20 @@ impl<D: Size, const C: usize> Path<D, C> {
                 continue;
             }
             let leaving = match leaving {
-                Leaving::Nobody => return End::Ray,
+                Leaving::Nobody => return PivotEnd::Ray,
                 Leaving::Covering => {
                     self.pivots += 1;
                     if entering.jump && self.exchange(&entering, None).is_none() {
-                        return End::Breakdown;
+                        return PivotEnd::Breakdown;
                     }
-                    return End::Complementary;
+                    return PivotEnd::Complementary;
                 }
                 Leaving::Variable(candidate) => candidate,
             };
             self.pivots += 1;
             self.age += 1;
             if self.exchange(&entering, Some(&leaving)).is_none() {
-                return End::Breakdown;
+                return PivotEnd::Breakdown;
             }
             let length = leaving.vanishing.ratio();
             let at = step.here.plus(length, &step.along);
@@ -213,7 +213,7 @@ impl<D: Size, const C: usize> Path<D, C> {
 
     /// The vertex at which both variables of the pair are zero, and the direction in which the
     /// entering one grows by one.
-    fn step(&mut self, entering: &Entering) -> Option<Step<D>> {
+    fn step(&mut self, entering: &Entering) -> Option<PivotStep<D>> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
         let Facet { row, unit } = self.form.pairs_of(local)[entering.pair];
@@ -230,11 +230,11 @@ impl<D: Size, const C: usize> Path<D, C> {
         let sides = [(&self.sums.sides[TRIAL], -felt.dot(&local.trial)), (&pushed, last)];
         let [here, along] = self.factors.solve_each(sides).map(|(y, s)| Point { y, s });
         let largest = along.s.abs().max(along.y.amax() * self.form.widest).max(1.0);
-        Some(Step { here, along, largest })
+        Some(PivotStep { here, along, largest })
     }
 
     /// The variable that reaches zero first as the entering one grows.
-    fn blocking(&mut self, step: &Step<D>, entering: &Entering) -> Leaving {
+    fn blocking(&mut self, step: &PivotStep<D>, entering: &Entering) -> Leaving {
         let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();

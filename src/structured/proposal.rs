@@ -1,7 +1,7 @@
 //! Contact states for the ladder of `equilibrium`, which solves and checks them.
 
 use super::newton::newton;
-use super::path::{End, Path};
+use super::path::{Path, PivotEnd};
 use super::solution::Solution;
 use crate::contact::State;
 use crate::numerics::Size;
@@ -50,13 +50,13 @@ pub(crate) fn propose<D: Size, const C: usize>(
         let end = path.run_from_trial(attempt, limit);
         proposal.pivots = path.pivots;
         match end {
-            End::Complementary => {
+            PivotEnd::Complementary => {
                 let states = problem.locals().enumerate().map(|(i, law)| path.state(i, &law).into());
                 proposal.states = Some(states.collect());
                 return proposal;
             }
-            End::Ray => {}
-            End::PivotLimit | End::Breakdown => proposal.cut_short = true,
+            PivotEnd::Ray => {}
+            PivotEnd::PivotLimit | PivotEnd::Breakdown => proposal.cut_short = true,
         }
     }
     proposal

@@ -6,7 +6,7 @@
 use nalgebra::SVector;
 
 use super::solution::{ACCURATE, BALANCED, Solution};
-use crate::contact::{Answer, ZERO_SLACK};
+use crate::contact::{ContactResponse, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
 use crate::object::{self, OneByOne, Problem};
 
@@ -14,10 +14,10 @@ use crate::object::{self, OneByOne, Problem};
 pub(super) fn newton<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     from: Vector<D>,
-    answers: &mut Vec<Answer<C>>,
+    answers: &mut Vec<ContactResponse<C>>,
     found: &mut Solution<D, C>,
 ) -> Option<usize> {
-    let answer = |i: usize, stretch: &SVector<f64, C>, last: &Answer<C>| {
+    let answer = |i: usize, stretch: &SVector<f64, C>, last: &ContactResponse<C>| {
         let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
         problem.local(i).answer(stretch, near)
     };
@@ -44,7 +44,7 @@ pub(super) fn newton<D: Size, const C: usize>(
 pub(super) fn trial_holds<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     (x, twist): (&[f64], &Vector<D>),
-    answers: &mut Vec<Answer<C>>,
+    answers: &mut Vec<ContactResponse<C>>,
     found: &mut Solution<D, C>,
 ) -> bool {
     answers.clear();
@@ -57,7 +57,7 @@ pub(super) fn trial_holds<D: Size, const C: usize>(
         for (axis, x) in own.iter().enumerate() {
             force[axis] = x * site.springs.root_along(axis);
         }
-        answers.push(Answer { state: local.unjumped(), force });
+        answers.push(ContactResponse { state: local.unjumped(), force });
         found.forces.push(force);
     }
     let largest = problem.largest_force(&found.forces, twist);

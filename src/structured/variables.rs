@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::basis::Basis;
-use super::contact_form::{ContactForm, Local};
+use super::basis::StateBasis;
+use super::contact_form::{ContactForm, PairedContact};
 use crate::numerics::Size;
 use crate::object::{Facet, MARGIN, Point, slack};
 
@@ -57,7 +57,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Where a step starts and where it goes, for a unit change of the entering variable.
 #[derive(Debug, Clone)]
-pub(super) struct Step<D: Size> {
+pub(super) struct PivotStep<D: Size> {
     pub(super) here: Point<D>,
     pub(super) along: Point<D>,
     /// Size of the largest changes of variables.
@@ -75,9 +75,9 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
-        basis: &Basis<C>,
+        basis: &StateBasis<C>,
         contact: u32,
-        step: &Step<D>,
+        step: &PivotStep<D>,
         entering: &Entering,
         mut visit: impl FnMut(Candidate),
     ) {
@@ -122,7 +122,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
 
     /// The time in which no variable of this contact can reach zero on the clock of the direction
     /// e.
-    pub(super) fn slack(&self, basis: &Basis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
+    pub(super) fn slack(&self, basis: &StateBasis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
@@ -148,7 +148,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Local<D, C> {
+impl<D: Size, const C: usize> PairedContact<D, C> {
     /// Size of the terms that the variables of the contact are made of.
     fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()

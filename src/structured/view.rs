@@ -11,8 +11,8 @@ use crate::grasp::Twist;
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum Search<'a, const C: usize> {
-    /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`View::residual`]).
-    Found(View<'a, C>),
+    /// An equilibrium, each condition satisfied to 1e-10 of its terms ([`EquilibriumView::residual`]).
+    Found(EquilibriumView<'a, C>),
     /// The load works on a motion that no contact resists: there is no equilibrium.
     FreeMotion,
     /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
@@ -26,11 +26,11 @@ pub enum Search<'a, const C: usize> {
 
 /// An equilibrium in the memory of its workspace.
 #[derive(Debug, Clone, Copy)]
-pub struct View<'a, const C: usize> {
+pub struct EquilibriumView<'a, const C: usize> {
     workspace: &'a dyn Viewed<C>,
 }
 
-impl<'a, const C: usize> View<'a, C> {
+impl<'a, const C: usize> EquilibriumView<'a, C> {
     pub(super) fn of(workspace: &'a dyn Viewed<C>) -> Self {
         Self { workspace }
     }

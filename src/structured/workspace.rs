@@ -5,11 +5,11 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::newton::newton;
-use super::path::{End, Path};
+use super::path::{Path, PivotEnd};
 use super::round_cone;
 use super::solution::Solution;
-use super::view::{Search, View, Viewed};
-use crate::contact::{Answer, Law, Polygon, PolygonCone};
+use super::view::{EquilibriumView, Search, Viewed};
+use crate::contact::{ContactResponse, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Engine, Site, Twist, Wrench};
@@ -39,7 +39,7 @@ pub(crate) struct Workspace<D: Size, const C: usize> {
     /// How it is asked now.
     pub(super) asked: SearchSettings,
     /// What contacts answer there.
-    answers: Vec<Answer<C>>,
+    answers: Vec<ContactResponse<C>>,
     pub(super) solution: Solution<D, C>,
     /// R q in the trial state.
     travelled: Vector<D>,
@@ -107,7 +107,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
             Some(false) => Search::NotFound { pivots },
             Some(true) => {
                 self.twist = grasp.outside(&self.solution.twist);
-                Search::Found(View::of(self))
+                Search::Found(EquilibriumView::of(self))
             }
         })
     }
@@ -201,7 +201,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         let limit = self.path.pivot_limit();
         for attempt in 0..=other_paths {
             let end = self.path.run_from_trial(attempt, self.path.pivots + limit);
-            if end == End::Complementary
+            if end == PivotEnd::Complementary
                 && let Some(y) = self.solution.take(&mut self.path, problem)
             {
                 let moved = &self.travelled + y / self.path.form.coordinates.weight.sqrt();

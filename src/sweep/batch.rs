@@ -2,7 +2,7 @@
 
 use crate::numerics::each_taken;
 use crate::screening::{
-    Batch, LoadCases, Part, Pull, Question, Screened, ScreenedSqueeze, ScreenedTurn, TurningPull,
+    Batch, LoadCases, Part, Pull, Screened, ScreenedSqueeze, ScreenedTurn, ScreeningQuestion, TurningPull,
 };
 
 /// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
@@ -41,7 +41,7 @@ pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
     ask(batch, cases, answers);
 }
 
-fn ask<const D: usize, const C: usize, const N: usize, Q: Question<D, C>>(
+fn ask<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>>(
     batch: &Batch<D, C, N>,
     questions: &[Q],
     answers: &mut Vec<Q::Answer>,

@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{MinimumOutcome, QpOutcome, Unknowns, Verdict};
+use grasp_lcp::energy::{ComparisonVerdict, MinimumOutcome, QpOutcome, Unknowns};
 use grasp_lcp::grasp::Contact;
 use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
@@ -83,7 +83,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         if !minimum.binding.is_empty() {
             return Ok(());
         }
-        prop_assert_eq!(comparison.verdict, Verdict::Agree);
+        prop_assert_eq!(comparison.verdict, ComparisonVerdict::Agree);
         prop_assert_eq!(minimum.out_of_balance(), (0.0, 0.0));
         let difference = comparison.difference.expect("both have an answer");
         raise(&worst.complementarity, difference.relative());

@@ -5,7 +5,7 @@
 use std::cell::Cell;
 
 use grasp_lcp::Settings;
-use grasp_lcp::energy::{Agreement, Verdict};
+use grasp_lcp::energy::{Agreement, ComparisonVerdict};
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::load_path::{Departure, Onset, OnsetEvent};
 use nalgebra::SVector;
@@ -84,9 +84,12 @@ fn same_onset<const D: usize, const C: usize>(
                     let there = change.at(&scene, tau);
                     there.grasp().energy().compare(&there.wrench()).unwrap().verdict
                 };
-                prop_assert_eq!(at(0.999 * factor), Verdict::Agree);
+                prop_assert_eq!(at(0.999 * factor), ComparisonVerdict::Agree);
                 let beyond = at(1.001 * factor + 1e-9);
-                prop_assert!(!matches!(beyond, Verdict::Agree | Verdict::TwoEquilibria), "{beyond}");
+                prop_assert!(
+                    !matches!(beyond, ComparisonVerdict::Agree | ComparisonVerdict::TwoEquilibria),
+                    "{beyond}"
+                );
             }
             (Onset::Never, Agreement::Always) => add(&tally.never),
             (Onset::GivesWay { factor, .. }, Agreement::Unbounded) => prop_assert_eq!(*factor, 0.0),

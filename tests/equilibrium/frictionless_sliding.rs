@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{Agreement, MinimumOutcome, QpOutcome, Verdict};
+use grasp_lcp::energy::{Agreement, ComparisonVerdict, MinimumOutcome, QpOutcome};
 use grasp_lcp::equilibrium::{ContactState, Outcome};
 use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::Ramp;
@@ -35,7 +35,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
         let comparison = grasp.energy().compare(&scene.wrench()).unwrap();
         match (&comparison.equilibrium, &comparison.minimum) {
             (Outcome::Equilibrium(state), MinimumOutcome::Minimum(minimum)) => {
-                prop_assert_eq!(comparison.verdict, Verdict::Agree, "{:?}", comparison.difference);
+                prop_assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "{:?}", comparison.difference);
                 prop_assert_eq!(minimum.out_of_balance(), (0.0, 0.0));
                 prop_assert!(minimum.binding.is_empty());
                 let relative = comparison.difference.expect("both").relative();
@@ -104,13 +104,13 @@ fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
     let pull = planar::Wrench::force_at([1.0, 0.0], [0.0, -0.5]);
     for w in [0.0, 0.3, 0.6, 0.79, 0.81, 0.95, 0.999] {
         let comparison = grasp.energy().compare(&(weight + pull * w)).unwrap();
-        assert_eq!(comparison.verdict, Verdict::Agree, "{w}");
+        assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "{w}");
         assert!(comparison.difference.expect("both").relative() < 1e-13);
         let state = comparison.equilibrium.equilibrium().expect("holds");
         assert_eq!(state.contacts[0].state == ContactState::Separated, w > 0.8);
     }
     let beyond = grasp.energy().compare(&(weight + pull * 1.01)).unwrap();
-    assert!(matches!(beyond.verdict, Verdict::NoEquilibrium { .. }), "{}", beyond.verdict);
+    assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { .. }), "{}", beyond.verdict);
     let ends = grasp.energy().agreement(&Ramp::load(weight, pull)).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - 1.0).abs() < 1e-14, "{factor}");

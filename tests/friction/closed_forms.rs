@@ -1,6 +1,6 @@
 //! Bodies on legs, whose motion is known.
 
-use grasp_lcp::friction::{ContactState, SpatialContacts};
+use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
@@ -45,7 +45,7 @@ fn a_stool_slides_with_what_friction_leaves() {
         let outcome = problem.solve();
         let Outcome::Solved(solution) = &outcome else { panic!("{outcome}") };
         // Three legs may carry it as well as four.
-        assert!(solution.states.iter().all(|state| *state != ContactState::Sticking));
+        assert!(solution.states.iter().all(|state| *state != ContactMode::Sticking));
         let pressed: f64 = (0..4).map(|i| solution.r[3 * i]).sum();
         assert!((pressed - MASS * GRAVITY).abs() < 1e-11);
         let left = push - mu * GRAVITY;
@@ -64,7 +64,7 @@ fn a_stool_stands_or_tips() {
     let Outcome::Solved(stands) = stool(&square(0.3), push, 0.5).solve() else { panic!("it stands") };
     assert!(stands.u.amax() < 1e-12);
     let Outcome::Solved(tips) = stool(&square(8.0), push, 0.5).solve() else { panic!("it tips") };
-    assert_eq!(tips.states[1..3], [ContactState::Open; 2]);
+    assert_eq!(tips.states[1..3], [ContactMode::Open; 2]);
     assert!(tips.u[3] > 0.1 && tips.u[6] > 0.1);
 }
 

@@ -1,6 +1,6 @@
 //! On the round cone the law holds to 1e-12: random, redundant and nonsymmetric problems, where polygons miss it.
 
-use grasp_lcp::friction::{ContactState, SpatialContacts};
+use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;
 use nalgebra::{DMatrix, DVector, Vector3};
 use support::splitmix::Random;
@@ -16,7 +16,7 @@ fn problem(random: &mut Random, n: usize, rank: usize, skew: f64) -> SpatialCont
 }
 
 /// Coulomb's law, written once more: each contact by its state.
-fn check_law(problem: &SpatialContacts, r: &DVector<f64>, states: &[ContactState]) {
+fn check_law(problem: &SpatialContacts, r: &DVector<f64>, states: &[ContactMode]) {
     let u = problem.matrix() * r + problem.vector();
     let terms = problem.matrix().abs() * r.abs() + problem.vector().abs();
     for (i, state) in states.iter().enumerate() {
@@ -27,14 +27,14 @@ fn check_law(problem: &SpatialContacts, r: &DVector<f64>, states: &[ContactState
         let most = problem.friction()[i] * force[0];
         let (of_force, of_velocity) = (1e-11 * r.amax(), 1e-11 * size);
         match state {
-            ContactState::Open => {
+            ContactMode::Open => {
                 assert_eq!(force, Vector3::zeros());
                 assert!(velocity[0] >= -of_velocity);
             }
-            ContactState::Sticking => {
+            ContactMode::Sticking => {
                 assert!(velocity.norm() <= of_velocity && friction.norm() <= most + of_force);
             }
-            ContactState::Sliding => {
+            ContactMode::Sliding => {
                 assert!(velocity[0].abs() <= of_velocity && force[0] >= -of_force);
                 assert!((friction.norm() - most).abs() <= of_force);
                 assert!(

@@ -2,7 +2,7 @@
 
 use crate::common::Random;
 use allocation_counter::measure;
-use grasp_lcp::lcp::{Answer, Lcp, Series, Settings, Workspace};
+use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};
 
 /// M = A Aᵀ + 1 and q of both signs: every path is a first path.
@@ -19,12 +19,13 @@ fn a_workspace_that_has_held_the_largest_problem_allocates_nothing() {
     let problems: Vec<Lcp> = (0..200).map(|k| definite(40 - k % 37, &mut random)).collect();
     let settings = Settings::default();
     let mut workspace = Workspace::new();
-    let first = measure(|| assert!(matches!(workspace.solve(&problems[0], &settings), Answer::Solved(_))));
+    let first =
+        measure(|| assert!(matches!(workspace.solve(&problems[0], &settings), OutcomeView::Solved(_))));
     assert!(first.count_total > 0, "the counter counts");
     let mut pivots = 0;
     let counted = measure(|| {
         for problem in &problems {
-            let Answer::Solved(solution) = workspace.solve(problem, &settings) else { continue };
+            let OutcomeView::Solved(solution) = workspace.solve(problem, &settings) else { continue };
             pivots += solution.pivots;
         }
     });
@@ -43,7 +44,7 @@ fn a_series_allocates_nothing_from_its_third_problem_on() {
     let mut pivots = 0;
     for q in &sides {
         let counted = measure(|| {
-            if let Ok(Answer::Solved(solution)) = series.solve(q) {
+            if let Ok(OutcomeView::Solved(solution)) = series.solve(q) {
                 pivots += solution.pivots;
             }
         });

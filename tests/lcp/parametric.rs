@@ -3,7 +3,7 @@
 
 use crate::common::Random;
 use grasp_lcp::lcp::{
-    Answer, Basis, Lcp, Outcome, Parametric, PathEnd, Series, Settings, Solution, Trend, Workspace,
+    Basis, Lcp, Outcome, OutcomeView, Parametric, PathEnd, Series, Settings, Solution, Trend, Workspace,
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -100,7 +100,7 @@ fn series_and_warm_starts_find_the_cold_solutions() {
         for step in 0..6 {
             let lcp = Lcp::new(m.clone(), q.clone()).unwrap();
             let cold = solution(&lcp);
-            let Answer::Solved(view) = series.solve(&q).unwrap() else { panic!("positive definite") };
+            let OutcomeView::Solved(view) = series.solve(&q).unwrap() else { panic!("positive definite") };
             assert_eq!(*view.basis, cold.basis, "trial {trial}, step {step}");
             assert!(view.residuals.within(1e-13));
             let Outcome::Solved(warm) = lcp.solve_from(&basis, &Settings::default()) else {
@@ -129,7 +129,8 @@ fn a_neighbouring_basis_costs_the_pivots_in_which_it_differs() {
         Parametric::new(&lcp, &dq, Settings::default()).unwrap().take(2).map(|b| b.tau).collect();
     let mut series = Series::new(m, Settings::default()).unwrap();
     series.solve(&q).unwrap();
-    let Answer::Solved(view) = series.solve(&(&q + &dq * f64::midpoint(taus[0], taus[1]))).unwrap() else {
+    let OutcomeView::Solved(view) = series.solve(&(&q + &dq * f64::midpoint(taus[0], taus[1]))).unwrap()
+    else {
         panic!("positive definite")
     };
     // z₀ enters, and the pair that differs lets it leave.

@@ -1,7 +1,7 @@
 //! The paper's method reproduces the paper's tables, the rows beyond the onset included; the comparison says what these are.
 
 use grasp_lcp::Settings;
-use grasp_lcp::energy::{Agreement, QpOutcome, Unknowns, Verdict};
+use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome, Unknowns};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Grasp, Wrench};
 use nalgebra::SVector;
@@ -63,7 +63,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         assert!(
             (missing[1] + (w - onset)).abs() < 1e-14 && missing[0].abs() < 1e-15 && missing[2].abs() < 1e-13
         );
-        let Verdict::NoEquilibrium { force, moment } = comparison.verdict else {
+        let ComparisonVerdict::NoEquilibrium { force, moment } = comparison.verdict else {
             panic!("{}", comparison.verdict)
         };
         assert!((force - (w - onset)).abs() < 1e-14 && moment < 1e-13);
@@ -85,7 +85,7 @@ fn up_to_the_onset_both_agree() {
     let onset = 65f64.sqrt() / 66.0;
     for w in [0.0, 0.05, 0.12, onset * (1.0 - 1e-9), onset] {
         let comparison = grasp.energy().compare(&(down() * w)).unwrap();
-        assert_eq!(comparison.verdict, Verdict::Agree, "W = {w}");
+        assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "W = {w}");
         assert!(comparison.difference.unwrap().relative() < 1e-14);
     }
     let ramp = Ramp::load(Wrench::ZERO, down());
@@ -100,7 +100,7 @@ fn up_to_the_onset_both_agree() {
 fn the_first_table() {
     let grasp = disk(true).unwrap();
     let comparison = grasp.energy().compare(&disk_load()).unwrap();
-    assert_eq!(comparison.verdict, Verdict::Agree);
+    assert_eq!(comparison.verdict, ComparisonVerdict::Agree);
     let minimum = comparison.minimum.minimum().unwrap();
     let missing = 50.0 * (minimum.twist.translation()[1] - 0.0013);
     for forces in by_every_form(&grasp, &disk_load()) {

@@ -182,7 +182,7 @@ fn a_finger_has_soft_tips() -> Tested {
     let jaw = |side: f64| {
         let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
-        scene::Finger::new([slide]).contact(Fingertip::from(pad).soft(scene::Tip::Pair { width: 0.1 }))
+        scene::FingerSetup::new([slide]).contact(Fingertip::from(pad).soft(scene::Tip::Pair { width: 0.1 }))
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "moment": 0.2 } } }))?);
@@ -203,7 +203,7 @@ fn a_finger_has_soft_tips() -> Tested {
 fn free_motions_tell_what_joints_do() -> Tested {
     let jaw = |side: f64| {
         let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
-        scene::Finger::new([Joint::prismatic([-side, 0.0])]).contact(pad)
+        scene::FingerSetup::new([Joint::prismatic([-side, 0.0])]).contact(pad)
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.tendon(Tendon::new([0.5, 0.5]).tension(20.0));
@@ -278,12 +278,12 @@ fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
     let soft = Fingertip::from(pad(-1.0)).soft(scene::Tip::Pair { width: 0.1 });
     let setup = Setup::<2>::new([soft]).finger(
-        scene::Finger::new([Joint::prismatic([-1.0, 0.0]).stiffness(1e3)])
+        scene::FingerSetup::new([Joint::prismatic([-1.0, 0.0]).stiffness(1e3)])
             .contact(pad(1.0).friction(-1.0).name("thumb")),
     );
     let told = setup.answers().expect_err("negative friction").to_string();
     assert!(told.contains("contact 1") && told.contains("thumb"), "{told}");
     // Its grasp has more coordinates than the object.
-    let told = Setup::<2>::new([]).finger(scene::Finger::new([]).contact(pad(1.0)));
+    let told = Setup::<2>::new([]).finger(scene::FingerSetup::new([]).contact(pad(1.0)));
     assert!(told.grasp().is_ok(), "no joint, no coordinate");
 }

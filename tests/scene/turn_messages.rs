@@ -2,7 +2,7 @@
 
 use grasp_lcp::planar::{Contact, Turn};
 use grasp_lcp::scene::Scene;
-use grasp_lcp::scene::{Commands, Goal, Leg, Question, Setup};
+use grasp_lcp::scene::{Commands, Goal, LegAsked, Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
 
 /// Contacts stand on lines 2 and 3, an onset on line 4, a path on line 5.
@@ -150,7 +150,7 @@ fn turns_that_were_not_read_are_checked_as_well() {
         let error = asked(Question::OnsetOfTurn(turn.up_to(angle)));
         assert!(matches!(error, Error::Argument { what: "angle of the turn", .. }), "{error}");
     }
-    let mut leg = Leg::turn(turn);
+    let mut leg = LegAsked::turn(turn);
     leg.commands = Some(Goal::By(Commands(vec![[0.001, 0.0].into(); 2])));
     let error = asked(Question::Follow { start: planar::Wrench::ZERO, legs: vec![leg] });
     assert_eq!(error, Error::CommandsWhileTurning);

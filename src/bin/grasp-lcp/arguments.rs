@@ -39,7 +39,7 @@ pub(crate) enum Command {
     /// Where does the object go, and what do the contacts carry, under a load?
     Solve {
         #[command(flatten)]
-        load: Load,
+        load: LoadArguments,
         #[command(flatten)]
         ask: Ask,
     },
@@ -48,7 +48,7 @@ pub(crate) enum Command {
     /// The load grows from nothing along a force and a moment; the factor of the answer counts them.
     Onset {
         #[command(flatten)]
-        load: Load,
+        load: LoadArguments,
         #[command(flatten)]
         ask: Ask,
     },
@@ -159,7 +159,7 @@ pub(crate) struct Ask {
 
 /// A load in place of those that the scene asks for.
 #[derive(Debug, Args)]
-pub(crate) struct Load {
+pub(crate) struct LoadArguments {
     /// The force, N: components between commas. Without force and moment the scene's own questions are asked.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) force: Option<Numbers>,

@@ -6,19 +6,19 @@ use std::process::ExitCode;
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::scene::{
-    Answer, Answers, Goal, Leg, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
+    Answer, Answers, Goal, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
 use grasp_lcp::{planar, spatial};
 
-use crate::arguments::{Ask, Load, Numbers};
+use crate::arguments::{Ask, LoadArguments, Numbers};
 use crate::failure::{Failure, UNDECIDED};
 use crate::{files, report};
 
 /// What is asked.
 pub(crate) enum Asked {
     Everything,
-    Solve(Load),
-    Onset(Load),
+    Solve(LoadArguments),
+    Onset(LoadArguments),
     Turn { weight: Option<Numbers>, at: Option<Numbers>, axis: Option<Numbers> },
     Follow { to: Vec<Numbers>, at: Option<Numbers> },
 }
@@ -112,8 +112,8 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
 
 impl<const C: usize> Words<C> {
     /// The load of the command line, if there is one.
-    fn wrench(&self, load: &Load) -> Result<Option<Wrench<C>>, Failure> {
-        let Load { force, moment, at } = load;
+    fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
+        let LoadArguments { force, moment, at } = load;
         if force.is_none() && at.is_some() {
             return Err(Failure::Usage("--at without --force: a moment acts anywhere".to_owned()));
         }
@@ -142,7 +142,7 @@ impl<const C: usize> Words<C> {
         if to.is_empty() {
             return Ok(None);
         }
-        let leg = |force| self.push(force, "to", at).map(|load| Leg::new(Some(Goal::To(load)), None));
+        let leg = |force| self.push(force, "to", at).map(|load| LegAsked::new(Some(Goal::To(load)), None));
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
         Ok(Some(Question::Follow { start: Wrench::ZERO, legs }))
     }

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use super::compliant::split;
 use super::draft::{Assembly, Columns, refuse};
 use super::drive::Drive;
-use super::finger::{Finger, MovedBy};
+use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 
@@ -33,11 +33,11 @@ impl<const C: usize> Assembly<C> {
             let press = contact.press.unwrap_or(0.0);
             self.presses.push((press, frame.column(0) * press));
             let mut columns = match &carried.by {
-                MovedBy::World(matrix) => {
+                ContactMover::World(matrix) => {
                     given(matrix, (finger, first), (&contact, index), &SMatrix::identity())?
                 }
-                MovedBy::Frame(matrix) => given(matrix, (finger, first), (&contact, index), &frame)?,
-                MovedBy::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
+                ContactMover::Frame(matrix) => given(matrix, (finger, first), (&contact, index), &frame)?,
+                ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             // What the finger gives way by beside its pads: displacements of no joint.
             for (k, column) in own.iter().enumerate() {

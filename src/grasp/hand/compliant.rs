@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::positive::{Fault, checked, least_eigenvalue, squares};
+use super::positive::{NotPositive, checked, least_eigenvalue, squares};
 
 /// A compliance whose least scaled eigenvalue is below this is singular up to rounding: along some direction the contacts would be rigid.
 const REGULAR: f64 = 1e-12;
@@ -20,17 +20,17 @@ const REGULAR: f64 = 1e-12;
 pub(super) fn split(
     compliance: &DMatrix<f64>,
     size: usize,
-) -> Result<(DVector<f64>, Vec<DVector<f64>>), Fault> {
+) -> Result<(DVector<f64>, Vec<DVector<f64>>), NotPositive> {
     checked(compliance, size)?;
     let whole = compliance.diagonal();
     if whole.iter().any(|s| *s <= 0.0) {
-        return Err(Fault::Eigenvalue(least_eigenvalue(compliance)));
+        return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
     let root = whole.map(f64::sqrt);
     let scaled = DMatrix::from_fn(size, size, |i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
     if least <= REGULAR {
-        return Err(Fault::Eigenvalue(least_eigenvalue(compliance)));
+        return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
     let pads = whole * (0.5 * least);
     let mut rest = compliance.clone();

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::drive::Drive;
 use super::joint::Joint;
-use super::positive::Fault;
+use super::positive::NotPositive;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
@@ -50,17 +50,17 @@ impl<const C: usize> Assembly<C> {
 }
 
 /// The error for a matrix.
-pub(super) fn refuse<T>(fault: Fault, what: String, field: &'static str) -> Result<T, Error> {
+pub(super) fn refuse<T>(fault: NotPositive, what: String, field: &'static str) -> Result<T, Error> {
     Err(match fault {
-        Fault::Shape { rows, columns, size } => Error::Shape {
+        NotPositive::Shape { rows, columns, size } => Error::Shape {
             what: format!("{field} of {what}"),
             given: (rows, columns),
             expected: (size, size),
         },
-        Fault::Entry(value) => Error::Hand { what, field, value, allowed: crate::error::MODERATE },
-        Fault::Asymmetry(value) => {
+        NotPositive::Entry(value) => Error::Hand { what, field, value, allowed: crate::error::MODERATE },
+        NotPositive::Asymmetry(value) => {
             Error::Matrix { what, field, fault: "differs across its diagonal by", value }
         }
-        Fault::Eigenvalue(value) => Error::Matrix { what, field, fault: "has the eigenvalue", value },
+        NotPositive::Eigenvalue(value) => Error::Matrix { what, field, fault: "has the eigenvalue", value },
     })
 }

@@ -7,7 +7,7 @@ use crate::grasp::contact::Contact;
 
 /// What moves a contact of a finger.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum MovedBy {
+pub(super) enum ContactMover {
     /// The first so many joints.
     Link(usize),
     /// This Jacobian, along the coordinate axes.
@@ -20,7 +20,7 @@ pub(super) enum MovedBy {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Carried<const C: usize> {
     pub(super) contact: Contact<C>,
-    pub(super) by: MovedBy,
+    pub(super) by: ContactMover,
 }
 
 /// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body; their own commands add to what
@@ -77,7 +77,7 @@ impl<const C: usize> Finger<C> {
     pub fn pressing(force: f64, contact: Contact<C>) -> Self {
         let along_the_normal = DMatrix::from_fn(C, 1, |a, _| if a == 0 { 1.0 } else { 0.0 });
         let mut finger = Self::new([Joint::given().torque(force)]);
-        finger.contacts.push(Carried { contact, by: MovedBy::Frame(along_the_normal) });
+        finger.contacts.push(Carried { contact, by: ContactMover::Frame(along_the_normal) });
         finger
     }
 
@@ -134,14 +134,14 @@ impl<const C: usize> Finger<C> {
     /// A contact on another link: the first `joints` of the joints move it; 0 is the palm.
     #[must_use]
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
-        self.contacts.push(Carried { contact, by: MovedBy::Link(joints) });
+        self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self
     }
 
     /// A contact whose motion with the joints is given, `C x joints`: the velocity of the contact point along the coordinate axes for one unit of each joint's.
     #[must_use]
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
-        self.contacts.push(Carried { contact, by: MovedBy::World(jacobian) });
+        self.contacts.push(Carried { contact, by: ContactMover::World(jacobian) });
         self
     }
 }

@@ -11,7 +11,7 @@ const NEGATIVE: f64 = 1e-10;
 
 /// Why a matrix is not symmetric positive semidefinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Fault {
+pub(super) enum NotPositive {
     /// It has another shape.
     Shape { rows: usize, columns: usize, size: usize },
     /// An entry that is not finite, or too large.
@@ -24,14 +24,14 @@ pub(super) enum Fault {
 
 /// Columns l with `M = Σ l lᵀ`, as many as M has rank: Cholesky's factor with diagonal pivoting, whose pivots are chosen by what is left over what was there. Entries
 /// of very different size keep their relative accuracy.
-pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Fault> {
+pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
     let mut rest = (matrix + matrix.transpose()) * 0.5;
     let mut columns = Vec::new();
     let mut left: Vec<usize> = (0..size).filter(|&j| whole[j] > 0.0).collect();
     if (0..size).any(|j| whole[j] < 0.0 || (whole[j] == 0.0 && matrix.column(j).amax() > 0.0)) {
-        return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+        return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
     }
     while !left.is_empty() {
         let share = |j: usize| rest[(j, j)] / whole[j];
@@ -42,7 +42,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
             .max_by(|a, b| share(a.1).total_cmp(&share(b.1)))
             .unwrap_or((0, left[0]));
         if left.iter().any(|&j| share(j) < -NEGATIVE) {
-            return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+            return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
         }
         if share(pivot) <= ELIMINATED {
             break;
@@ -64,18 +64,18 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     // What is left has no diagonal, so nothing beside it may be left either.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE)) {
-        return Err(Fault::Eigenvalue(least_eigenvalue(matrix)));
+        return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
     }
     Ok(columns)
 }
 
 /// Refuses what is no symmetric matrix of numbers.
-pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), Fault> {
+pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPositive> {
     if matrix.shape() != (size, size) {
-        return Err(Fault::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
+        return Err(NotPositive::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
     }
     if let Some(&entry) = matrix.iter().find(|x| !crate::error::is_moderate(**x)) {
-        return Err(Fault::Entry(entry));
+        return Err(NotPositive::Entry(entry));
     }
     let mut worst = 0.0_f64;
     for i in 0..size {
@@ -87,7 +87,7 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), Fault> {
             }
         }
     }
-    if worst > 0.0 { Err(Fault::Asymmetry(worst)) } else { Ok(()) }
+    if worst > 0.0 { Err(NotPositive::Asymmetry(worst)) } else { Ok(()) }
 }
 
 /// The least eigenvalue of a symmetric matrix.
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_squares_add_up() -> Result<(), Fault> {
+    fn the_squares_add_up() -> Result<(), NotPositive> {
         // Three directions of very different size in five dimensions.
         let columns: Vec<DVector<f64>> = [1e6, 1.0, 1e-5]
             .iter()
@@ -120,11 +120,14 @@ mod tests {
     fn what_is_indefinite_is_told_by_its_eigenvalue() {
         let saddle = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]);
         let told = squares(&saddle, 2);
-        assert!(matches!(told, Err(Fault::Eigenvalue(value)) if (value + 1.0).abs() < 1e-14), "{told:?}");
+        assert!(
+            matches!(told, Err(NotPositive::Eigenvalue(value)) if (value + 1.0).abs() < 1e-14),
+            "{told:?}"
+        );
         let zero_diagonal = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
-        assert!(matches!(squares(&zero_diagonal, 2), Err(Fault::Eigenvalue(_))));
-        assert!(matches!(squares(&zero_diagonal, 3), Err(Fault::Shape { .. })));
+        assert!(matches!(squares(&zero_diagonal, 2), Err(NotPositive::Eigenvalue(_))));
+        assert!(matches!(squares(&zero_diagonal, 3), Err(NotPositive::Shape { .. })));
         let skew = DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.0, 1.0]);
-        assert_eq!(squares(&skew, 2), Err(Fault::Asymmetry(0.5)));
+        assert_eq!(squares(&skew, 2), Err(NotPositive::Asymmetry(0.5)));
     }
 }

@@ -15,7 +15,7 @@ pub(super) enum Bound {
 /// What a contact stands on: at most C - 1 facets, or the apex of its cone (closed without force,
 /// or open without a gap).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ActiveSet<const C: usize> {
+pub(super) struct FacetsReached<const C: usize> {
     pub(super) contact: u32,
     facets: [u16; 2],
     count: u8,
@@ -26,7 +26,7 @@ pub(super) struct ActiveSet<const C: usize> {
     pub(super) memory: SVector<f64, C>,
 }
 
-impl<const C: usize> ActiveSet<C> {
+impl<const C: usize> FacetsReached<C> {
     pub(super) fn nowhere(contact: u32, was: PolygonState, memory: SVector<f64, C>) -> Self {
         Self { contact, facets: [0; 2], count: 0, apex: false, was, memory }
     }

@@ -10,7 +10,7 @@
 
 use nalgebra::SVector;
 
-use super::active_set::ActiveSet;
+use super::active_set::FacetsReached;
 use super::moving_contact::{MovingContact, for_each_slip, size};
 use super::trial_leg::TrialLeg;
 use crate::contact::{PolygonState, WEIGHTLESS, tangential};
@@ -292,7 +292,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// What a contact stands on.
-    pub(super) fn stand_of(&self, number: u32) -> ActiveSet<C> {
+    pub(super) fn stand_of(&self, number: u32) -> FacetsReached<C> {
         let contact = self.contact(number);
         let u = self.stretch(contact);
         contact.stand(number, &u, contact.level(&u, self.y.norm()), self.facets(contact))

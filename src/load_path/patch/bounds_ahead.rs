@@ -26,7 +26,7 @@ const ROUGHLY: f64 = 1e-6;
 
 /// A bound that a step uses up.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Exit {
+pub(super) struct BoundReached {
     pub(super) contact: u32,
     pub(super) bound: Bound,
     step: f64,
@@ -35,7 +35,7 @@ pub(super) struct Exit {
 
 /// How far it is to the end of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Piece {
+pub(super) enum PieceLength {
     /// To where something reaches an edge.
     ToAnEdge(f64),
     /// Nothing reaches an edge up to there, or nothing clearly before.
@@ -50,7 +50,7 @@ pub(super) struct BoundsAhead<D: Size> {
     last_course: Option<Point<D>>,
     /// About how far it is to the next event.
     stride: f64,
-    pub(super) exits: Vec<Exit>,
+    pub(super) exits: Vec<BoundReached>,
 }
 
 impl<D: Size> BoundsAhead<D> {
@@ -81,7 +81,11 @@ impl<D: Size> BoundsAhead<D> {
 
     /// Looks for what reaches an edge first, at most so far from here, and leaves it in `exits`,
     /// the tied ones only.
-    pub(super) fn first_exits<const C: usize>(&mut self, balance: &mut Balance<D, C>, most: f64) -> Piece {
+    pub(super) fn first_exits<const C: usize>(
+        &mut self,
+        balance: &mut Balance<D, C>,
+        most: f64,
+    ) -> PieceLength {
         self.exits.clear();
         self.pricing.looked.clear();
         // Mostly the next event is about as far as the last one was.
@@ -95,7 +99,7 @@ impl<D: Size> BoundsAhead<D> {
             self.wait_again(balance);
         }
         let Some(first) = self.exits.iter().copied().min_by(|a, b| a.step.total_cmp(&b.step)) else {
-            return Piece::ToTheEnd;
+            return PieceLength::ToTheEnd;
         };
         // Symmetric grasps reach several edges at once: equal up to the rounding of both.
         self.exits.retain(|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
@@ -103,9 +107,9 @@ impl<D: Size> BoundsAhead<D> {
         // next begins.
         let at_the_end = self.exits.iter().any(|exit| (exit.step - most).abs() <= exit.uncertainty);
         if first.step >= most || (at_the_end && balance.tau + most >= 1.0) {
-            Piece::ToTheEnd
+            PieceLength::ToTheEnd
         } else {
-            Piece::ToAnEdge(first.step)
+            PieceLength::ToAnEdge(first.step)
         }
     }
 
@@ -135,7 +139,7 @@ impl<D: Size> BoundsAhead<D> {
                     let uncertainty = noise * (level + step * rate_level) / -rate;
                     if step - uncertainty <= longest {
                         longest = longest.min(step + uncertainty);
-                        exits.push(Exit { contact: number, bound, step, uncertainty });
+                        exits.push(BoundReached { contact: number, bound, step, uncertainty });
                     }
                 }
             });

@@ -11,7 +11,7 @@
 
 use nalgebra::SVector;
 
-use super::active_set::ActiveSet;
+use super::active_set::FacetsReached;
 use super::moving_contact::MovingContact;
 use super::patch_event::PatchEvent;
 use super::patch_path::{Due, Patch};
@@ -71,7 +71,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     /// it may as well part from the object, which moves less then, it parts; forces are the same.
     fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         let balance = &self.balance;
-        let is_idle = |stand: &&ActiveSet<C>| {
+        let is_idle = |stand: &&FacetsReached<C>| {
             let contact = balance.contact(stand.contact);
             stand.apex
                 && contact.fixed.gap
@@ -98,7 +98,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided(journey)) }
     }
 
-    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &ActiveSet<C>) -> PolygonState) {
+    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &FacetsReached<C>) -> PolygonState) {
         for stand in &self.stands {
             let state = state(self.balance.contact(stand.contact), stand);
             self.balance.put(stand.contact, state);
@@ -154,7 +154,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     /// all at once.
     fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         for k in 0..self.stands.len() {
-            let ActiveSet { contact, was, .. } = self.stands[k];
+            let FacetsReached { contact, was, .. } = self.stands[k];
             let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
             if !opens || !journey.grasp.sites()[contact as usize].friction.is_infinite() {
                 continue;

@@ -2,14 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::bounds_ahead::Piece;
+use super::bounds_ahead::PieceLength;
 use super::patch_event::PatchEvent;
 use super::patch_path::{Due, Patch};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::{Came, Edge, Follower};
+use crate::load_path::follower::{Came, Follower, StandAtEdge};
 use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
@@ -91,7 +91,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
         self.forces_at(journey.grasp.sites(), &self.balance.balanced())
     }
 
-    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         self.all_contacts(journey)
     }
 }
@@ -101,7 +101,7 @@ impl<'g, D: Size, const C: usize> Patch<D, C> {
     fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<C>> {
         let before = self.balance.tau;
         match self.ahead.first_exits(&mut self.balance, most - before) {
-            Piece::ToAnEdge(step) => {
+            PieceLength::ToAnEdge(step) => {
                 self.ahead.go_to(&mut self.balance, before + step);
                 self.ahead.correct(&mut self.balance, before);
                 self.stalls = if self.balance.tau > before { 0 } else { self.stalls + 1 };
@@ -112,7 +112,7 @@ impl<'g, D: Size, const C: usize> Patch<D, C> {
                 self.due = Due::Event;
                 Ok(false)
             }
-            Piece::ToTheEnd => {
+            PieceLength::ToTheEnd => {
                 self.ahead.go_to(&mut self.balance, most);
                 if most < 1.0 {
                     self.ahead.requeue(&mut self.balance);

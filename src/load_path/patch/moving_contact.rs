@@ -12,7 +12,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::active_set::{ActiveSet, Bound};
+use super::active_set::{Bound, FacetsReached};
 use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
@@ -187,8 +187,8 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         stretch: &SVector<f64, C>,
         level: f64,
         facets: &[Facet<C>],
-    ) -> ActiveSet<C> {
-        let mut stand = ActiveSet::nowhere(contact, self.state, self.memory);
+    ) -> FacetsReached<C> {
+        let mut stand = FacetsReached::nowhere(contact, self.state, self.memory);
         if facets.is_empty() && !self.fixed.gap {
             return stand;
         }
@@ -217,7 +217,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     /// facets has theirs, one at the apex all of its law.
     pub(super) fn margin(
         &self,
-        stand: &ActiveSet<C>,
+        stand: &FacetsReached<C>,
         state: PolygonState,
         stretch_rate: &SVector<f64, C>,
         facets: &[Facet<C>],
@@ -252,7 +252,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     /// one that breaks them least.
     pub(super) fn answer(
         &self,
-        stand: &ActiveSet<C>,
+        stand: &FacetsReached<C>,
         stretch_rate: &SVector<f64, C>,
         facets: &[Facet<C>],
     ) -> PolygonState {
@@ -283,7 +283,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     }
 
     /// The corner between the two facets on which a contact stands.
-    fn corner_of(&self, stand: &ActiveSet<C>) -> Option<PolygonState> {
+    fn corner_of(&self, stand: &FacetsReached<C>) -> Option<PolygonState> {
         let [a, b] = *stand.facets() else { return None };
         if self.facet_after(a) == b {
             Some(Mode::Corner(a))
@@ -294,7 +294,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
 
     /// What mostly comes next: a contact on an edge slides along it, one without force opens, one
     /// without a gap sticks.
-    pub(super) fn guess(&self, stand: &ActiveSet<C>) -> PolygonState {
+    pub(super) fn guess(&self, stand: &FacetsReached<C>) -> PolygonState {
         match *stand.facets() {
             _ if stand.apex && self.state.is_open() => Mode::Sticking,
             _ if stand.apex && self.fixed.gap => Mode::Open,

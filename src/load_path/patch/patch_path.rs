@@ -1,6 +1,6 @@
 //! The follower of thousands of contacts: where it stands, and what ends its path there.
 
-use super::active_set::ActiveSet;
+use super::active_set::FacetsReached;
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
 use super::patch_event::PatchEvent;
@@ -30,7 +30,7 @@ pub(crate) struct Patch<D: Size, const C: usize> {
     pub(super) ahead: BoundsAhead<D>,
     pub(super) sliding: SlidingOn<D>,
     /// The contacts that stand on an edge at the present event.
-    pub(super) stands: Vec<ActiveSet<C>>,
+    pub(super) stands: Vec<FacetsReached<C>>,
     pub(super) due: Due,
     /// Whether the trial state is that of the present leg already: of the first one.
     pub(super) is_laid: bool,

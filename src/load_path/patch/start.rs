@@ -1,6 +1,6 @@
 //! Where a path starts, and where each leg of it does.
 
-use super::active_set::ActiveSet;
+use super::active_set::FacetsReached;
 use super::balance::Balance;
 use super::bounds_ahead::BoundsAhead;
 use super::moving_contact::size;
@@ -88,7 +88,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.balance.settle_at(0.0);
         let all = (0..).take(self.balance.contacts.len()).map(|contact| self.balance.stand_of(contact));
         self.stands.clear();
-        self.stands.extend(all.filter(|stand: &ActiveSet<C>| !stand.is_nowhere()));
+        self.stands.extend(all.filter(|stand: &FacetsReached<C>| !stand.is_nowhere()));
         self.due = Due::Start;
         Ok(())
     }

@@ -7,7 +7,7 @@ use super::patch_path::Patch;
 use crate::contact::{ActiveSet, PolygonState, State};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
-use crate::load_path::follower::Edge;
+use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
 use crate::search::Found;
@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// The rates of all contacts, which have slipped up to here: those that do not stand here slide on or stay as they are.
-    pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+    pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let (balance, sites) = (&self.balance, journey.grasp.sites());
         let remembered = |contact: &MovingContact<D, C>| {
             let mut contact = contact.clone();
@@ -75,7 +75,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         }
         let states: Vec<State<C>> = states.into_iter().map(State::from).collect();
         let rates = segment.rates(0.0, segment.laws_of_rates(&stands, &states));
-        Edge { segment, rates, forces: self.forces_at(sites, &balance.balanced()) }
+        StandAtEdge { segment, rates, forces: self.forces_at(sites, &balance.balanced()) }
     }
 
     /// Slips, m, from what each contact has in memory.

@@ -9,7 +9,7 @@
 //!
 //! The distance is what is told: where it is not three times the error, directions relax within a step, and it is as large as the error.
 
-use super::one_step::{PathState, StepProblem};
+use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::Size;
 
 /// The second path has gone elsewhere if its distance grows by more than this factor in a step. Below a few it would be lost at every change of
@@ -23,7 +23,7 @@ const ONE: f64 = 1e-12;
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse<D: Size, const C: usize> {
-    pub(super) standing: PathState<D, C>,
+    pub(super) standing: SteppedState<D, C>,
     /// Distances where it was lost and began again from the first path, over the largest force.
     lost: f64,
     /// The largest distance so far, with those, over the largest force.
@@ -32,7 +32,7 @@ pub(super) struct Coarse<D: Size, const C: usize> {
 
 impl<D: Size, const C: usize> Coarse<D, C> {
     /// From where both paths begin.
-    pub(super) fn starting_at(standing: &PathState<D, C>) -> Self {
+    pub(super) fn starting_at(standing: &SteppedState<D, C>) -> Self {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
     }
 
@@ -41,8 +41,8 @@ impl<D: Size, const C: usize> Coarse<D, C> {
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_, D, C>,
-        [from, to, at_once]: [&PathState<D, C>; 3],
-        beside: &mut PathState<D, C>,
+        [from, to, at_once]: [&SteppedState<D, C>; 3],
+        beside: &mut SteppedState<D, C>,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);

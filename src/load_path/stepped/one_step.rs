@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::contact::{Answer, State};
+use crate::contact::{ContactResponse, State};
 use crate::load_path::journey::Journey;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::{Size, Vector, cleared_for};
@@ -18,7 +18,7 @@ pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Where a path stands, inside.
 #[derive(Debug, Clone)]
-pub(super) struct PathState<D: Size, const C: usize> {
+pub(super) struct SteppedState<D: Size, const C: usize> {
     /// Part of the leg that has been gone.
     pub(super) fraction: f64,
     pub(super) twist: Vector<D>,
@@ -28,7 +28,7 @@ pub(super) struct PathState<D: Size, const C: usize> {
     pub(super) states: Vec<State<C>>,
 }
 
-impl<D: Size, const C: usize> PathState<D, C> {
+impl<D: Size, const C: usize> SteppedState<D, C> {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
@@ -41,7 +41,7 @@ impl<D: Size, const C: usize> PathState<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> PathState<D, C> {
+impl<D: Size, const C: usize> SteppedState<D, C> {
     /// Memory for one.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
@@ -67,7 +67,7 @@ pub(super) struct StepProblem<'g, D: Size, const C: usize> {
     pub(super) course: Trajectory<Vector<D>>,
     /// Stretches before a step, and what contacts answer after it.
     before: Vec<SVector<f64, C>>,
-    answers: Vec<Answer<C>>,
+    answers: Vec<ContactResponse<C>>,
 }
 
 impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
@@ -93,9 +93,9 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     /// The step of a length from where a path stands, sought near a twist: where it leads `to`. `None` where Newton's method does not arrive.
     pub(super) fn step(
         &mut self,
-        from: &PathState<D, C>,
+        from: &SteppedState<D, C>,
         (length, near): (f64, Vector<D>),
-        to: &mut PathState<D, C>,
+        to: &mut SteppedState<D, C>,
     ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
         let Self { problem, drives: [base, change], course, before, answers } = self;
@@ -114,15 +114,15 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
 /// The equilibrium of a problem that counts slips from where a path stands, with the stretches before the step there, sought near a twist. `None` where
 /// Newton's method does not arrive.
 fn equilibrium_after<D: Size, const C: usize>(
-    (from, before): (&PathState<D, C>, &[SVector<f64, C>]),
+    (from, before): (&SteppedState<D, C>, &[SVector<f64, C>]),
     problem: &Problem<'_, D, C>,
-    (near, answers): (Vector<D>, &mut Vec<Answer<C>>),
-    to: &mut PathState<D, C>,
+    (near, answers): (Vector<D>, &mut Vec<ContactResponse<C>>),
+    to: &mut SteppedState<D, C>,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =
         ROUNDED * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
-    let answer = |i: usize, stretch: &SVector<f64, C>, _: &Answer<C>| {
+    let answer = |i: usize, stretch: &SVector<f64, C>, _: &ContactResponse<C>| {
         problem.local(i).answer_after(&before[i], stretch)
     };
     let mut contacts = OneByOne::in_memory(problem, (rounded, std::mem::take(answers)), answer);

@@ -11,7 +11,7 @@ const FIRST_STEP: f64 = 1.0 / 16.0;
 
 /// The steps of a leg so far.
 #[derive(Debug, Clone)]
-pub(super) struct Pace<D: Size> {
+pub(super) struct StepPace<D: Size> {
     /// The motion of the object for one unit of the fraction, from the last step.
     pub(super) rate: Option<Vector<D>>,
     /// How fast the object has moved.
@@ -28,7 +28,7 @@ pub(super) struct Pace<D: Size> {
     pub(super) tried: usize,
 }
 
-impl<D: Size> Pace<D> {
+impl<D: Size> StepPace<D> {
     /// That of a leg that begins.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };

@@ -1,21 +1,21 @@
 //! Where steps lead.
 
-use super::one_step::PathState;
+use super::one_step::SteppedState;
 use crate::numerics::Size;
 
 /// Where a step leads that is made twice: in halves, which the path takes, and at once.
 #[derive(Debug)]
 pub(super) struct Places<D: Size, const C: usize> {
-    pub(super) middle: PathState<D, C>,
-    pub(super) to: PathState<D, C>,
-    pub(super) at_once: PathState<D, C>,
+    pub(super) middle: SteppedState<D, C>,
+    pub(super) to: SteppedState<D, C>,
+    pub(super) at_once: SteppedState<D, C>,
     /// Memory for the step of the second path.
-    pub(super) beside: PathState<D, C>,
+    pub(super) beside: SteppedState<D, C>,
 }
 
 impl<D: Size, const C: usize> Places<D, C> {
     pub(super) fn nowhere() -> Self {
-        let [middle, to, at_once, beside] = [(); 4].map(|()| PathState::nowhere());
+        let [middle, to, at_once, beside] = [(); 4].map(|()| SteppedState::nowhere());
         Self { middle, to, at_once, beside }
     }
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 
-use super::one_step::PathState;
+use super::one_step::SteppedState;
 use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
-use crate::load_path::follower::Edge;
+use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
 use crate::numerics::Size;
 use crate::search::Found;
@@ -14,7 +14,7 @@ use crate::search::Found;
 /// 1e-12 of a leg. With less a contact that such a step would bring to its edge still holds, and the limit is not seen.
 const AT_AN_EDGE: f64 = 1e-9;
 
-impl<D: Size, const C: usize> PathState<D, C> {
+impl<D: Size, const C: usize> SteppedState<D, C> {
     /// The whole equilibrium. One pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> PathState<D, C> {
     }
 
     /// The rates, with edges as near as the last steps can tell.
-    pub(super) fn edge<'g>(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+    pub(super) fn edge<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
         let near = largest * (AT_AN_EDGE / ZERO_SLACK);
@@ -48,6 +48,6 @@ impl<D: Size, const C: usize> PathState<D, C> {
             local.law_of_rates(&stand, state)
         };
         let laws = (0..segment.problem.len()).map(law).collect();
-        Edge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
+        StandAtEdge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
     }
 }

@@ -1,6 +1,6 @@
 //! Steps as long as the error asked for allows.
 
-use super::one_step::{PathState, SHORTEST};
+use super::one_step::{SHORTEST, SteppedState};
 use super::places::Places;
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
@@ -105,7 +105,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
-        let near = |at: &PathState<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
+        let near = |at: &SteppedState<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
         let rate = (&middle.twist - &from.twist) / (0.5 * length);
         along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;

@@ -3,14 +3,14 @@
 use nalgebra::SVector;
 
 use super::coarse::Coarse;
-use super::one_step::{PathState, StepProblem};
-use super::pace::Pace;
+use super::one_step::{StepProblem, SteppedState};
+use super::pace::StepPace;
 use super::places::Places;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::{Came, Edge, Follower};
+use crate::load_path::follower::{Came, Follower, StandAtEdge};
 use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
@@ -25,11 +25,11 @@ pub(crate) struct Steps<'g, D: Size, const C: usize> {
     /// What a step solves.
     pub(super) along: StepProblem<'g, D, C>,
     /// Where the path stands.
-    pub(super) standing: PathState<D, C>,
+    pub(super) standing: SteppedState<D, C>,
     /// Where the last step tried leads.
     pub(super) places: Places<D, C>,
     /// How the steps of the leg go.
-    pub(super) pace: Pace<D>,
+    pub(super) pace: StepPace<D>,
     /// What was asked for.
     pub(super) error: f64,
     /// The path of the same steps made at once.
@@ -75,7 +75,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let path = Following::start(self, (start, legs), &settings, |journey, problem| {
             let standing = at_start(problem, journey.start(problem)?);
             let along = StepProblem::along(journey);
-            let pace = Pace::along(&along.course);
+            let pace = StepPace::along(&along.course);
             let coarse = Coarse::starting_at(&standing);
             let places = Places::nowhere();
             Ok(Steps { along, standing, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
@@ -85,7 +85,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// What an equilibrium is to a path: its slips are memory.
-fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> PathState<D, C> {
+fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> SteppedState<D, C> {
     let slip = |(i, state): (usize, &crate::contact::State<C>)| {
         let springs = &problem.sites[i].springs;
         if state.is_sticking() || !springs.resists_tangentially() {
@@ -94,7 +94,7 @@ fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D
         springs.slip(&problem.stretch(i, &found.twist), &found.forces[i])
     };
     let slips = found.states.iter().enumerate().map(slip).collect();
-    PathState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
+    SteppedState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
 impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
@@ -128,7 +128,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g, D, C>) -> Edge<'g, D, C> {
+    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         self.standing.edge(journey)
     }
 }

@@ -17,7 +17,7 @@
 
 use nalgebra::SVector;
 
-use super::one_step::{PathState, StepProblem};
+use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Size, Vector};
 
@@ -28,11 +28,11 @@ const WHERE_IT_BENDS: f64 = 2.0;
 
 impl<D: Size, const C: usize> StepProblem<'_, D, C> {
     /// The most that a contact force may be wrong by at the end of a step in two halves, N, without a difference to the step made at once.
-    pub(super) fn unseen(&self, at: [&PathState<D, C>; 3]) -> f64 {
+    pub(super) fn unseen(&self, at: [&SteppedState<D, C>; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
 
-    fn unseen_by(&self, i: usize, at: [&PathState<D, C>; 3]) -> f64 {
+    fn unseen_by(&self, i: usize, at: [&SteppedState<D, C>; 3]) -> f64 {
         let [from, middle, to] = at;
         let (site, local) = (&self.problem.sites[i], self.problem.local(i));
         if !local.may_open() && !local.may_slide() {
@@ -41,7 +41,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
         let made_of = |motion: Vector<D>| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
         let off = IN_A_HALF * bend.norm();
-        let drawn = |a: &PathState<D, C>, b: &PathState<D, C>| {
+        let drawn = |a: &SteppedState<D, C>, b: &SteppedState<D, C>| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
         let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
@@ -51,7 +51,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
-        let half = |a: &PathState<D, C>, b: &PathState<D, C>| match (&a.states[i], &b.states[i]) {
+        let half = |a: &SteppedState<D, C>, b: &SteppedState<D, C>| match (&a.states[i], &b.states[i]) {
             (Mode::Sticking, Mode::Sticking) if local.may_slide() => {
                 let margin = local.margin(&a.forces[i]).min(local.margin(&b.forces[i]));
                 (off - margin / local.cone().round_weight()).max(0.0)
@@ -70,7 +70,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             return worst;
         }
         let chord = drawn(from, to);
-        let stops = |(at, part): (&PathState<D, C>, f64)| {
+        let stops = |(at, part): (&SteppedState<D, C>, f64)| {
             let Some(slide) = at.states[i].slide() else { return 0.0 };
             let across = |rate: &SVector<f64, C>| -local.cone().facet_margin(rate, &slide.direction);
             let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));

@@ -7,7 +7,7 @@ use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{Fingertip, fingertips};
+use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
@@ -35,7 +35,7 @@ pub(super) const MANY: usize = 12;
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
-    pub(super) tips: Vec<Fingertip>,
+    pub(super) tips: Vec<ContactGroup>,
     /// Convex parts of the object.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
@@ -59,7 +59,7 @@ struct Largest {
 
 /// A load as a force on its line of action, at the point next to the middle of the grasp, and the
 /// moment that is left.
-pub(super) struct Load {
+pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
     pub(super) moment: Vector3<f64>,
@@ -147,7 +147,7 @@ impl<'p> Drawing<'p> {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().collect();
         let scale = |state: &Equilibrium| {
-            let push = |tip: &Fingertip| {
+            let push = |tip: &ContactGroup| {
                 let pushed = tip.resultant(grasp.contacts(), &state.contacts).normal_force;
                 (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
             };
@@ -172,18 +172,18 @@ impl<'p> Drawing<'p> {
         sentences
     }
 
-    pub(super) fn load(&self, state: &Equilibrium) -> Load {
+    pub(super) fn load(&self, state: &Equilibrium) -> LoadArrow {
         let (force, moment) = halves(&state.load.to_vector());
         let about_centre = moment - self.centre.cross(&force);
         let size = force.norm();
         if size == 0.0 {
-            return Load { at: self.centre, force, moment };
+            return LoadArrow { at: self.centre, force, moment };
         }
         let along = force / size;
         let left = along * along.dot(&about_centre);
         let rounding = ROUNDING * (size * (self.span + self.centre.norm()) + moment.norm());
         let left = if left.norm() <= rounding { Vector3::zeros() } else { left };
-        Load { at: self.centre + along.cross(&(about_centre / size)), force, moment: left }
+        LoadArrow { at: self.centre + along.cross(&(about_centre / size)), force, moment: left }
     }
 
     pub(super) fn axis(&self, motion: &Twist) -> Axis {

@@ -6,7 +6,7 @@ use super::drawing::Drawing;
 use super::frame::Frame;
 use super::marks::{BROWN, CONTACT, PINK, POINT, SKY};
 use crate::picture::contact_look::{ink, word};
-use crate::picture::fingertip::{Fingertip, Resultant};
+use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::round_numbers::round_down;
@@ -115,7 +115,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
 /// What fingertips and their points do, each thing once.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
-    let resultant = |tip: &Fingertip| tip.resultant(contacts, &state.contacts);
+    let resultant = |tip: &ContactGroup| tip.resultant(contacts, &state.contacts);
     let tips: Vec<Resultant<3>> = drawing.tips.iter().map(resultant).collect();
     let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
     let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
@@ -142,7 +142,7 @@ fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let moment =
         if load.force.norm() > 0.0 { "moment of the load about that line" } else { "moment of the load" };
     let contacts = drawing.page.grasp.contacts();
-    let slides = |tip: &Fingertip| tip.resultant(contacts, &state.contacts).slides.is_some();
+    let slides = |tip: &ContactGroup| tip.resultant(contacts, &state.contacts).slides.is_some();
     let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
     let displaced = state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
     let moves = state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;

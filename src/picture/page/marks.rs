@@ -7,7 +7,7 @@ use plotters::style::{RGBColor, colors::BLACK};
 
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
 use crate::picture::contact_look::{ink, slope, word};
-use crate::picture::fingertip::{Fingertip, Resultant};
+use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
 use crate::spatial::{Contact, ContactState, Equilibrium};
 
@@ -170,7 +170,7 @@ fn draw_answer(
 }
 
 /// The points of a fingertip, each in the colour of what it does.
-fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium, tip: &Fingertip) {
+fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) {
     let radius = if tip.is_soft() { POINT } else { CONTACT };
     for i in tip.contacts.clone() {
         let answer = &state.contacts[i];

@@ -5,7 +5,7 @@ use plotters::style::{Color, RGBColor};
 
 use super::eye::Eye;
 use super::marks::Mark;
-use crate::picture::painting::{Painting, Seen};
+use crate::picture::painting::{EyePoint, Painting};
 
 /// Greys of the edges of the object that are nearest to the eye and farthest from it.
 const NEAR: f64 = 90.0;
@@ -68,7 +68,7 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
 
 /// The side of the cone that faces the eye and the side that looks away, between which there is
 /// room for the force. Seams between smaller faces would show.
-fn cone(painting: &mut Painting, apex: &Seen, rim: &[Seen], ink: RGBColor) {
+fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColor) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
     let clockwise = |k: usize| {
@@ -76,10 +76,10 @@ fn cone(painting: &mut Painting, apex: &Seen, rim: &[Seen], ink: RGBColor) {
         a.x * b.y - a.y * b.x > 0.0
     };
     let ends: Vec<usize> = (0..sides).filter(|k| clockwise(*k) != clockwise(next(*k))).map(next).collect();
-    let mut face = |corners: Vec<Seen>, depth: f64| {
+    let mut face = |corners: Vec<EyePoint>, depth: f64| {
         painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
     };
-    let depth = |part: &[Seen]| {
+    let depth = |part: &[EyePoint]| {
         let mean = part.iter().map(|corner| corner.z).sum::<f64>() / part.len() as f64;
         (apex.z + 2.0 * mean) / 3.0
     };
@@ -89,7 +89,7 @@ fn cone(painting: &mut Painting, apex: &Seen, rim: &[Seen], ink: RGBColor) {
     for (k, first) in ends.iter().enumerate() {
         let last = ends[(k + 1) % ends.len()];
         let count = (last + sides - first) % sides;
-        let part: Vec<Seen> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
+        let part: Vec<EyePoint> = (0..=count).map(|step| rim[(first + step) % sides]).collect();
         let depth = depth(&part);
         face(part.into_iter().chain([*apex]).collect(), depth);
     }
@@ -117,12 +117,12 @@ fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     corners
 }
 
-fn pairs(corners: &[Seen]) -> Vec<[Seen; 2]> {
+fn pairs(corners: &[EyePoint]) -> Vec<[EyePoint; 2]> {
     corners.windows(2).map(|ends| [ends[0], ends[1]]).collect()
 }
 
 /// Cuts a line into dashes that go on round its corners.
-fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[Seen; 2]> {
+fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[EyePoint; 2]> {
     let mut dashes = Vec::new();
     // Along the whole line, pixels.
     let mut start = 0.0;

@@ -8,7 +8,7 @@ use crate::grasp::Hold;
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::{no_friction_left, word};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::Fingertip;
+use crate::picture::fingertip::ContactGroup;
 use crate::picture::words::{escaped, short};
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
@@ -28,7 +28,7 @@ const COLUMNS: [(&str, &str); 9] = [
 pub(super) fn write(
     page: &mut String,
     grasp: &Grasp,
-    tips: &[Fingertip],
+    tips: &[ContactGroup],
     actuators: &Actuators<3>,
     frames: &[Frame],
 ) -> Result<(), PictureError> {
@@ -49,14 +49,14 @@ pub(super) fn write(
 fn write_state(
     page: &mut String,
     grasp: &Grasp,
-    tips: &[Fingertip],
+    tips: &[ContactGroup],
     actuators: &Actuators<3>,
     state: &Equilibrium,
 ) -> Result<(), PictureError> {
     let (load, twist) = (state.load.components(), state.twist.components());
     let _ = writeln!(
         page,
-        "<p>Load: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
+        "<p>LoadArrow: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
          Residual {:.0e}.</p>",
         vector(&load[..3]),
         vector(&load[3..]),

@@ -5,7 +5,7 @@
 //! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]
 
-use grasp_lcp::lcp::{Answer, Lcp, Series, Settings, Workspace};
+use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -36,13 +36,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let mut pivots = 0;
             let mut residual = f64::NAN;
             let time = best_time(|| {
-                if let Answer::Solved(solution) = workspace.solve(black_box(&problem), &settings) {
+                if let OutcomeView::Solved(solution) = workspace.solve(black_box(&problem), &settings) {
                     pivots = solution.pivots;
                     residual = solution.residuals.max();
                 }
             });
             let mut verified = "-".to_string();
-            if let Answer::Solved(solution) = workspace.solve(&problem, &settings) {
+            if let OutcomeView::Solved(solution) = workspace.solve(&problem, &settings) {
                 if problem.verify(solution.basis).is_some() {
                     let time = best_time(|| {
                         black_box(problem.verify(solution.basis));
@@ -75,7 +75,7 @@ fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
     let mut pivots = [0; 2];
     let time = best_time(|| {
         for (q, pivots) in [problem.vector(), &neighbour].into_iter().zip(&mut pivots) {
-            if let Ok(Answer::Solved(solution)) = series.solve(black_box(q)) {
+            if let Ok(OutcomeView::Solved(solution)) = series.solve(black_box(q)) {
                 *pivots = solution.pivots;
             }
         }

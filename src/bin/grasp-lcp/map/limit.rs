@@ -6,7 +6,7 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 /// The end of a load path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum End {
+pub(crate) enum LimitEnd {
     /// No equilibrium exists beyond.
     Limit,
     /// This equilibrium ends, others exist.
@@ -21,7 +21,7 @@ pub(crate) enum End {
     Unknown,
 }
 
-impl End {
+impl LimitEnd {
     pub(crate) const ALL: [Self; 6] =
         [Self::Limit, Self::Snap, Self::Ends, Self::GivesWay, Self::Held, Self::Unknown];
 
@@ -42,7 +42,7 @@ impl End {
 pub(crate) struct Last {
     /// N; infinite where everything asked for is held, not a number where the end is not known.
     pub(crate) factor: f64,
-    pub(crate) end: End,
+    pub(crate) end: LimitEnd,
 }
 
 /// Of forces over the largest force, a step: a picture shows no more, and smaller steps cost most of the time.
@@ -59,17 +59,17 @@ pub(crate) fn last<const C: usize>(
     let mut path = grasp.follow(&base, &[Leg::load_by(direction * most)])?;
     path.by_ref().for_each(drop);
     let (end, fraction) = match path.end() {
-        Some(PathEnd::Completed) => (End::Held, f64::INFINITY),
-        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (End::GivesWay, loss.fraction),
+        Some(PathEnd::Completed) => (LimitEnd::Held, f64::INFINITY),
+        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (LimitEnd::GivesWay, loss.fraction),
         Some(PathEnd::Lost(loss)) => {
             let end = match path.beyond() {
-                Some(Beyond::LimitLoad) => End::Limit,
-                Some(Beyond::Snap) => End::Snap,
-                _ => End::Ends,
+                Some(Beyond::LimitLoad) => LimitEnd::Limit,
+                Some(Beyond::Snap) => LimitEnd::Snap,
+                _ => LimitEnd::Ends,
             };
             (end, loss.fraction)
         }
-        _ => (End::Unknown, f64::NAN),
+        _ => (LimitEnd::Unknown, f64::NAN),
     };
     Ok(Last { factor: fraction * most, end })
 }
@@ -78,8 +78,8 @@ impl Last {
     /// The load, for a table of paths that go as far as `most`.
     pub(crate) fn words(&self, most: f64) -> String {
         match self.end {
-            End::Held => format!("{most:.4} and on"),
-            End::Unknown => "–".to_owned(),
+            LimitEnd::Held => format!("{most:.4} and on"),
+            LimitEnd::Unknown => "–".to_owned(),
             _ => format!("{:.9}", self.factor),
         }
     }
@@ -87,7 +87,7 @@ impl Last {
 
 /// How many paths end in which way.
 pub(crate) fn count(lasts: &[Last]) -> String {
-    let parts = End::ALL.into_iter().filter_map(|end| {
+    let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();
         (count > 0).then(|| format!("{} {count}", end.word()))
     });

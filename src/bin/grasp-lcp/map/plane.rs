@@ -8,7 +8,7 @@ use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use grasp_lcp::scene::Setup;
 
 use super::ask::{self, First};
-use super::limit::{self, End, Last};
+use super::limit::{self, Last, LimitEnd};
 use super::watch;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -114,9 +114,9 @@ fn draw(
         .curve(ask::NOT_KNOWN, with(&mut firsts.iter().map(|first| first.robust)), Stroke::Line)
         .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
     for (end, words) in [
-        (End::Snap, "… where it snaps: other\nequilibria exist beyond"),
-        (End::Ends, "… where others may\nexist beyond"),
-        (End::GivesWay, "… where nothing resists"),
+        (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),
+        (LimitEnd::Ends, "… where others may\nexist beyond"),
+        (LimitEnd::GivesWay, "… where nothing resists"),
     ] {
         let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
         let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();

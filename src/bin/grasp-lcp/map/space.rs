@@ -7,7 +7,7 @@ use grasp_lcp::scene::Setup;
 use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use super::ask::{self, First};
-use super::limit::{self, End, Last};
+use super::limit::{self, Last, LimitEnd};
 use super::watch;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -96,7 +96,7 @@ fn load_paths(
     // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
     Ok(watch::sweep("load paths", ways, ALL_PATHS, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
-        let known = last.end != End::Unknown;
+        let known = last.end != LimitEnd::Unknown;
         if known { Ok(last) } else { limit::last(grasp, base, pull(*d), most) }
     })?)
 }
