@@ -39,7 +39,7 @@ pub struct Fingertip<const C: usize> {
     pub moved_by: MovedBy,
 }
 
-/// What moves a contact of a [finger](super::Finger). A contact that belongs to no finger says nothing.
+/// What moves a contact of a [finger](super::FingerSetup). A contact that belongs to no finger says nothing.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub enum MovedBy {

@@ -235,7 +235,7 @@
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
-//! underscores. Contacts are named by their place in the scene and, for a soft fingertip, the point
+//! underscores. They consist of the answers of a grasp as those are declared, with what is computed on request beside them. Contacts are named by their place in the scene and, for a soft fingertip, the point
 //! of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
 //! `"not a number"`. Fields may be added to answers without a new version.
 //!

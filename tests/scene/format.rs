@@ -1,6 +1,7 @@
 //! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
 
 use grasp_lcp::ask::Grasp;
+use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::{Contact, Motion, Twist, Wrench};
 use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, Space, Tip};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
@@ -288,4 +289,30 @@ fn soft_fingertips_are_spread() {
         (&json!(0), &json!(3), &json!("thumb"))
     );
     assert_eq!((&touch[8]["contact"], touch[8].get("point")), (&json!(1), None));
+}
+
+/// A grasp's own answer is written like that of its scene, which measures it besides. What was read knows no more than what was written.
+#[test]
+fn an_answer_that_was_read_has_nothing_more_to_say() {
+    let jaw =
+        |side: f64| planar::Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+    let grasp = planar::Grasp::new([-1.0, 1.0].map(|side| jaw(side).pressed_with(8.0).name("jaw"))).unwrap();
+    let load = planar::Wrench::force([0.0, -4.0]);
+    let outcome = grasp.solve(&load).unwrap();
+    let written = serde_json::to_value(&outcome).unwrap();
+    let setup = Setup::from(&grasp).ask(Question::Solve { load });
+    let mut told = serde_json::to_value(setup.answers().unwrap()).unwrap()[0]["solve"].take();
+    assert!(told.as_object_mut().unwrap().remove("accuracy").is_some());
+    for contact in told["contacts"].as_array_mut().unwrap() {
+        assert_eq!(contact.as_object_mut().unwrap().remove("distinct"), Some(json!(true)));
+    }
+    assert_eq!(written, told);
+
+    let back: Outcome<2> = serde_json::from_value(written).unwrap();
+    let (state, back) = (outcome.equilibrium().unwrap(), back.equilibrium().unwrap());
+    assert_eq!((&state.contacts, &state.residuals), (&back.contacts, &back.residuals));
+    assert_eq!(back.contacts[1].contact.text(), "jaw");
+    assert!(grasp.accuracy(state).is_some() && grasp.accuracy(back).is_none());
+    assert!(grasp.distinct(state).is_some() && grasp.distinct(back).is_none());
+    assert_eq!(grasp.energy().stability(state).verdict, grasp.energy().stability(back).verdict);
 }
