@@ -182,4 +182,4 @@ impl<'de, const C: usize> Deserialize<'de> for FingerSetup<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("FingerSetup", FingerSetup<C>, Written<C>, C);
+schema_as_written!("Finger", FingerSetup<C>, Written<C>, C);

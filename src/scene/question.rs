@@ -268,4 +268,4 @@ impl<'de, const C: usize> Deserialize<'de> for LegAsked<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("LegAsked", LegAsked<C>, WrittenLeg<C>, C);
+schema_as_written!("Leg", LegAsked<C>, WrittenLeg<C>, C);
