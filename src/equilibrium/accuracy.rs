@@ -47,7 +47,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return None;
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
-        let twist = PreciseTwist::new(at.twist.clone());
+        let twist = PreciseTwist::new(problem.size(), at.twist.clone());
         // Slides on the round cone belong to forces and slips as they are now.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);

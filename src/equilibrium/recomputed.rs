@@ -206,7 +206,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
         }
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
-            for k in object..count {
+            for k in site.support.ranges::<C>().into_iter().flatten() {
                 add(k, site.map.row(k).dot(force));
             }
         }

@@ -84,7 +84,7 @@ pub(crate) fn force_states<D: Size, const C: usize>(
 
 /// Twist components in the unit that makes the stretched springs of a unit twist of order one.
 fn twist_units<D: Size, const C: usize>(problem: &Problem<D, C>) -> Vector<D> {
-    let mut sums = Vector::repeat(problem.size(), 0.0);
+    let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
         let springs = site.springs.force(&SVector::repeat(1.0));
         let squares = Map::from_fn(site.coordinates(), |k, a| site.map[(k, a)] * site.map[(k, a)]);

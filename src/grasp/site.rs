@@ -1,6 +1,7 @@
 //! One contact as the arithmetic sees it.
 
 use crate::numerics::{Map, Size, Vector};
+use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
@@ -104,6 +105,18 @@ impl<D: Size, const C: usize> Site<D, C> {
         }
         self.size = self.map.norm();
         self.support = Support::of(&self.map, &self.map_rest);
+    }
+
+    /// Some entries of a column of G_i, each with what rounding took from it.
+    #[inline(always)]
+    pub(crate) fn column_in_twice(
+        &self,
+        axis: usize,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = (f64, f64)> {
+        let map = &self.map.column_slice(axis)[range.clone()];
+        let rest = &self.map_rest.column_slice(axis)[range];
+        map.iter().copied().zip(rest.iter().copied())
     }
 
     /// How many coordinates there are.

@@ -273,24 +273,24 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
 
 /// Adds `A Bᵀ`.
 fn add_product<D: Size, const C: usize>(t: &mut Square<D>, a: &Map<D, C>, b: &Map<D, C>) {
-    let count = t.size().count();
-    for j in 0..count {
-        for i in 0..count {
-            let mut sum = a[(i, 0)] * b[(j, 0)];
+    for j in 0..t.size().count() {
+        let b = b.row(j);
+        for (i, entry) in t.column_slice_mut(j).iter_mut().enumerate() {
+            let mut sum = a[(i, 0)] * b[0];
             for k in 1..C {
-                sum += a[(i, k)] * b[(j, k)];
+                sum += a[(i, k)] * b[k];
             }
-            t[(i, j)] += sum;
+            *entry += sum;
         }
     }
 }
 
 /// Adds `a bᵀ + c dᵀ`.
 fn add_products<D: Size>(t: &mut Square<D>, [a, b]: [&Vector<D>; 2], [c, d]: [&Vector<D>; 2]) {
-    let count = t.size().count();
-    for j in 0..count {
-        for i in 0..count {
-            t[(i, j)] += a[i] * b[j] + c[i] * d[j];
+    for j in 0..t.size().count() {
+        let (b, d) = (b[j], d[j]);
+        for ((entry, a), c) in t.column_slice_mut(j).iter_mut().zip(a.iter()).zip(c.iter()) {
+            *entry += a * b + c * d;
         }
     }
 }

@@ -61,14 +61,14 @@ impl<D: Size> Bordered<D> {
         corner: f64,
     ) -> Option<()> {
         let size = stiffness.size();
-        let d = size.count();
+        let (d, entries) = (size.count(), stiffness.as_slice());
         if self.rows.size() != size {
             (self.rows, self.order) = (Square::zeros(size), size.in_order());
         }
         for i in 0..d {
             let row = self.rows.column_slice_mut(i);
             for j in 0..d {
-                row[j] = stiffness[(i, j)];
+                row[j] = entries[j * d + i];
             }
         }
         self.last = Vector::from_fn(size, |i| cover[i]);
@@ -85,7 +85,8 @@ impl<D: Size> Bordered<D> {
 
     /// Makes column k zero below its pivot, which is the largest entry there.
     fn eliminate(&mut self, k: usize) -> Option<()> {
-        let d = self.rows.size().count();
+        let size = self.rows.size();
+        let d = size.count();
         let Self { rows, last, border, corner, order, order_of_border } = self;
         let (last, border, order) = (last.as_mut_slice(), border.as_mut_slice(), order.as_mut());
         let (before, behind) = rows.as_mut_slice().split_at_mut((k + 1) * d);
@@ -108,13 +109,15 @@ impl<D: Size> Bordered<D> {
         let inverse = inverse(top[k])?;
         // Only needed to divide by.
         top[k] = inverse;
-        // With zeros up to the pivot every row is one loop of fixed length, which is faster.
-        let row = Vector::<D>::from_fn(D::of(d), |j| if j > k { top[j] } else { 0.0 });
+        // Zeros up to the pivot, where loops of a fixed number of coordinates go over all of them.
+        let row = Vector::<D>::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
+        let open = size.looped(k + 1..d);
+        let row = &row.as_slice()[open.clone()];
         let top_last = last[k];
         let below = behind.chunks_exact_mut(d).zip(&mut last[k + 1..]);
         for (below, below_last) in below.chain(std::iter::once((border, corner))) {
             let factor = below[k] * inverse;
-            for (x, top) in below.iter_mut().zip(row.iter()) {
+            for (x, top) in below[open.clone()].iter_mut().zip(row) {
                 *x -= factor * top;
             }
             below[k] = factor;

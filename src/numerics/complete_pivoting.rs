@@ -19,6 +19,7 @@ pub(crate) struct CompletePivoting<D: Size> {
 
 impl<D: Size> CompletePivoting<D> {
     pub(crate) fn new(mut a: Square<D>, rows: usize, cols: usize) -> Self {
+        let d = a.size().count();
         let mut row_order = a.size().in_order();
         let mut col_order = row_order.clone();
         let mut rank = 0;
@@ -27,8 +28,8 @@ impl<D: Size> CompletePivoting<D> {
             let k = rank;
             let (mut pi, mut pj, mut most) = (k, k, 0.0);
             for j in k..cols {
-                for i in k..rows {
-                    let size = a[(i, j)].abs();
+                for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
+                    let size = entry.abs();
                     // Of equal ones the first row by row, whatever the order in which they are compared.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
@@ -43,14 +44,14 @@ impl<D: Size> CompletePivoting<D> {
             a.swap_columns(k, pj);
             row_order.as_mut().swap(k, pi);
             col_order.as_mut().swap(k, pj);
-            let pivot = a[(k, k)];
-            for i in k + 1..rows {
-                a[(i, k)] /= pivot;
-            }
-            for j in k + 1..cols {
-                let along = a[(k, j)];
+            let (before, behind) = a.as_mut_slice().split_at_mut((k + 1) * d);
+            let column = &mut before[k * d..][..rows];
+            let pivot = column[k];
+            column[k + 1..].iter_mut().for_each(|x| *x /= pivot);
+            for other in behind.chunks_exact_mut(d).take(cols - (k + 1)) {
+                let along = other[k];
                 for i in k + 1..rows {
-                    a[(i, j)] -= a[(i, k)] * along;
+                    other[i] -= column[i] * along;
                 }
             }
             rank += 1;
@@ -60,13 +61,15 @@ impl<D: Size> CompletePivoting<D> {
 
     /// A solution of `A x = b` with zeros in the free columns, and how much of b no x can reach.
     pub(crate) fn solve(&self, b: &Vector<D>) -> (Vector<D>, f64) {
-        let mut y = Vector::<D>::zeros();
+        let mut reached = Vector::<D>::all_zero(self.lu.size());
+        let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
+        let y = reached.as_mut_slice();
         for i in 0..self.rows {
-            let known: f64 = (0..i.min(self.rank)).map(|j| self.lu[(i, j)] * y[j]).sum();
-            y[i] = b[self.row_order.as_ref()[i]] - known;
+            let known: f64 = (0..i.min(self.rank)).map(|j| lu[j * d + i] * y[j]).sum();
+            y[i] = b[order[i]] - known;
         }
         let unreached = (self.rank..self.rows).map(|i| y[i].abs()).fold(0.0, f64::max);
-        (self.back(&y), unreached)
+        (self.back(&reached), unreached)
     }
 
     /// A basis of {x : A x = 0}.
@@ -118,14 +121,14 @@ impl<D: Size> CompletePivoting<D> {
     }
 
     fn back(&self, y: &Vector<D>) -> Vector<D> {
-        let mut s = Vector::<D>::zeros();
+        let size = self.lu.size();
+        let (mut s, mut x) = (Vector::<D>::all_zero(size), Vector::all_zero(size));
+        let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.col_order.as_ref());
+        let (s, found) = (s.as_mut_slice(), x.as_mut_slice());
         for i in (0..self.rank).rev() {
-            let known: f64 = (i + 1..self.rank).map(|j| self.lu[(i, j)] * s[j]).sum();
-            s[i] = (y[i] - known) / self.lu[(i, i)];
-        }
-        let mut x = Vector::zeros();
-        for i in 0..self.rank {
-            x[self.col_order.as_ref()[i]] = s[i];
+            let known: f64 = (i + 1..self.rank).map(|j| lu[j * d + i] * s[j]).sum();
+            s[i] = (y[i] - known) / lu[i * d + i];
+            found[order[i]] = s[i];
         }
         x
     }

@@ -55,7 +55,7 @@ impl<D: Size> Orthogonal<D> {
 
     /// Rows that are not factorised yet.
     fn of(size: D, rows: Vec<Vector<D>>) -> Self {
-        let (r, over_diagonal) = (Square::zeros(size), Vector::repeat(size, 0.0));
+        let (r, over_diagonal) = (Square::zeros(size), Vector::all_zero(size));
         Self { q: rows, r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
@@ -87,6 +87,7 @@ impl<D: Size> Orthogonal<D> {
         let (mut full, mut noise) = lengths_and_noise(size, rows);
         // Norms of what is left of the columns.
         let mut left = full.clone();
+        let [full, noise, left] = [&mut full, &mut noise, &mut left].map(Vector::as_mut_slice);
         let mut rank = 0;
         while rank < d {
             let k = rank;
@@ -102,11 +103,11 @@ impl<D: Size> Orthogonal<D> {
             let Some((pivot, _)) = best else { break };
             if pivot != k {
                 for row in rows.iter_mut() {
-                    row.swap(k, pivot);
+                    row.as_mut_slice().swap(k, pivot);
                 }
                 r.swap_columns(k, pivot);
                 order.swap(k, pivot);
-                for list in [&mut full, &mut noise, &mut left] {
+                for list in [&mut *full, &mut *noise, &mut *left] {
                     list.swap(k, pivot);
                 }
             }
@@ -119,16 +120,18 @@ impl<D: Size> Orthogonal<D> {
             }
             r[(k, k)] = norm;
             for row in rows.iter_mut() {
-                row[k] /= norm;
+                row.as_mut_slice()[k] /= norm;
             }
             rank += 1;
             if rank == d {
                 break;
             }
-            let along = take_from_the_others(size, rows, k, &mut left);
-            left.iter_mut().for_each(|square| *square = square.sqrt());
-            for j in rank..d {
-                r[(k, j)] = along[j];
+            let along = take_from_the_others(size, rows, k, left);
+            for square in &mut *left {
+                *square = square.sqrt();
+            }
+            for (j, along) in along.iter().enumerate().skip(rank) {
+                r[(k, j)] = *along;
             }
         }
         if rank < d {
@@ -153,12 +156,13 @@ impl<D: Size> Orthogonal<D> {
 
     /// Qᵀx.
     pub(crate) fn coordinates(&self, x: &[f64]) -> Vector<D> {
-        let part = |rows: std::ops::Range<usize>| {
-            let terms = self.q[rows.clone()].iter().zip(&x[rows]);
-            terms.fold(Vector::zeros(), |mut sum: Vector<D>, (row, &x)| {
-                sum.add_times(row, x);
-                sum
-            })
+        let part = |rows: Range<usize>| {
+            let mut sum = Vector::all_zero(self.size());
+            let sums = sum.as_mut_slice();
+            for (row, &x) in self.q[rows.clone()].iter().zip(&x[rows]) {
+                sums.iter_mut().zip(row.iter()).for_each(|(sum, y)| *sum += y * x);
+            }
+            sum
         };
         in_halves(0..x.len(), &part, &|a, b| a + b)
     }
@@ -188,28 +192,27 @@ impl<D: Size> Orthogonal<D> {
 
     /// A solution v of `A v = Q c` with zeros in the dependent columns.
     pub(crate) fn preimage(&self, c: &Vector<D>) -> Vector<D> {
-        let mut y = Vector::<D>::repeat(self.size(), 0.0);
-        let order = self.order.as_ref();
+        let (mut y, mut v) = (Vector::<D>::all_zero(self.size()), Vector::all_zero(self.size()));
+        let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
+        let (y, found, order) = (y.as_mut_slice(), v.as_mut_slice(), self.order.as_ref());
         for i in (0..self.rank).rev() {
-            let known: f64 = (i + 1..self.rank).map(|j| self.r[(i, j)] * y[j]).sum();
-            y[i] = (c[i] - known) * self.over_diagonal[i];
-        }
-        let mut v = Vector::repeat(self.size(), 0.0);
-        for i in 0..self.rank {
-            v[order[i]] = y[i];
+            let known: f64 = (i + 1..self.rank).map(|j| r[j * d + i] * y[j]).sum();
+            y[i] = (c[i] - known) * over[i];
+            found[order[i]] = y[i];
         }
         v
     }
 
     /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w that some x reaches: `R11ᵀ y = Πᵀw`, first r rows.
     pub(crate) fn load_coordinates(&self, w: &Vector<D>) -> Vector<D> {
-        let mut y = Vector::repeat(self.size(), 0.0);
-        let order = self.order.as_ref();
+        let mut found = Vector::all_zero(self.size());
+        let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
+        let (y, order) = (found.as_mut_slice(), self.order.as_ref());
         for i in 0..self.rank {
-            let known: f64 = (0..i).map(|j| self.r[(j, i)] * y[j]).sum();
-            y[i] = (w[order[i]] - known) * self.over_diagonal[i];
+            let known: f64 = (0..i).map(|j| r[i * d + j] * y[j]).sum();
+            y[i] = (w[order[i]] - known) * over[i];
         }
-        y
+        found
     }
 
     /// An orthonormal basis of the null space {v : A v = 0}.
@@ -240,20 +243,17 @@ impl<D: Size> Orthogonal<D> {
 
 /// Lengths of the columns, and of the rounding in them.
 fn lengths_and_noise<D: Size>(size: D, rows: &[Vector<D>]) -> (Vector<D>, Vector<D>) {
-    let [mut full, mut noise] = [0.0; 2].map(|zero| Vector::<D>::repeat(size, zero));
+    let (mut full, mut noise) = (Vector::<D>::all_zero(size), Vector::<D>::all_zero(size));
     for row in rows {
-        let squares = row.component_mul(row);
-        full += &squares;
-        let sum = squares.sum();
+        let mut sum = 0.0;
+        for (full, x) in full.iter_mut().zip(row.iter()) {
+            let square = x * x;
+            *full += square;
+            sum += square;
+        }
         noise.iter_mut().zip(row.iter()).for_each(|(noise, &x)| *noise += if x == 0.0 { 0.0 } else { sum });
     }
     (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
-}
-
-/// The columns that a loop goes over which needs some of them. Of as few as an object has, all: one loop of fixed length is faster, and zeros
-/// stand where there is nothing to do.
-fn looped<D: Size>(size: D, needed: Range<usize>) -> Range<usize> {
-    if size.count() <= 6 { 0..size.count() } else { needed }
 }
 
 /// Second pass of column k against the finished columns: the first was their own step of elimination. Returns the square of its length.
@@ -261,7 +261,7 @@ fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k
     let size = r.size();
     let again = products(size, rows, k, 0..k);
     r.column_slice_mut(k).iter_mut().zip(again.iter()).for_each(|(r, again)| *r += again);
-    let finished = looped(size, 0..k);
+    let finished = size.looped(0..k);
     let again = &again.as_slice()[finished.clone()];
     let mut square = 0.0;
     for row in rows.iter_mut() {
@@ -275,21 +275,15 @@ fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k
 }
 
 /// Takes the part along column k, a unit vector, from the columns behind it. Returns these parts, and leaves the squares of what remains in `left`.
-fn take_from_the_others<D: Size>(
-    size: D,
-    rows: &mut [Vector<D>],
-    k: usize,
-    left: &mut Vector<D>,
-) -> Vector<D> {
+fn take_from_the_others<D: Size>(size: D, rows: &mut [Vector<D>], k: usize, left: &mut [f64]) -> Vector<D> {
     let along = products(size, rows, k, k + 1..size.count());
     left.fill(0.0);
-    let open = looped(size, k + 1..size.count());
+    let open = size.looped(k + 1..size.count());
+    let (left, parts) = (&mut left[open.clone()], &along.as_slice()[open.clone()]);
     for row in rows.iter_mut() {
+        let row = row.as_mut_slice();
         let part = row[k];
-        let columns = row.as_mut_slice()[open.clone()].iter_mut();
-        for ((x, left), along) in
-            columns.zip(&mut left.as_mut_slice()[open.clone()]).zip(&along.as_slice()[open.clone()])
-        {
+        for ((x, left), along) in row[open.clone()].iter_mut().zip(left.iter_mut()).zip(parts) {
             *x -= along * part;
             *left += *x * *x;
         }
@@ -299,16 +293,17 @@ fn take_from_the_others<D: Size>(
 
 /// Products of column k with some columns, zero beside them.
 fn products<D: Size>(size: D, rows: &[Vector<D>], k: usize, with: Range<usize>) -> Vector<D> {
-    let mut sum = Vector::repeat(size, 0.0);
-    let over = looped(size, with.clone());
+    let mut sum = Vector::all_zero(size);
+    let over = size.looped(with.clone());
+    let sums = &mut sum.as_mut_slice()[over.clone()];
     for row in rows {
+        let row = row.as_slice();
         let part = row[k];
-        let sum = &mut sum.as_mut_slice()[over.clone()];
-        for (sum, x) in sum.iter_mut().zip(&row.as_slice()[over.clone()]) {
-            *sum += x * part;
-        }
+        sums.iter_mut().zip(&row[over.clone()]).for_each(|(sum, x)| *sum += x * part);
     }
-    keep(&mut sum, with);
+    if over != with {
+        keep(&mut sum, with);
+    }
     sum
 }
 

@@ -24,6 +24,7 @@ pub(crate) trait Halves: Send + Sized {
 }
 
 impl Halves for Range<usize> {
+    #[inline]
     fn count(&self) -> usize {
         self.len()
     }
@@ -35,6 +36,7 @@ impl Halves for Range<usize> {
 }
 
 impl<T: Send> Halves for &mut [T] {
+    #[inline]
     fn count(&self) -> usize {
         self.len()
     }
@@ -46,6 +48,7 @@ impl<T: Send> Halves for &mut [T] {
 
 /// Both are as long.
 impl<A: Halves, B: Halves> Halves for (A, B) {
+    #[inline]
     fn count(&self) -> usize {
         self.0.count()
     }

@@ -22,7 +22,7 @@ impl<D: Size> PartialPivoting<D> {
         let d = size.count();
         let mut lu = matrix.clone();
         let least = REGULAR * matrix.amax();
-        let mut reciprocal_pivots = Vector::repeat(size, 0.0);
+        let mut reciprocal_pivots = Vector::all_zero(size);
         let mut row_order = size.in_order();
         for k in 0..d {
             let (before, behind) = lu.as_mut_slice().split_at_mut((k + 1) * d);

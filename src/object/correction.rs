@@ -85,7 +85,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         twist: &PreciseTwist<D>,
         e: &mut [f64],
     ) -> Vector<D> {
-        let mut balance = PreciseBalance::new(&problem.load());
+        let mut balance = PreciseBalance::new(problem.size(), &problem.load());
         for (contact, springs, range) in self.of_each_contact() {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);
             put_on_cone(&problem.local(contact), &states[contact], force);

@@ -3,6 +3,8 @@
 //! What a stiff spring leaves of its equation is the difference of numbers 1e14 times as large as itself. With G_i, W and q to twice the
 //! working precision, solving again for what is left gives forces that are right to the last digit.
 
+use std::ops::Range;
+
 use crate::numerics::{Size, Vector};
 
 use super::load::Load;
@@ -17,22 +19,37 @@ struct Precise<D: Size> {
 }
 
 impl<D: Size> Precise<D> {
-    #[inline(always)]
-    fn at(&self, k: usize) -> DoubleDouble {
-        DoubleDouble { high: self.high[k], low: self.low[k] }
+    fn new(size: D, mut high: Vector<D>, mut low: Vector<D>) -> Self {
+        high.reach(size);
+        low.reach(size);
+        Self { high, low }
     }
 
+    /// Some of its components.
     #[inline(always)]
-    fn change(&mut self, k: usize, by: impl FnOnce(&mut DoubleDouble)) {
-        let mut x = self.at(k);
-        by(&mut x);
-        (self.high[k], self.low[k]) = (x.high, x.low);
+    fn within(&self, range: Range<usize>) -> impl Iterator<Item = DoubleDouble> {
+        let (high, low) = (&self.high.as_slice()[range.clone()], &self.low.as_slice()[range]);
+        high.iter().zip(low).map(|(&high, &low)| DoubleDouble { high, low })
+    }
+
+    /// Changes some of its components, each by something.
+    #[inline(always)]
+    fn change<X>(
+        &mut self,
+        range: Range<usize>,
+        by: impl Iterator<Item = X>,
+        how: impl Fn(&mut DoubleDouble, X),
+    ) {
+        let (high, low) = (&mut self.high.as_mut_slice()[range.clone()], &mut self.low.as_mut_slice()[range]);
+        for ((high, low), by) in high.iter_mut().zip(low).zip(by) {
+            let mut x = DoubleDouble { high: *high, low: *low };
+            how(&mut x, by);
+            (*high, *low) = (x.high, x.low);
+        }
     }
 
     fn value(&self) -> Vector<D> {
-        let mut value = self.high.clone();
-        value.iter_mut().enumerate().for_each(|(k, x)| *x = self.at(k).value());
-        value
+        &self.high + &self.low
     }
 }
 
@@ -41,14 +58,13 @@ impl<D: Size> Precise<D> {
 pub(crate) struct PreciseTwist<D: Size>(Precise<D>);
 
 impl<D: Size> PreciseTwist<D> {
-    pub(crate) fn new(twist: Vector<D>) -> Self {
-        Self(Precise { high: twist, low: Vector::zeros() })
+    pub(crate) fn new(size: D, twist: Vector<D>) -> Self {
+        Self(Precise::new(size, twist, Vector::zeros()))
     }
 
     pub(crate) fn add(&mut self, step: &Vector<D>) {
-        for (k, step) in step.iter().enumerate() {
-            self.0.change(k, |q| q.add(*step));
-        }
+        let step = step.as_slice();
+        self.0.change(0..step.len(), step.iter(), |q, step| q.add(*step));
     }
 
     pub(crate) fn value(&self) -> Vector<D> {
@@ -57,9 +73,8 @@ impl<D: Size> PreciseTwist<D> {
 
     /// What is left when another twist is taken away.
     pub(super) fn less(mut self, other: &Self) -> Vector<D> {
-        for k in 0..other.0.high.as_slice().len() {
-            self.0.change(k, |q| q.subtract(other.0.at(k)));
-        }
+        let all = 0..other.0.high.as_slice().len();
+        self.0.change(all.clone(), other.0.within(all), DoubleDouble::subtract);
         self.value()
     }
 
@@ -67,8 +82,8 @@ impl<D: Size> PreciseTwist<D> {
     pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> DoubleDouble {
         let mut v = DoubleDouble::new(drive);
         for range in site.support.ranges::<C>() {
-            for k in range {
-                v.add_product_of_twice((-site.map[(k, axis)], -site.map_rest[(k, axis)]), self.0.at(k));
+            for ((g, rest), q) in site.column_in_twice(axis, range.clone()).zip(self.0.within(range)) {
+                v.add_product_of_twice((-g, -rest), q);
             }
         }
         v
@@ -79,17 +94,15 @@ impl<D: Size> PreciseTwist<D> {
 pub(super) struct PreciseBalance<D: Size>(Precise<D>);
 
 impl<D: Size> PreciseBalance<D> {
-    pub(super) fn new(load: &Load<D>) -> Self {
-        Self(Precise { high: load.wrench.clone(), low: load.rest.clone() })
+    pub(super) fn new(size: D, load: &Load<D>) -> Self {
+        Self(Precise::new(size, load.wrench.clone(), load.rest.clone()))
     }
 
     /// Adds the wrench of a force along an axis of a contact.
     pub(super) fn add<const C: usize>(&mut self, site: &Site<D, C>, axis: usize, force: DoubleDouble) {
         for range in site.support.ranges::<C>() {
-            for k in range {
-                let g = (site.map[(k, axis)], site.map_rest[(k, axis)]);
-                self.0.change(k, |sum| sum.add_product_of_twice(g, force));
-            }
+            let column = site.column_in_twice(axis, range.clone());
+            self.0.change(range, column, |sum, g| sum.add_product_of_twice(g, force));
         }
     }
 

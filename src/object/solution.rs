@@ -94,7 +94,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
             }
         };
         self.right.subtract(x, &step);
-        let mut twist = PreciseTwist::new(self.right.preimage(&step));
+        let mut twist = PreciseTwist::new(self.right.size(), self.right.preimage(&step));
         // Again for what is left of the equations.
         cleared_for(change, x.len());
         change.resize(x.len(), 0.0);
@@ -208,7 +208,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         (x, twist): (&[f64], &PreciseTwist<D>),
         e: &mut [f64],
     ) -> Vector<D> {
-        let mut balance = PreciseBalance::new(load);
+        let mut balance = PreciseBalance::new(self.right.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
             // A contact has at most C springs.

@@ -68,7 +68,7 @@ pub(super) fn polish_from<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     twist: Vector<D>,
 ) -> Option<Found<D, C>> {
-    newton(problem, twist).and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
+    newton(problem, twist).and_then(|arrived| RoundPieces::arrived(problem, &arrived).solve(problem))
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
@@ -78,7 +78,7 @@ pub(crate) fn polish<D: Size, const C: usize>(
     near: &PieceState<D, C>,
 ) -> Option<Found<D, C>> {
     let found = newton(problem, near.twist.clone())
-        .and_then(|arrived| RoundPieces::arrived(&arrived).solve(problem))
+        .and_then(|arrived| RoundPieces::arrived(problem, &arrived).solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
     Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })

@@ -57,9 +57,9 @@ struct Progress {
 
 impl<D: Size, const C: usize> RoundPieces<D, C> {
     /// Where Newton's method on the twist has arrived.
-    pub(super) fn arrived(arrived: &Arrived<D, C>) -> Self {
+    pub(super) fn arrived(problem: &Problem<D, C>, arrived: &Arrived<D, C>) -> Self {
         let (states, forces) = arrived.contacts.iter().map(|at| (at.state, at.force)).unzip();
-        Self { states, forces, twist: PreciseTwist::new(arrived.twist.clone()) }
+        Self { states, forces, twist: PreciseTwist::new(problem.size(), arrived.twist.clone()) }
     }
 
     /// The solution of the polygons' piece with these states.
@@ -74,7 +74,11 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
-        Self { states, forces: near.forces.clone(), twist: PreciseTwist::new(near.twist.clone()) }
+        Self {
+            states,
+            forces: near.forces.clone(),
+            twist: PreciseTwist::new(problem.size(), near.twist.clone()),
+        }
     }
 
     /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.

@@ -28,7 +28,7 @@ impl<const C: usize> Hand<C> {
             motions: Vec::new(),
             used: joints.len(),
             joints,
-            lengths: Vector::repeat(most, 1.0),
+            lengths: Vector::from_fn(most, |_| 1.0),
             drives: Vec::new(),
             held: Vector::zeros(),
             presses: Vec::new(),

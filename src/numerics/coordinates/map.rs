@@ -46,9 +46,14 @@ impl<D: Size, const C: usize> Map<D, C> {
 
     #[inline]
     pub(crate) fn column(&self, a: usize) -> Vector<D> {
-        let n = self.size.count();
-        let column = &self.entries.slice()[a * n..(a + 1) * n];
+        let column = self.column_slice(a);
         Vector::from_fn(self.size, |k| column[k])
+    }
+
+    #[inline]
+    pub(crate) fn column_slice(&self, a: usize) -> &[f64] {
+        let n = self.size.count();
+        &self.entries.slice()[a * n..(a + 1) * n]
     }
 
     #[inline]

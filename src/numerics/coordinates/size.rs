@@ -1,6 +1,7 @@
 //! How many coordinates there are, and the arithmetic of so many.
 
 use std::fmt::Debug;
+use std::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -24,6 +25,9 @@ pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'stati
     /// That of as many coordinates; those of a fixed number are as many as they are.
     fn of(count: usize) -> Self;
     fn count(self) -> usize;
+    /// The coordinates that a loop goes over which needs some of them. Of a fixed number, all: one loop of a length known to the compiler is
+    /// faster, with zeros where there is nothing to do.
+    fn looped(self, needed: Range<usize>) -> Range<usize>;
     fn dot(a: &Self::List, b: &Self::List) -> f64;
     /// `A v`.
     fn times(self, a: &Self::Square, v: &Self::List) -> Self::List;
@@ -66,6 +70,11 @@ impl<const D: usize> Size for Fixed<D> {
     #[inline]
     fn count(self) -> usize {
         D
+    }
+
+    #[inline]
+    fn looped(self, _: Range<usize>) -> Range<usize> {
+        0..D
     }
 
     #[inline]
@@ -119,14 +128,22 @@ impl Size for Any {
         Self(count)
     }
 
+    #[inline]
     fn count(self) -> usize {
         self.0
     }
 
+    #[inline]
+    fn looped(self, needed: Range<usize>) -> Range<usize> {
+        needed
+    }
+
+    #[inline]
     fn dot(a: &Short, b: &Short) -> f64 {
         dot(a.slice(), b.slice())
     }
 
+    #[inline]
     fn times(self, a: &Vec<f64>, v: &Short) -> Short {
         combined(self.0, a, v.slice())
     }
@@ -137,14 +154,17 @@ impl Size for Any {
             .collect()
     }
 
+    #[inline]
     fn mapped<const C: usize>(self, map: &Vec<f64>, f: &SVector<f64, C>) -> Short {
         combined(self.0, map, f.as_slice())
     }
 
+    #[inline]
     fn felt<const C: usize>(self, map: &Vec<f64>, v: &Short) -> SVector<f64, C> {
         SVector::from_fn(|a, _| dot(&map[a * self.0..(a + 1) * self.0], v.slice()))
     }
 
+    #[inline]
     fn seen<const C: usize>(self, seen: &Vec<f64>, v: &Short) -> SVector<f64, C> {
         let mut sum = SVector::zeros();
         for (column, v) in seen.chunks_exact(C).zip(v.slice()) {
@@ -155,21 +175,33 @@ impl Size for Any {
         sum
     }
 
+    #[inline]
     fn seen_back<const C: usize>(self, seen: &Vec<f64>, f: &SVector<f64, C>) -> Short {
         let mut back = Short::zeros(self.0);
         for (back, column) in back.slice_mut().iter_mut().zip(seen.chunks_exact(C)) {
-            *back = dot(column, f.as_slice());
+            *back = (0..C).map(|a| column[a] * f[a]).sum();
         }
         back
     }
 }
 
-/// As far as both go.
+/// As far as both go, in four sums side by side: no addition waits for the one before.
+#[inline]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let end = a.len().min(b.len());
+    let ((a, a_rest), (b, b_rest)) = (a[..end].as_chunks::<4>(), b[..end].as_chunks::<4>());
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..4 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
 /// The sum of columns of so many rows, each so many times.
+#[inline]
 fn combined(rows: usize, columns: &[f64], times: &[f64]) -> Short {
     let mut sum = Short::zeros(rows);
     let list = sum.slice_mut();

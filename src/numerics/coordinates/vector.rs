@@ -27,16 +27,15 @@ impl<D: Size> Vector<D> {
 
     #[inline]
     pub(crate) fn from_fn(size: D, mut component: impl FnMut(usize) -> f64) -> Self {
-        let mut list = D::List::zeros(size.count());
-        for (k, x) in list.slice_mut().iter_mut().enumerate() {
-            *x = component(k);
-        }
-        Self(list)
+        let mut v = Self::all_zero(size);
+        v.iter_mut().enumerate().for_each(|(k, x)| *x = component(k));
+        v
     }
 
+    /// Zero, with a component for every coordinate.
     #[inline]
-    pub(crate) fn repeat(size: D, component: f64) -> Self {
-        Self::from_fn(size, |_| component)
+    pub(crate) fn all_zero(size: D) -> Self {
+        Self(D::List::zeros(size.count()))
     }
 
     /// One along a coordinate.
@@ -143,17 +142,6 @@ impl<D: Size> Vector<D> {
     #[inline]
     pub(crate) fn component_div_assign(&mut self, other: &Self) {
         self.iter_mut().enumerate().for_each(|(k, x)| *x /= other[k]);
-    }
-
-    #[inline]
-    pub(crate) fn fill(&mut self, component: f64) {
-        self.as_mut_slice().fill(component);
-    }
-
-    #[inline]
-    pub(crate) fn swap(&mut self, a: usize, b: usize) {
-        self.0.reach(a.max(b) + 1);
-        self.as_mut_slice().swap(a, b);
     }
 }
 
