@@ -6,12 +6,13 @@ use super::answer::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Un
 use crate::grasp::Motion;
 use crate::search::Doubt;
 
-/// Numbers in brackets; what is rounding beside the largest is zero.
-pub(crate) fn row(numbers: &[f64]) -> String {
+/// Numbers in brackets, as answers tell them in words; what is rounding beside the largest is zero.
+#[must_use]
+pub fn row(numbers: &[f64]) -> String {
     let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
     let number = |x: &f64| match x.abs() {
         a if a <= 1e-14 * size => "0".to_owned(),
-        a if a < 1e-3 => format!("{x:.4e}"),
+        a if a < 1e-3 => format!("{x:.5e}"),
         _ => format!("{x:.6}"),
     };
     format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))

@@ -43,10 +43,10 @@ pub use answer::{
 };
 pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
+pub use display::row;
 pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
 pub(crate) use write_out::site_states;
 
-pub(crate) use display::row;
 pub(crate) use questions::ACCURATE;

@@ -2,11 +2,11 @@
 
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, row};
 use grasp_lcp::load_path::{Beyond, Change, Departure, EdgeOf, Leaving, PartChange};
 use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
 
-use crate::words::{doing, gives_way, left, proof, row, wrench};
+use crate::words::{doing, gives_way, left, proof, wrench};
 
 /// Prints the answers to the questions of a scene.
 pub(crate) fn print<const C: usize>(

@@ -1,6 +1,6 @@
 //! Words for what a scene's answers say.
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, DriveState, Proof};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, DriveState, Proof, row};
 use grasp_lcp::grasp::Motion;
 use grasp_lcp::grasp::Wrench;
 
@@ -62,15 +62,4 @@ pub(crate) fn proof<const C: usize>(proof: &Proof<C>) -> String {
 
 pub(crate) fn wrench<const C: usize>(wrench: &Wrench<C>) -> String {
     row(wrench.components())
-}
-
-/// Rounding of what would be zero is not worth the reader's time.
-pub(crate) fn row(numbers: &[f64]) -> String {
-    let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let number = |x: &f64| match x.abs() {
-        a if a <= 1e-14 * size => "0".to_owned(),
-        a if a < 1e-3 => format!("{x:.5e}"),
-        _ => format!("{x:.6}"),
-    };
-    format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
 }
