@@ -18,7 +18,7 @@ use crate::contact::{Slide, State, Tangent, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
 use crate::numerics::{Bordered, Map, Size, Square, Vector};
-use crate::object::{Piece, PieceState};
+use crate::object::{Imbalance, Piece, PieceState};
 
 /// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
 const CORRECTIONS: usize = 6;
@@ -222,11 +222,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
             let mut ended = None;
             for _ in 0..CORRECTIONS {
                 let load = self.segment.course.at(factor);
-                let (mut left, mut carried) = (load.clone(), 0.0);
-                for (site, force) in self.sites().iter().zip(&forces) {
-                    left += &site.map * force;
-                    carried += force.norm();
-                }
+                let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
                 if left.norm() <= rounding * (load.norm() + carried) {
                     ended = Some(carried);
                     break;

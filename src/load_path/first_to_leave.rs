@@ -13,7 +13,7 @@ use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::{Harmonic, Size, Vector, cleared_for};
-use crate::object::PieceState;
+use crate::object::{Imbalance, PieceState};
 use crate::search::{Found, Rung};
 
 /// Conditions at the base must hold by this part of their size: less may be rounding or an edge on which a contact stands, which is for
@@ -221,10 +221,6 @@ fn is_balanced<D: Size, const C: usize>(
     load: &Vector<D>,
     forces: &[SVector<f64, C>],
 ) -> bool {
-    let (mut left, mut size) = (load.clone(), load.norm());
-    for (site, force) in sites.iter().zip(forces) {
-        left += &site.map * force;
-        size += force.norm();
-    }
+    let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size
 }

@@ -43,7 +43,7 @@ pub(crate) use free_motions::worked_on;
 pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, StretchAnswers, newton};
-pub(crate) use one_by_one::OneByOne;
+pub(crate) use one_by_one::{newton_on_cones, newton_one_by_one};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};

@@ -9,9 +9,10 @@
 //! with the tangent stiffness C_i of each contact. A few steps do at any number of contacts, but the method may go round in circles, most often
 //! with few contacts, where Lemke's method does not.
 
-use crate::numerics::{Size, Vector};
+use nalgebra::SVector;
 
-use crate::numerics::Factors;
+use crate::grasp::Site;
+use crate::numerics::{Factors, Size, Vector};
 
 /// Newton's steps: it converges in a few of them.
 const STEPS: usize = 20;
@@ -21,15 +22,33 @@ const GAIN: f64 = 0.1;
 const SHORTEST: f64 = 1e-3;
 
 /// R and the sizes of its terms.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance<D: Size> {
     pub(crate) left: Vector<D>,
     pub(crate) size: f64,
 }
 
 impl<D: Size> Imbalance<D> {
+    /// That of forces and a load, with this beside the sizes of the forces.
+    pub(crate) fn of<const C: usize>(
+        sites: &[Site<D, C>],
+        forces: &[SVector<f64, C>],
+        load: &Vector<D>,
+        beside: f64,
+    ) -> Self {
+        let mut sum = Self { left: load.clone(), size: beside };
+        sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
+        sum
+    }
+
+    /// Adds the terms of a contact.
+    pub(crate) fn add<const C: usize>(&mut self, site: &Site<D, C>, force: &SVector<f64, C>) {
+        self.left += &site.map * force;
+        self.size += force.norm();
+    }
+
     /// That of both together.
-    pub(super) fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
 }

@@ -5,41 +5,45 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
-use super::newton::{Imbalance, StretchAnswers};
+use super::newton::{Imbalance, StretchAnswers, newton};
 use super::problem::Problem;
 use super::tangent::tangent_stiffness;
 use crate::contact::ContactResponse;
 use crate::numerics::{Factors, in_halves};
 
-/// The contacts of a problem with what they have answered last, for [`newton`](super::newton).
-pub(crate) struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
+/// Newton's method for contacts that answer one by one, each from its last answer; all are open to begin with. Their answers are in `contacts` then, a
+/// list that is there. `beside` is a size of forces in which the method cannot see: of rounding, for instance.
+pub(crate) fn newton_one_by_one<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    (twist, settled, beside): (Vector<D>, f64, f64),
+    contacts: &mut Vec<ContactResponse<C>>,
+    answer: impl Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
+) -> Option<(Vector<D>, usize, Imbalance<D>)> {
+    contacts.clear();
+    contacts.resize(problem.len(), ContactResponse::open());
+    newton(&mut OneByOne { problem, answer, contacts, beside }, twist, settled)
+}
+
+/// [`newton_one_by_one`] on the round cone: each contact answers with its return map (`contact/answer`), free to change its state.
+pub(crate) fn newton_on_cones<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    (twist, settled): (Vector<D>, f64),
+    contacts: &mut Vec<ContactResponse<C>>,
+) -> Option<(Vector<D>, usize, Imbalance<D>)> {
+    newton_one_by_one(problem, (twist, settled, 0.0), contacts, |i, stretch, last| {
+        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
+        problem.local(i).answer(stretch, near)
+    })
+}
+
+/// The contacts of a problem with what they have answered last.
+struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     /// The answer of a contact to a stretch, from its last one.
     answer: F,
-    pub(crate) contacts: Vec<ContactResponse<C>>,
+    contacts: &'p mut [ContactResponse<C>],
     /// Counts beside the sizes of load and forces, N.
     beside: f64,
-}
-
-impl<'p, 'g, F, D: Size, const C: usize> OneByOne<'p, 'g, F, D, C>
-where
-    F: Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C>,
-{
-    /// All open to begin with. `beside` is a size of forces in which Newton's method cannot see: of rounding, for instance.
-    pub(crate) fn new(problem: &'p Problem<'g, D, C>, beside: f64, answer: F) -> Self {
-        Self::in_memory(problem, (beside, Vec::new()), answer)
-    }
-
-    /// [`Self::new`] with a list that is there.
-    pub(crate) fn in_memory(
-        problem: &'p Problem<'g, D, C>,
-        (beside, mut contacts): (f64, Vec<ContactResponse<C>>),
-        answer: F,
-    ) -> Self {
-        contacts.clear();
-        contacts.resize(problem.len(), ContactResponse::open());
-        Self { problem, answer, contacts, beside }
-    }
 }
 
 impl<F, D: Size, const C: usize> StretchAnswers<D> for OneByOne<'_, '_, F, D, C>
@@ -49,17 +53,16 @@ where
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         let (problem, answer) = (self.problem, &self.answer);
         let part = |(range, contacts): (Range<usize>, &mut [ContactResponse<C>])| {
-            let (mut left, mut size) = (Vector::zeros(), 0.0);
+            let mut sum = Imbalance::default();
             for (i, contact) in range.zip(contacts) {
                 *contact = answer(i, &problem.stretch(i, twist), contact);
                 if !contact.state.is_open() {
-                    left += &problem.sites[i].map * contact.force;
-                    size += contact.force.norm();
+                    sum.add(&problem.sites[i], &contact.force);
                 }
             }
-            Imbalance { left, size }
+            sum
         };
-        let contacts = (0..self.contacts.len(), self.contacts.as_mut_slice());
+        let contacts = (0..self.contacts.len(), &mut *self.contacts);
         in_halves(contacts, &part, &Imbalance::plus)
             .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + self.beside })
     }

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::newton::Imbalance;
 use super::problem::Problem;
 use super::solution::PieceState;
 use crate::contact::At;
@@ -78,11 +79,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
 
     /// `|Σ G_i F_i + W|` and `Σ |F_i|`.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, C>]) -> (f64, f64) {
-        let (mut sum, mut carried) = (self.wrench.clone(), 0.0);
-        for (site, force) in self.sites.iter().zip(forces) {
-            sum += &site.map * force;
-            carried += force.norm();
-        }
-        (sum.norm(), carried)
+        let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
+        (left.norm(), size)
     }
 }

@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use nalgebra::SMatrix;
 
+use super::newton::Imbalance;
 use super::solution::PieceState;
 use crate::grasp::{Site, size_of};
 use crate::numerics::{PartialPivoting, in_halves};
@@ -65,11 +66,7 @@ pub(crate) fn balance<D: Size, const C: usize>(
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
     for _ in 0..STEPS {
-        let (mut left, mut size) = (wrench.clone(), wrench.norm());
-        for (site, force) in sites.iter().zip(&state.forces) {
-            left += &site.map * force;
-            size += force.norm();
-        }
+        let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {
             return Some(moved);
         }

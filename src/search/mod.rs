@@ -10,7 +10,7 @@
 //! | `touching` | everything that touches sticks |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
-//! | `newton`, `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
+//! | `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
 //! | `enumerate` | every combination of states |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
@@ -19,7 +19,6 @@ mod candidate;
 mod enumerate;
 mod ladder;
 mod least_motion;
-mod newton;
 mod polish;
 mod proposals;
 mod relaxed;

@@ -6,7 +6,6 @@
 
 use super::answer::Found;
 use super::candidate::{Judged, try_states};
-use super::newton::newton;
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::{PartialPivoting, Size, Vector};
@@ -68,7 +67,7 @@ pub(super) fn polish_from<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     twist: Vector<D>,
 ) -> Option<Found<D, C>> {
-    newton(problem, twist).and_then(|arrived| RoundPieces::arrived(problem, &arrived).solve(problem))
+    RoundPieces::arrived(problem, twist)?.solve(problem)
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
@@ -77,8 +76,8 @@ pub(crate) fn polish<D: Size, const C: usize>(
     states: &[State<C>],
     near: &PieceState<D, C>,
 ) -> Option<Found<D, C>> {
-    let found = newton(problem, near.twist.clone())
-        .and_then(|arrived| RoundPieces::arrived(problem, &arrived).solve(problem))
+    let found = RoundPieces::arrived(problem, near.twist.clone())
+        .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
     Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })

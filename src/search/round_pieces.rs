@@ -1,18 +1,19 @@
 //! From piece to piece of the contact law on the round cone: Newton's method in forces and twist together.
 //!
 //! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist: told from the twist alone
-//! ([`super::newton`]), its rounding would pass for a contact state. Here forces are unknowns, too. Each contact keeps its state while the
+//! (`object/newton`), its rounding would pass for a contact state. Here forces are unknowns, too. Each contact keeps its state while the
 //! piece is solved, in twice the working precision (`object/correction`), and leaves it where the solution breaks an inequality.
 
 use nalgebra::SVector;
 
 use super::answer::Found;
 use super::candidate::{admit, admit_regular};
-use super::newton::Arrived;
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::{Size, Vector};
-use crate::object::{Piece, PieceState, PreciseTwist, Problem};
+use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 
+/// What is left out of balance where Newton's method on the twist ends, as a part of the forces: steps on the pieces do the rest.
+const ARRIVED: f64 = 1e-9;
 /// Steps at most.
 const STEPS: usize = 20;
 /// A step by less than this part of a force, or of the twist, is the last.
@@ -56,10 +57,12 @@ struct Progress {
 }
 
 impl<D: Size, const C: usize> RoundPieces<D, C> {
-    /// Where Newton's method on the twist has arrived.
-    pub(super) fn arrived(problem: &Problem<D, C>, arrived: &Arrived<D, C>) -> Self {
-        let (states, forces) = arrived.contacts.iter().map(|at| (at.state, at.force)).unzip();
-        Self { states, forces, twist: PreciseTwist::new(problem.size(), arrived.twist.clone()) }
+    /// Where Newton's method arrives from a twist, each contact free to change its state.
+    pub(super) fn arrived(problem: &Problem<D, C>, from: Vector<D>) -> Option<Self> {
+        let mut contacts = Vec::new();
+        let (twist, ..) = newton_on_cones(problem, (from, ARRIVED), &mut contacts)?;
+        let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
+        Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
     }
 
     /// The solution of the polygons' piece with these states.

@@ -13,10 +13,9 @@ use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Square, Vector, in_halves};
 use crate::object::{self, Imbalance, Problem, StretchAnswers};
 
-/// Of some contacts: R without the load, the sizes of its terms and T.
+/// Of some contacts: R without the load, and T.
 struct Sums<D: Size> {
-    left: Vector<D>,
-    size: f64,
+    balance: Imbalance<D>,
     stiffness: Square<D>,
     /// No contact that is kept closed pulls while it should carry friction.
     lawful: bool,
@@ -34,7 +33,8 @@ impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
         self.sums = answer(self.problem, twist, self.states, self.forces);
         let load = &self.problem.wrench;
-        Imbalance { left: &self.sums.left + load, size: self.sums.size + load.norm() + f64::MIN_POSITIVE }
+        let Imbalance { left, size } = &self.sums.balance;
+        Imbalance { left: left + load, size: size + load.norm() + f64::MIN_POSITIVE }
     }
 
     fn tangent(&mut self) -> Option<Factors<D>> {
@@ -56,7 +56,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     found.forces.resize(problem.len(), SVector::zeros());
     found.states.resize(problem.len(), Mode::Sticking);
     let sums = stick(problem);
-    let start = regular(&sums)?.solve(&(&sums.left + &problem.wrench));
+    let start = regular(&sums)?.solve(&(&sums.balance.left + &problem.wrench));
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
     let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
     let lawful = answers.sums.lawful;
@@ -80,7 +80,7 @@ fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
             let state = local.unjumped();
             if !state.is_open() {
                 add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
-                sum.left += &site.map * local.springs.force(&problem.drives[contact]);
+                sum.balance.add(site, &local.springs.force(&problem.drives[contact]));
             }
         }
         sum
@@ -110,8 +110,7 @@ fn answer<D: Size, const C: usize>(
             }
             sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
             add_tangent(&mut sum.stiffness, site, &tangent);
-            sum.left += &site.map * *force;
-            sum.size += force.norm();
+            sum.balance.add(site, force);
         }
         sum
     };
@@ -126,14 +125,14 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, ta
         Tangent::Sticking(k) => {
             for (axis, k) in k.iter().enumerate() {
                 let g = site.map.column(axis);
-                t.add_times_product(*k, &g, &g);
+                t.add_product(&g, &(&g * *k));
             }
         }
         Tangent::Sliding { drag, across, stiffness } => {
-            t.add_times_product(1.0, &(&site.map * drag), &site.map.column(0));
+            t.add_product(&(&site.map * drag), &site.map.column(0));
             if *stiffness > 0.0 {
                 let g = &site.map * across;
-                t.add_times_product(*stiffness, &g, &g);
+                t.add_product(&g, &(&g * *stiffness));
             }
         }
     }
@@ -141,13 +140,12 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, ta
 
 impl<D: Size> Sums<D> {
     fn zero(size: D) -> Self {
-        Self { left: Vector::zeros(), size: 0.0, stiffness: Square::zeros(size), lawful: true }
+        Self { balance: Imbalance::default(), stiffness: Square::zeros(size), lawful: true }
     }
 
     fn plus(self, other: Self) -> Self {
         Self {
-            left: self.left + other.left,
-            size: self.size + other.size,
+            balance: self.balance.plus(other.balance),
             stiffness: self.stiffness + &other.stiffness,
             lawful: self.lawful && other.lawful,
         }

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::solution::{ACCURATE, BALANCED, Solution};
 use crate::contact::{ContactResponse, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
-use crate::object::{self, OneByOne, Problem};
+use crate::object::{Problem, newton_on_cones};
 
 /// The number of steps after which Newton's method has arrived from a twist; the answers of the contacts are in `answers` then.
 pub(super) fn newton<D: Size, const C: usize>(
@@ -17,14 +17,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     answers: &mut Vec<ContactResponse<C>>,
     found: &mut Solution<D, C>,
 ) -> Option<usize> {
-    let answer = |i: usize, stretch: &SVector<f64, C>, last: &ContactResponse<C>| {
-        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
-        problem.local(i).answer(stretch, near)
-    };
-    let mut contacts = OneByOne::in_memory(problem, (0.0, std::mem::take(answers)), answer);
-    let arrived = object::newton(&mut contacts, from, BALANCED);
-    *answers = contacts.contacts;
-    let (twist, steps, here) = arrived?;
+    let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED), answers)?;
     // What is kept closed may pull, but then it has no friction to slide with.
     let lawful = problem
         .locals()

@@ -6,7 +6,7 @@ use crate::contact::{ContactResponse, State};
 use crate::load_path::journey::Journey;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::{Size, Vector, cleared_for};
-use crate::object::{self, OneByOne, Problem};
+use crate::object::{Problem, newton_one_by_one};
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
 const SETTLED: f64 = 1e-12;
@@ -125,10 +125,7 @@ fn equilibrium_after<D: Size, const C: usize>(
     let answer = |i: usize, stretch: &SVector<f64, C>, _: &ContactResponse<C>| {
         problem.local(i).answer_after(&before[i], stretch)
     };
-    let mut contacts = OneByOne::in_memory(problem, (rounded, std::mem::take(answers)), answer);
-    let arrived = object::newton(&mut contacts, near, SETTLED);
-    *answers = contacts.contacts;
-    (to.twist, ..) = arrived?;
+    (to.twist, ..) = newton_one_by_one(problem, (near, SETTLED, rounded), answers, answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());
     cleared_for(&mut to.states, answers.len());

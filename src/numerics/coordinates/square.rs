@@ -131,16 +131,6 @@ impl<D: Size> Square<D> {
         }
         square
     }
-
-    /// Adds `times a bᵀ`.
-    #[inline]
-    pub(crate) fn add_times_product(&mut self, times: f64, a: &Vector<D>, b: &Vector<D>) {
-        let n = self.size.count();
-        for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b.iter()) {
-            let b = times * b;
-            column.iter_mut().zip(a.iter()).for_each(|(entry, a)| *entry += b * a);
-        }
-    }
 }
 
 impl<D: Size> Index<(usize, usize)> for Square<D> {
