@@ -93,6 +93,7 @@
 //! is taken from it, its misprints, and where this crate goes on.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+#![cfg_attr(test, allow(unexpected_cfgs, reason = "`tests/inside` has no such features"))]
 
 pub mod ask;
 mod contact;

@@ -8,9 +8,29 @@ mod stream;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+/// The program as it is installed: the one that `GRASP_LCP` names, or cargo builds it, for it belongs to another package.
+static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
+    if let Some(program) = std::env::var_os("GRASP_LCP") {
+        return PathBuf::from(program);
+    }
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("");
+    let built = Command::new(env!("CARGO"))
+        .args(["build", "--locked", "--quiet", "--release", "--features", "cli-full", "--bin", "grasp-lcp"])
+        .arg("--target-dir")
+        .arg(&target)
+        .current_dir(ROOT)
+        .status()
+        .expect("starts");
+    assert!(built.success());
+    target.join("release").join("grasp-lcp").with_extension(std::env::consts::EXE_EXTENSION)
+});
 
 fn scene(name: &str) -> String {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes").join(name).display().to_string()
+    Path::new(ROOT).join("examples/scenes").join(name).display().to_string()
 }
 
 /// A folder of its own for what a test writes.
@@ -22,7 +42,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn run_on(input: &[u8], arguments: &[&str]) -> Output {
-    let mut program = Command::new(env!("CARGO_BIN_EXE_grasp-lcp"))
+    let mut program = Command::new(&*PROGRAM)
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

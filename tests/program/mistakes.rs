@@ -84,9 +84,7 @@ fn scenes_that_are_seldom_meant() {
         assert!(message.contains(expected), "{message}");
     }
     // The scenes of the repository mean what they say.
-    for file in std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes"))
-        .expect("is there")
-    {
+    for file in std::fs::read_dir(scene("")).expect("is there") {
         let file = file.expect("is there").path();
         if file.extension().is_some_and(|end| end == "json") {
             assert_eq!(text(&run(&["ask", &file.display().to_string()]).stderr), "", "{}", file.display());

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use crate::{run_on, text};
+use crate::{run_on, scene, text};
 
 /// A pinch that slides at 2 μ times its squeeze; every other one without an id.
 fn line(number: usize) -> String {
@@ -75,10 +75,7 @@ fn parts_answer_as_the_whole_and_name_their_lines() {
 
 #[test]
 fn brief_answers_agree_with_full_ones() {
-    let input = std::fs::read_to_string(
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/stream.jsonl"),
-    )
-    .expect("is there");
+    let input = std::fs::read_to_string(scene("stream.jsonl")).expect("is there");
     let (full, brief) = (replies(&input, &[]), replies(&input, &["--brief"]));
     assert_eq!((full.len(), brief.len()), (input.lines().count(), input.lines().count()));
     let mut compared = 0;

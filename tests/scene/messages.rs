@@ -297,7 +297,7 @@ fn read(path: &Path) -> Scene {
 }
 
 fn examples() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let scenes: Vec<_> = files.filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
     assert!(scenes.len() >= 8);
@@ -316,7 +316,7 @@ fn the_scene_files_are_answered() {
 
 #[test]
 fn the_papers_grasps_are_those_of_the_paper() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
     let Space::Planar(fingers) = read(&folder.join("paper_two_fingers.json")).space else {
         panic!("is planar")
     };
