@@ -65,6 +65,8 @@
 //! | [`forms`] | kinematic and force form, what their rows mean |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
+//! | [`hold`] | does it hold: one load put on from rest, answered in a sentence |
+//! | [`need`] | how much squeeze, friction, load, arm or angle it takes or allows |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
@@ -104,8 +106,10 @@ pub mod forms;
 pub mod friction;
 pub mod grasp;
 pub mod guide;
+pub mod hold;
 pub mod lcp;
 pub mod load_path;
+pub mod need;
 mod numerics;
 mod object;
 #[cfg(feature = "plot")]
@@ -127,6 +131,7 @@ pub mod statics;
 pub mod stream;
 mod structured;
 pub mod sweep;
+mod words;
 
 pub use contact::{Fit, PolygonCone};
 pub use equilibrium::Settings;

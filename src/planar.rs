@@ -15,6 +15,10 @@ pub type Grasp = crate::ask::Grasp<2>;
 pub type Wrench = crate::grasp::Wrench<2>;
 /// Translation (x, y) and rotation; see [`crate::grasp::Twist`].
 pub type Twist = crate::grasp::Twist<2>;
+/// What becomes of a load that is put on; see [`crate::hold::Verdict`].
+pub type Verdict = crate::hold::Verdict<2>;
+/// A quantity that is sought, with its loads; see [`crate::need::Need`].
+pub type Need = crate::need::Need<2>;
 /// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
 pub type Outcome = crate::equilibrium::Outcome<2>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].

@@ -14,6 +14,10 @@ pub type Grasp = crate::ask::Grasp<3>;
 pub type Wrench = crate::grasp::Wrench<3>;
 /// Translation (x, y, z) and rotation (x, y, z); see [`crate::grasp::Twist`].
 pub type Twist = crate::grasp::Twist<3>;
+/// What becomes of a load that is put on; see [`crate::hold::Verdict`].
+pub type Verdict = crate::hold::Verdict<3>;
+/// A quantity that is sought, with its loads; see [`crate::need::Need`].
+pub type Need = crate::need::Need<3>;
 /// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
 pub type Outcome = crate::equilibrium::Outcome<3>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].

@@ -12,9 +12,9 @@ use super::statics::Statics;
 use crate::equilibrium::{Equilibrium, Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Contact, Hand, HandPart, Wrench};
+use crate::hold::Verdict;
 use crate::load_path::{
-    Beyond, Leg, LoadPath, Onset, OnsetEvent, PatchPath, Ramp, Reserve, SteppedPath, StickingRange, Turn,
-    TurnOnset,
+    Beyond, Leg, LoadPath, Onset, OnsetEvent, PatchPath, Ramp, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 
@@ -26,13 +26,13 @@ use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 ///
 /// | what you want | method |
 /// |---|---|
+/// | does it hold, and how much more would it take | [`hold`](Self::hold) |
 /// | where the object goes and what contacts carry under a load, or the proof that nothing holds | [`solve`](Self::solve) |
 /// | the load at first slip | [`onset_of_sliding`](Self::onset_of_sliding), with commands [`onset`](Self::onset) |
 /// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
 /// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
-/// | first slip and gross slip side by side | [`reserve`](Self::reserve) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
-/// | how much squeeze suffices | [`least_squeeze`](Self::least_squeeze) |
+/// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
@@ -180,6 +180,66 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::JointCommands`] if there are more or fewer than joints, [`Error::Hand`] if one is not finite.
     pub fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
         self.changed(self.engine.with_joint_torques(torques))
+    }
+
+    /// This grasp with other coefficients of friction, from the number of each contact and what it has.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    ///
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let oily = Grasp::new([jaw(-1.0), jaw(1.0)])?.with_friction(|_, dry| 0.2 * dry)?;
+    /// assert!(oily.contacts().iter().all(|contact| contact.friction_coefficient() == 0.1));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Contact`] if a coefficient is out of range.
+    pub fn with_friction(&self, friction: impl Fn(usize, f64) -> f64) -> Result<Self, Error> {
+        self.changed(self.engine.with_friction(&friction))
+    }
+
+    /// This grasp squeezed so many times as much: commands of contacts, of joints and of tendons, and torques that hold joints by force. Tensions
+    /// that hold tendons stay.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless the factor is finite and at most 1e50.
+    #[doc(alias = "grip force")]
+    pub fn squeezed(&self, factor: f64) -> Result<Self, Error> {
+        self.changed(self.engine.squeezed(factor))
+    }
+
+    /// Does it hold? The load is put on from rest, and the [`Verdict`] says in a sentence what becomes of it: it holds and everything
+    /// sticks, or some contacts slide, or it is lost at such a part of it, and how. Beside that stand first slip and gross slip as multiples of the
+    /// load, looked for up to [`Settings::most_load`].
+    ///
+    /// A load is a [`Wrench`], put on from nothing, or a [`Ramp`] with a base load and changes of commands. It is followed as by [`Self::follow`]; nothing
+    /// is searched for, so that it is undecided only where that path is. Where the load is lost, [`Lost::nothing_near`](crate::hold::Lost::nothing_near)
+    /// proves that nothing holds it near there.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two jaws that each press with 10 N; μ = 0.5.
+    /// let jaw = |x: f64, name| Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
+    ///
+    /// let verdict = gripper.hold(Wrench::force([0.0, -4.0]))?;
+    /// assert_eq!(verdict.to_string(), "HOLDS, everything sticks: 2.5 times this load until it is lost, as left and right slide");
+    /// assert!((verdict.lost.expect("both slide at once").factor - 2.5).abs() < 1e-12);
+    ///
+    /// let verdict = gripper.hold(Wrench::force([0.0, -12.0]))?;
+    /// let words = verdict.to_string();
+    /// assert!(words.starts_with("SLIPS OUT at 10 N of 12 N: the object moves along −y, left and right slide (gross slip)"), "{words}");
+    /// assert_eq!(verdict.holds(), Some(false));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`].
+    #[doc(alias = "gross slip", alias = "limit load", alias = "grip", alias = "payload", alias = "reserve")]
+    pub fn hold(&self, load: impl Into<Ramp<C>>) -> Result<Verdict<C>, Error> {
+        self.engine.hold(&load.into(), &self.settings)
     }
 
     /// The equilibrium under a load.
@@ -384,34 +444,6 @@ impl<const C: usize> Grasp<C> {
         error: f64,
     ) -> Result<SteppedPath<'_, C>, Error> {
         self.engine.follow_in_steps(start, legs, error, &self.settings)
-    }
-
-    /// Onset and limit load along a ramp that is followed up to a load factor `most`, with slip memory. The reserve factor
-    /// against losing the object is `limit`, that against sliding is the onset's factor.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let reserve = grasp.reserve(&weight, 100.0)?;
-    /// assert!((reserve.onset.factor().expect("slides") - 10.0).abs() < 1e-13);
-    /// assert!((reserve.limit.expect("falls") - 10.0).abs() < 1e-12); // both slide at once, and nothing is left
-    /// assert!(reserve.held_to == reserve.limit);
-    ///
-    /// let holds = grasp.reserve(&weight, 5.0)?;
-    /// assert!(holds.completed && holds.limit.is_none() && holds.held_to == Some(5.0));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`].
-    #[doc(alias = "gross slip", alias = "limit load")]
-    pub fn reserve(&self, ramp: &Ramp<C>, most: f64) -> Result<Reserve<C>, Error> {
-        self.engine.reserve(ramp, most, &self.settings)
     }
 
     /// The range of factors of a ramp, around 0, in which everything that touches sticks: for an affine choice of load or

@@ -14,9 +14,10 @@ use crate::equilibrium::{Accuracy, Bracket, Decomposition, Equilibrium, Outcome,
 use crate::error::Error;
 use crate::forms::Form;
 use crate::grasp::{Contact, Engine, HandPart, Wrench};
+use crate::hold::Verdict;
 use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
-    PatchPath, Ramp, Reserve, Response, SteppedPath, StickingRange, Turn, TurnOnset,
+    PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::{Any, Fixed, Memory};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
@@ -58,6 +59,8 @@ macro_rules! questions {
             fn with_commands(&self, commands: &[SVector<f64, C>]) -> Changed<C>;
             fn with_joint_commands(&self, commands: &[f64]) -> Changed<C>;
             fn with_joint_torques(&self, torques: &[f64]) -> Changed<C>;
+            fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C>;
+            fn squeezed(&self, factor: f64) -> Changed<C>;
             fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C>;
         }
     };
@@ -84,6 +87,14 @@ macro_rules! questions {
 
         fn with_joint_torques(&self, torques: &[f64]) -> Changed<C> {
             Ok(Arc::new(Engine::with_joint_torques(self, torques)?))
+        }
+
+        fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C> {
+            Ok(Arc::new(Engine::with_friction(self, friction)?))
+        }
+
+        fn squeezed(&self, factor: f64) -> Changed<C> {
+            Ok(Arc::new(Engine::squeezed(self, factor)?))
         }
 
         fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C> {
@@ -118,12 +129,12 @@ questions! {
         fn refutation(&self, load: &Wrench<C>, settings: &Settings) -> Result<Option<Refutation<C>>, Error>;
         fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error>;
         fn force_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error>;
+        fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error>;
         fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>>;
         fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error>;
         fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>>;
         fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>>;
         fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<LoadPath<'_, C>, Error>;
-        fn reserve(&self, ramp: &Ramp<C>, most: f64, settings: &Settings) -> Result<Reserve<C>, Error>;
         fn sticking_range(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Option<StickingRange>, Error>;
         fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;
         fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;

@@ -42,7 +42,7 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
-    /// analysis, on the round cone in space. What these fingers do as springs is for [`Self::reserve`](Grasp::reserve) to say.
+    /// analysis, on the round cone in space. What these fingers do as springs is for [`Grasp::hold`] to say.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -17,6 +17,7 @@
 //! | `conditions` | what a state must satisfy, with sizes |
 //! | `hull` | where only part of its state is known: all that its law allows |
 //! | `most_work` | what a contact can do against a virtual motion |
+//! | `resistance` | what it can do against a motion, whatever it has slipped |
 //! | `edges` | what a sticking contact asks of its force |
 //! | `exits` | how far a straight line stays in a state |
 //! | `turning_exits` | how far a load can turn before it leaves a state |
@@ -35,6 +36,7 @@ mod law;
 mod most_work;
 mod polygon;
 mod relaxing_slide;
+mod resistance;
 mod slide;
 mod springs;
 mod state;
@@ -58,6 +60,7 @@ pub(crate) use hull::Sector;
 pub(crate) use hull::{HullRay, Label};
 pub(crate) use law::{Law, LocalLaw};
 pub(crate) use polygon::Polygon;
+pub(crate) use resistance::Resistance;
 pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
 pub(crate) use state::{Mode, PolygonState, State};

@@ -77,6 +77,8 @@ pub struct Contact<const C: usize> {
     pub(crate) press: Option<f64>,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
+    /// Which point of a soft fingertip it is, from 0.
+    pub(crate) point_of_pad: Option<usize>,
 }
 
 impl<const C: usize> Contact<C> {
@@ -96,6 +98,7 @@ impl<const C: usize> Contact<C> {
             press: None,
             clearance: 0.0,
             hold: Hold::Unilateral,
+            point_of_pad: None,
         }
     }
 

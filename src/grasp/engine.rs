@@ -61,10 +61,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Whether some drive pushes at rest.
+    /// Whether some drive pushes at rest, or a force is held.
     #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
-        self.drives().iter().any(|drive| drive[0] > 0.0)
+        let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
+        by_force || self.drives().iter().any(|drive| drive[0] > 0.0)
     }
 
     /// [`Grasp::links`](crate::ask::Grasp::links).
@@ -152,6 +153,32 @@ impl<D: Size, const C: usize> Engine<D, C> {
             for (k, torque) in torques.iter().enumerate() {
                 let k = of_the_object::<C>() + k;
                 linkage.pulled[k] = torque / linkage.lengths[k];
+            }
+        }
+        Ok(grasp)
+    }
+
+    /// [`Grasp::with_friction`](crate::ask::Grasp::with_friction).
+    pub(crate) fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Result<Self, Error> {
+        let mut contacts = self.contacts.clone();
+        for (i, contact) in contacts.iter_mut().enumerate() {
+            contact.friction = friction(i, contact.friction);
+        }
+        self.with_data(contacts, |_| 1.0)
+    }
+
+    /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
+    pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
+        if !is_moderate(factor) {
+            return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
+        }
+        let mut grasp = self.clone();
+        grasp.contacts.iter_mut().for_each(|contact| contact.command *= factor);
+        if let Some(linkage) = &mut grasp.linkage {
+            linkage.commands.iter_mut().for_each(|command| *command *= factor);
+            for (j, joint) in linkage.joints.iter().enumerate() {
+                let k = of_the_object::<C>() + j;
+                linkage.held[k] += (factor - 1.0) * (joint.held / linkage.lengths[k]);
             }
         }
         Ok(grasp)

@@ -259,6 +259,7 @@ impl<const C: usize> SoftFingertip<C> {
             tangent: Some(frame.column(1).into_owned()),
             stiffness: contact.stiffness.scaled(place.share),
             press: contact.press.map(|force| force * place.share),
+            point_of_pad: Some(i),
             ..contact.clone()
         };
         Ok(self.places.iter().enumerate().map(child).collect())

@@ -32,6 +32,7 @@ mod frames;
 mod hand;
 mod inside;
 mod motion;
+mod part;
 mod pressure;
 mod remembered;
 mod rigid_motion;
@@ -53,6 +54,8 @@ pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
 pub use hand::{Finger, Hand, HandPart, Joint, Limit, PartLabel, Tendon};
 pub use motion::Motion;
+pub use part::Part;
+pub(crate) use part::Parts;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{

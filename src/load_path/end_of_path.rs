@@ -23,11 +23,12 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
-    let motion = leaving_motion(rates, &segment.course.at(loss.fraction), &rates.yielding());
-    let corner = loss.leaving(segment.grasp, motion.as_ref());
+    let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
+    let [motion, against] = motions.map_or([None, None], |motions| motions.map(Some));
+    let corner = loss.leaving(segment.grasp, motion.as_ref()).and_virtually(against.as_ref());
     let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;
-    let end = EquilibriumEnd { factor: corner.fraction, forces, motion };
+    let end = EquilibriumEnd { factor: corner.fraction, forces, motion: against };
     if no_rates(rates)
         || matches!(beyond_end(segment, rates, (settled, effort), &end, settings), Beyond::LimitLoad)
     {
@@ -36,25 +37,32 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// The unit motion with which the object leaves when everything that stands on an edge slides.
+/// The unit motion with which the object leaves when everything that stands on an edge slides, and the virtual one that proves it.
 ///
-/// It is a motion that nothing resists then and on which the load works. Where there is none it is the motion of the rates in these
-/// states. Their forces balance the load, but their slips are against friction: the motion taken the other way is along it.
-pub(super) fn leaving_motion<D: Size, const C: usize>(
+/// It leaves by a motion that changes no force then, and on which the load works. No force of these states does anything on the virtual motion, which
+/// leans by friction: a block that slides to the right goes up along the edge of its cone virtually. Where there are none both are the motion of the rates
+/// in these states. Their forces balance the load, but their slips are against friction: the motion taken the other way is along it.
+pub(super) fn leaving_motions<D: Size, const C: usize>(
     rates: &Problem<D, C>,
     load: &Vector<D>,
     states: &[State<C>],
-) -> Option<Vector<D>> {
+) -> Option<[Vector<D>; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {
             // Where friction is exhausted no spring resists, but the friction forces feel the motion. Where only commands
             // change it is the load itself that drives the object out.
-            let along = |wrench: &Vector<D>| {
-                let v = piece.free_motions().iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
+            let along = |motions: &[Vector<D>], wrench: &Vector<D>| {
+                let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())
             };
-            return unbalanced.motion.or_else(|| along(&rates.wrench)).or_else(|| along(load));
+            let worked_on =
+                |motions: &[Vector<D>]| along(motions, &rates.wrench).or_else(|| along(motions, load));
+            let free = piece.free_motions();
+            let against = unbalanced.motion.or_else(|| worked_on(free))?;
+            let neutral = || worked_on(&piece.neutral_motions());
+            let leaves = worked_on(free).or_else(neutral).unwrap_or_else(|| against.clone());
+            return Some([leaves, against]);
         }
         Ok(solved) => solved,
     };
@@ -67,5 +75,6 @@ pub(super) fn leaving_motion<D: Size, const C: usize>(
         }
     }
     let size = solved.twist.norm();
-    (size > 0.0).then(|| solved.twist * (1.0_f64.copysign(along_friction) / size))
+    let motion = (size > 0.0).then(|| solved.twist * (1.0_f64.copysign(along_friction) / size))?;
+    Some([motion.clone(), motion])
 }

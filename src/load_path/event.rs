@@ -175,16 +175,27 @@ pub struct Loss<const C: usize> {
     /// `None` if those states do not determine one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// That motion in inside coordinates.
+    /// The virtual motion against which contacts do the least there, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(crate) inside: Option<Coordinates<C>>,
+    pub(crate) against: Option<Coordinates<C>>,
 }
 
 impl<const C: usize> Loss<C> {
+    /// The virtual motion against which contacts do the least there, in inside coordinates.
+    pub(crate) fn virtual_motion(&self) -> Option<&Coordinates<C>> {
+        self.against.as_ref()
+    }
+
+    /// This loss with another virtual motion than that with which the object leaves.
+    pub(super) fn and_virtually<D: Size>(mut self, against: Option<&Vector<D>>) -> Self {
+        self.against = against.map(Coordinates::of);
+        self
+    }
+
     /// This loss with the motion with which the object leaves, in inside coordinates.
     pub(super) fn leaving<D: Size>(mut self, grasp: &Engine<D, C>, motion: Option<&Vector<D>>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
-        self.inside = motion.map(Coordinates::of);
+        self.against = motion.map(Coordinates::of);
         self
     }
 }

@@ -152,7 +152,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
         let settings = settings.unwrap_or(&self.journey.settings);
         let loss = self.end.as_ref()?.loss()?;
         let StandAtEdge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
-        let motion = loss.inside.as_ref().map(Coordinates::to);
+        let motion = loss.against.as_ref().map(Coordinates::to);
         let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };
         let (settled, effort) = settle(&rates, settings);
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))

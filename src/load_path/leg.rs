@@ -176,7 +176,7 @@ impl<const C: usize> Leg<C> {
     }
 
     /// What a ramp changes for one unit of its factor.
-    pub(super) fn along(ramp: &Ramp<C>) -> Self {
+    pub(crate) fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| StepGoal::By(change.clone());
         Self {
             load: LoadGoal::Straight(StepGoal::By(ramp.direction)),

@@ -102,7 +102,7 @@ pub use onset_margins::Leaver;
 pub(crate) use onset_margins::OnsetMargins;
 pub use patch::PatchEvent;
 pub use path::{LoadPath, PatchPath, Path, SteppedPath};
-pub use questions::{Reserve, StickingRange};
+pub use questions::StickingRange;
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};

@@ -6,7 +6,7 @@
 //! close on the way; it starts with F_t = 0 and sticks on if the rates lie in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
-use super::end_of_path::leaving_motion;
+use super::end_of_path::leaving_motions;
 use super::first_to_leave::first_to_leave;
 use super::onset::{Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
@@ -100,7 +100,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,
         };
-        let motion = leaving_motion(&rates, &segment.problem.wrench, &rates.yielding());
+        let motions = leaving_motions(&rates, &segment.problem.wrench, &rates.yielding());
+        let motion = motions.map(|[_, against]| against);
         let end = EquilibriumEnd { factor: 0.0, forces: &local.found.forces, motion };
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }

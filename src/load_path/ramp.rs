@@ -121,6 +121,19 @@ impl<const C: usize> Ramp<C> {
     }
 }
 
+/// The load alone, put on from nothing.
+impl<const C: usize> From<Wrench<C>> for Ramp<C> {
+    fn from(load: Wrench<C>) -> Self {
+        Self::load(Wrench::ZERO, load)
+    }
+}
+
+impl<const C: usize> From<&Self> for Ramp<C> {
+    fn from(ramp: &Self) -> Self {
+        ramp.clone()
+    }
+}
+
 /// A list of vectors from whatever turns into arrays.
 pub(super) fn vectors<const C: usize>(
     list: impl IntoIterator<Item = impl Into<[f64; C]>>,

@@ -5,14 +5,17 @@
 //! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
 //! | `escape` | when a contradiction counts |
 //! | `refutation` | case by case on the round cone, to be checked by anyone |
+//! | `nothing_near` | nothing holds within a radius of where an equilibrium was lost |
 //! | `open_choices` | for each choice of open contacts, all that friction could do is a convex question |
 
 mod escape;
+mod nothing_near;
 mod open_choices;
 mod refutation;
 mod wrench_cone;
 
 pub(crate) use escape::{ESCAPE, LEAST_WORK};
+pub(crate) use nothing_near::nothing_near;
 pub(crate) use open_choices::nothing_holds;
 pub(crate) use refutation::{ProofStep, check, yields};
 pub(crate) use wrench_cone::{

@@ -103,7 +103,7 @@ impl SceneNames {
                 PathOutcome::Completed { state: path.state().map(|state| Box::new(self.equilibrium(state))) }
             }
             Some(PathEnd::Lost(loss)) => {
-                let mut loss = Loss { inside: None, ..loss.as_ref().clone() };
+                let mut loss = Loss { against: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
                 PathOutcome::Lost { loss, beyond: path.beyond().unwrap_or(unknown) }

@@ -6,6 +6,7 @@ use serde::ser::{Serialize, Serializer};
 use super::object;
 use crate::contact::{Fit, PolygonCone};
 use crate::equilibrium::Settings;
+use crate::error::is_moderate;
 
 /// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
 impl Serialize for PolygonCone {
@@ -68,6 +69,9 @@ struct WrittenSettings {
     step_error: f64,
     /// Most steps along sliding arcs within a leg.
     most_steps: usize,
+    /// So many times the load `hold` looks for where it is lost.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    most_load: f64,
 }
 
 impl Default for WrittenSettings {
@@ -85,12 +89,13 @@ impl From<&Settings> for WrittenSettings {
             most_states: settings.most_states,
             step_error: settings.step_error,
             most_steps: settings.most_steps,
+            most_load: settings.most_load,
         }
     }
 }
 
-/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …}` (feature
-/// `serde`), see [`crate::scene`].
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …}`
+/// (feature `serde`), see [`crate::scene`].
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         WrittenSettings::from(self).serialize(serializer)
@@ -101,12 +106,16 @@ impl Serialize for Settings {
 impl<'de> Deserialize<'de> for Settings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "settings", |written: WrittenSettings| {
-            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps } = written;
+            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps, most_load } =
+                written;
             if !(step_error > 0.0 && step_error < 1.0) {
                 return Err(format!("step_error is {step_error}, must be between 0 and 1"));
             }
+            if !(most_load > 0.0 && is_moderate(most_load)) {
+                return Err(format!("most_load is {most_load}, must be more than 0 and at most 1e50"));
+            }
             let round = matches!(cone, Cone::Round);
-            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error, most_steps })
+            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error, most_steps, most_load })
         })
     }
 }

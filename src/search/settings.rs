@@ -41,6 +41,9 @@ pub struct Settings {
     pub step_error: f64,
     /// On a load path on the round cone, steps along sliding arcs within one leg, refused ones included (default 20 000). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
     pub most_steps: usize,
+    /// So many times the load that is asked about [`hold`](crate::ask::Grasp::hold) looks for where it is lost (default 100; up to 1 it stops where all of
+    /// the load is on).
+    pub most_load: f64,
 }
 
 impl Default for Settings {
@@ -52,6 +55,7 @@ impl Default for Settings {
             most_states: 20_000,
             step_error: 1e-9,
             most_steps: 20_000,
+            most_load: 100.0,
         }
     }
 }
@@ -94,6 +98,13 @@ impl Settings {
     #[must_use]
     pub fn with_most_steps(mut self, most_steps: usize) -> Self {
         self.most_steps = most_steps;
+        self
+    }
+
+    /// The same, looking up to so many times the load for where it is lost.
+    #[must_use]
+    pub fn with_most_load(mut self, most_load: f64) -> Self {
+        self.most_load = most_load;
         self
     }
 

@@ -27,24 +27,36 @@ pub enum Loads<const C: usize> {
 impl<const C: usize> Loads<C> {
     /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
     pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+        self.check_size()?;
         match self {
-            Self::Each(list) => {
-                if list.is_empty() {
-                    let allowed = "at least 1";
-                    return Err(Error::Argument { what: "number of loads", value: 0.0, allowed });
-                }
-                list.iter().try_for_each(|load| grasp.load_alone(load, "load").map(drop))
-            }
-            Self::AnyForce { base, size, point } => {
+            Self::Each(list) => list.iter().try_for_each(|load| grasp.load_alone(load, "load").map(drop)),
+            Self::AnyForce { base, point, .. } => {
                 grasp.load_alone(base, "base load")?;
-                if !(*size >= 0.0 && is_moderate(*size)) {
-                    let allowed = "zero, or more and at most 1e50";
-                    return Err(Error::Argument { what: "size of the force", value: *size, allowed });
-                }
                 check_point(point)
             }
             Self::Turn(turn) => turn.check(),
         }
+    }
+
+    /// Refuses sets without a load, and forces without a size.
+    pub(crate) fn check_size(&self) -> Result<(), Error> {
+        match self {
+            Self::Each(list) if list.is_empty() => {
+                Err(Error::Argument { what: "number of loads", value: 0.0, allowed: "at least 1" })
+            }
+            Self::AnyForce { size, .. } if !(*size >= 0.0 && is_moderate(*size)) => {
+                let allowed = "zero, or more and at most 1e50";
+                Err(Error::Argument { what: "size of the force", value: *size, allowed })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// One load.
+impl<const C: usize> From<Wrench<C>> for Loads<C> {
+    fn from(load: Wrench<C>) -> Self {
+        Self::Each(vec![load])
     }
 }
 

@@ -4,7 +4,7 @@ use grasp_lcp::Limit;
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{DriveChange, DriveState, Finger, Hand, HandPart, Joint, Tendon};
-use grasp_lcp::planar::{Grasp, Leg, Ramp, Wrench};
+use grasp_lcp::planar::{Grasp, Leg, Wrench};
 use support::programs::parts;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -177,8 +177,8 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
         assert_eq!(parts(&event.drives), [(HandPart::Joint(1), DriveChange::Yields)]);
         assert!(event.leaving.is_empty());
         // From there on the left jaw follows alone, until it lets go: the limit is that of the right jaw, 6 N.
-        let reserve = grasp.reserve(&Ramp::load(Wrench::ZERO, Wrench::force([1.0, 0.0])), 50.0)?;
-        assert!((reserve.limit.ok_or("has a limit")? - 6.0).abs() < 1e-12, "{reserve:?}");
+        let lost = grasp.hold(Wrench::force([1.0, 0.0]))?.lost.ok_or("has a limit")?;
+        assert!((lost.factor - 6.0).abs() < 1e-12, "{lost:?}");
         let outcome = grasp.solve(&Wrench::force([6.1, 0.0]))?;
         assert!(outcome.equilibrium().is_none(), "{outcome:?}");
     }

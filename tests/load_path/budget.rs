@@ -47,11 +47,11 @@ fn a_path_stops_where_its_steps_are_used_up() {
 
 /// What was followed is a lower bound of what holds.
 #[test]
-fn a_reserve_without_steps_is_a_lower_bound() {
+fn a_verdict_without_steps_is_a_lower_bound() {
     let (grasp, ramp) = (glass(), Ramp::load(Wrench::ZERO, Wrench::force([4.0, 1.0, -30.0])));
-    let whole = grasp.reserve(&ramp, 1.0).unwrap();
-    let short = grasp.with(&Settings::default().with_most_steps(5)).reserve(&ramp, 1.0).unwrap();
-    assert!(short.limit.is_none() && !short.completed);
-    let (held, limit) = (short.held_to.unwrap(), whole.limit.unwrap());
-    assert!(held >= short.onset.factor().unwrap() && held < limit, "{held} {limit}");
+    let whole = grasp.hold(&ramp).unwrap();
+    let short = grasp.with(&Settings::default().with_most_steps(5)).hold(&ramp).unwrap();
+    assert!(short.lost.is_none() && short.holds().is_none());
+    let (held, limit) = (short.held_to, whole.lost.unwrap().factor);
+    assert!(held >= short.first_slip.unwrap().factor && held < limit, "{held} {limit}");
 }

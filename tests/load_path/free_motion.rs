@@ -232,14 +232,10 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
 fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Error> {
     let guide = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();
     let grasp = planar::Grasp::new([guide(-1.0), guide(1.0)])?;
-    let reserve = |x: f64, y: f64| {
-        let ramp = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([x, y]));
-        grasp.reserve(&ramp, 100.0)
-    };
-    let along = reserve(1.0, 0.0)?;
-    let kind = along.loss.map(|loss| loss.kind);
-    assert_eq!((along.limit, along.completed, kind), (Some(0.0), false, Some(LossKind::GivesWay)));
-    let across = reserve(0.0, 1.0)?;
-    assert_eq!((across.limit, across.completed, across.loss), (None, true, None));
+    let along = grasp.hold(planar::Wrench::force([1.0, 0.0]))?;
+    let lost = along.lost.as_ref().map(|lost| (lost.factor, lost.kind));
+    assert_eq!((lost, along.holds()), (Some((0.0, LossKind::GivesWay)), Some(false)));
+    let across = grasp.hold(planar::Wrench::force([0.0, 1.0]))?;
+    assert!(across.lost.is_none() && across.held_to == 100.0 && across.sticks() == Some(true));
     Ok(())
 }

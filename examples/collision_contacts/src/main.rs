@@ -140,12 +140,12 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     ];
     for (way, direction) in ways {
         let ramp = Ramp::load(Wrench::ZERO, pull(direction, centre));
-        let both = grasp.reserve(&ramp, 100.0)?;
+        let onset = grasp.onset(&ramp)?;
         let separated = |event, i: usize| {
             let state = grasp.state_at_onset(event);
             state.is_some_and(|state| state.contacts[i].state == ContactState::Separated)
         };
-        let first = both.onset.event().map_or_else(String::new, |event| {
+        let first = onset.event().map_or_else(String::new, |event| {
             let first = &event.leaving[0];
             let how = match first.how {
                 Departure::Opens => "opens",
@@ -155,7 +155,8 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
             };
             format!("{:7.3}  {} {how}", event.factor, first.contact.text())
         });
-        let limit = both.limit.map_or_else(|| "more than 100".into(), |limit| format!("{limit:7.3}"));
+        let lost = grasp.hold(ramp)?.lost;
+        let limit = lost.map_or_else(|| "more than 100".into(), |lost| format!("{:7.3}", lost.factor));
         println!("  {way:26}  {first:22} {limit}");
     }
     Ok(())

@@ -81,18 +81,18 @@ fn main() -> Result<(), Failure> {
             _ => None,
         };
         let [_, needed] = grasp.statics().budget_needed(&weight, Budget::Each(1.0))?;
-        let reserve = grasp.reserve(&Ramp::load(Wrench::ZERO, weight), 100.0)?;
+        let onset = grasp.onset(&weight.into())?;
+        let verdict = grasp.hold(weight)?;
         println!(
             "  {name:21} {closed:6} {:7.4} {:7.4} | {:>9} {:>10} | {:>10} {:>8}",
             total?.at_least,
             each?.at_least,
             or_dash(carry),
             if needed.is_finite() { format!("{needed:.2}") } else { "never".into() },
-            or_dash(reserve.onset.factor().map(|factor| WEIGHT * factor)),
-            or_dash(if reserve.completed {
-                Some(f64::INFINITY)
-            } else {
-                reserve.limit.map(|limit| WEIGHT * limit)
+            or_dash(onset.factor().map(|factor| WEIGHT * factor)),
+            or_dash(match verdict.lost {
+                Some(lost) => Some(WEIGHT * lost.factor),
+                None => verdict.holds().map(|_| f64::INFINITY),
             }),
         );
     }

@@ -61,13 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     {
         println!("  beside the weight a force of {size:.6} N slides first, towards ({x:.6}, {y:.6})");
     }
-    let both = grasp.with(&settings).reserve(&ramp, 100.0)?;
-    match both.limit {
-        Some(limit) => {
-            println!("  the object is lost at {limit:.6} times the weight, after {} events\n", both.events);
-        }
-        None => println!("  the object is not lost up to 100 times the weight\n"),
-    }
+    println!("  {}\n", grasp.with(&settings).hold(&ramp)?);
 
     println!("What one percent more of each parameter does to the onset (percent):");
     println!("            friction   k_n        k_t        command");

@@ -1,0 +1,47 @@
+//! The most that a contact can do against a motion of the body, whatever it has slipped before.
+//!
+//! With the velocity u of the body's point in the contact frame, and with m the most that friction of size one does against u_t,
+//!
+//! ```text
+//! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
+//! ```
+//!
+//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, however it came there. A contact that neither opens nor slides has
+//! the force K v.
+
+use nalgebra::SVector;
+
+use super::law::LocalLaw;
+use super::tangential::tangential;
+
+/// A bound of `-F·u` by the stretch v of the contact, W for a velocity, J for a virtual motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Resistance<const C: usize> {
+    /// So many times the normal stretch where that is positive, N.
+    ByFriction(f64),
+    /// The product of this row and the stretch, exactly, N.
+    BySprings(SVector<f64, C>),
+    /// None: infinite friction holds against the motion.
+    Unlimited,
+}
+
+impl<const C: usize> LocalLaw<'_, C> {
+    /// What the contact can do against a velocity u of the body, in the contact frame.
+    pub(crate) fn resistance(&self, u: &SVector<f64, C>) -> Resistance<C> {
+        if self.is_bonded() || self.may_pull() {
+            return Resistance::BySprings(-self.springs.force(u));
+        }
+        let along = tangential(u);
+        let friction = if self.is_frictionless() || along.norm() == 0.0 {
+            0.0
+        } else if self.never_slides() {
+            return Resistance::Unlimited;
+        } else if self.on_round_cone {
+            self.friction.limit(along.norm())
+        } else {
+            self.friction
+                .limit(self.polygon.corners.iter().map(|corner| -corner.dot(&along)).fold(0.0, f64::max))
+        };
+        Resistance::ByFriction(self.springs.force_along(0, (friction - u[0]).max(0.0)))
+    }
+}

@@ -1,0 +1,91 @@
+//! Contacts as people count them: a soft fingertip is one, however many points stand for it.
+
+use std::fmt;
+use std::ops::Range;
+
+use nalgebra::SVector;
+
+use super::contact::Contact;
+
+/// A contact that an answer speaks of, or a soft fingertip with those of its points that are meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Part {
+    /// Its place in the list of contacts, from 0, where a soft fingertip counts as one.
+    pub contact: usize,
+    /// Its name, or "contact" and that number.
+    pub label: String,
+    /// How many of its points are meant: one for a contact that is a point itself.
+    pub points: usize,
+    /// How many points it has.
+    pub of: usize,
+}
+
+impl Part {
+    /// Whether all of it is meant.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.points == self.of
+    }
+}
+
+/// "left", or "left (3 of 12 points)".
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.label)?;
+        if self.is_whole() { Ok(()) } else { write!(f, " ({} of {} points)", self.points, self.of) }
+    }
+}
+
+/// The contacts of a grasp, points of one soft fingertip together.
+pub(crate) struct Parts<'c, const C: usize> {
+    contacts: &'c [Contact<C>],
+    ranges: Vec<Range<usize>>,
+}
+
+impl<'c, const C: usize> Parts<'c, C> {
+    pub(crate) fn of(contacts: &'c [Contact<C>]) -> Self {
+        let mut ranges: Vec<Range<usize>> = Vec::new();
+        for (i, contact) in contacts.iter().enumerate() {
+            match ranges.last_mut() {
+                Some(range) if contact.point_of_pad.is_some_and(|point| point > 0) => range.end = i + 1,
+                _ => ranges.push(i..i + 1),
+            }
+        }
+        Self { contacts, ranges }
+    }
+
+    /// The parts that have points among these, in order.
+    pub(crate) fn with(&self, is_meant: impl Fn(usize) -> bool) -> Vec<Part> {
+        let part = |(contact, range): (usize, &Range<usize>)| {
+            let points = range.clone().filter(|i| is_meant(*i)).count();
+            (points > 0).then(|| Part { contact, label: self.label(contact), points, of: range.len() })
+        };
+        self.ranges.iter().enumerate().filter_map(part).collect()
+    }
+
+    /// The mean of a quantity of points over each part.
+    pub(crate) fn mean(&self, of: impl Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
+        let mean = |range: &Range<usize>| {
+            range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / range.len() as f64
+        };
+        self.ranges.iter().map(mean).collect()
+    }
+
+    /// The sum of a quantity of points over each part.
+    pub(crate) fn sum(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
+        self.ranges.iter().map(|range| range.clone().map(&of).sum()).collect()
+    }
+
+    /// The name of a part; points of a soft fingertip have its name and their number.
+    fn label(&self, number: usize) -> String {
+        let first = &self.contacts[self.ranges[number].start];
+        let of_the_pad = |name: &str| match first.point_of_pad {
+            Some(point) => name.strip_suffix(&format!(" {point}")).unwrap_or(name).to_owned(),
+            None => name.to_owned(),
+        };
+        first.name.as_deref().map_or_else(|| format!("contact {number}"), of_the_pad)
+    }
+}

@@ -1,0 +1,156 @@
+//! A load is put on from rest, and followed until it is lost.
+
+use crate::contact::{Polygon, WEIGHTLESS};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome};
+use crate::error::{Error, is_moderate};
+use crate::grasp::{Coordinates, Engine, Parts};
+use crate::load_path::{Departure, Leg, Loss, Onset, PathEnd, Ramp};
+use crate::numerics::Size;
+use crate::object::Load;
+use crate::proofs::nothing_near;
+use crate::search::{Doubt, Settings};
+
+use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::way_out::way_out;
+
+/// A gap below this part of the size of the grasp is none, for whoever reads of it.
+const SHUT: f64 = 1e-9;
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// [`Grasp::hold`](crate::ask::Grasp::hold).
+    pub(crate) fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error> {
+        if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
+            let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
+            return Err(Error::Argument { what, value: settings.most_load, allowed });
+        }
+        let onset = self.onset(ramp, settings)?;
+        let mut path = self.follow(&ramp.base, &[Leg::along(ramp)], settings)?;
+        path.run();
+        let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
+        let mut gone = 1.0;
+        if let Some(PathEnd::Completed) = path.end()
+            && settings.most_load > 1.0
+        {
+            gone = settings.most_load;
+            path.continue_with(&[Leg::along(&ramp.times(gone - 1.0))])?;
+            path.run();
+        }
+        let (leg, fraction) = path.place();
+        let held_to = if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) };
+        let first_slip = self.first_slip(&onset);
+        let holding = match (&state, path.end()) {
+            (Some(state), _) => self.held(state, first_slip.as_ref()),
+            (None, Some(PathEnd::Lost(_))) => Holding::Lost,
+            (None, Some(PathEnd::NoStart(start))) => match &**start {
+                Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
+                Outcome::Undecided(undecided) => Holding::Undecided { doubt: undecided.doubt },
+                Outcome::Equilibrium(_) => Holding::Undecided { doubt: Doubt::Inaccurate },
+            },
+            (None, Some(PathEnd::Undecided { doubt, .. })) => Holding::Undecided { doubt: *doubt },
+            (None, Some(PathEnd::Completed) | None) => Holding::Undecided { doubt: Doubt::Inaccurate },
+        };
+        let lost = path.end().and_then(PathEnd::loss).map(|loss| {
+            let mut lost = self.lost(held_to, loss, path.state());
+            if matches!(holding, Holding::Lost) {
+                lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
+            }
+            lost
+        });
+        let state = state.map(Box::new);
+        Ok(Verdict { base: ramp.base, load: ramp.direction, holding, first_slip, held_to, lost, state })
+    }
+
+    /// Whether something slides under all of the load, or has slid on the way.
+    fn held(&self, state: &Equilibrium<C>, first_slip: Option<&FirstSlip>) -> Holding<C> {
+        let has_slid = |i: usize| match state.contacts[i].state {
+            ContactState::Sliding { .. } => true,
+            ContactState::Sticking => state.contacts[i].slip.norm() != 0.0,
+            ContactState::Separated | ContactState::Frictionless => false,
+        };
+        if state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
+            return Holding::Loose;
+        }
+        let parts = Parts::of(self.contacts()).with(has_slid);
+        if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
+            Holding::Sticks
+        } else {
+            Holding::Slides { contacts: parts }
+        }
+    }
+
+    fn first_slip(&self, onset: &Onset<C>) -> Option<FirstSlip> {
+        let parts = Parts::of(self.contacts());
+        match onset {
+            Onset::At(event) => {
+                let leaves = |slides: bool| {
+                    parts.with(|i| {
+                        event.leaving.iter().any(|leaving| {
+                            leaving.contact.index == i
+                                && slides == matches!(leaving.how, Departure::Slides { .. })
+                        })
+                    })
+                };
+                Some(FirstSlip {
+                    factor: event.factor,
+                    slide: leaves(true),
+                    open: leaves(false),
+                    give_way: event.drives.iter().map(|drive| drive.part.text()).collect(),
+                })
+            }
+            Onset::AlreadySliding(state) => Some(FirstSlip {
+                factor: 0.0,
+                slide: parts.with(|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
+                open: Vec::new(),
+                give_way: Vec::new(),
+            }),
+            _ => None,
+        }
+    }
+
+    /// How an equilibrium is lost when the load is on so many times.
+    fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
+        let largest = |state: &Equilibrium<C>| {
+            state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max)
+        };
+        let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * largest(state));
+        let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
+        let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
+        let touches =
+            |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
+        let slides = |i: usize| loss.contacts.iter().any(|contact| contact.index == i) && presses(i);
+        let parts = Parts::of(self.contacts());
+        Lost {
+            factor,
+            kind: loss.kind,
+            way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
+            slide: parts.with(slides),
+            is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
+            drives: loss.drives.clone(),
+            motion: loss.motion.clone(),
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
+    }
+
+    /// How far around the place of a loss nothing holds the whole load.
+    fn nothing_near(
+        &self,
+        lost: &Lost<C>,
+        loss: &Loss<C>,
+        ramp: &Ramp<C>,
+        settings: &Settings,
+    ) -> Option<NothingNear> {
+        let state = lost.state.as_ref()?;
+        let load = self.load_alone(&ramp.load_at(1.0), "load").ok()?;
+        let mut drives = self.drives();
+        drives.iter_mut().zip(ramp.drive_changes(self).ok()?).for_each(|(drive, change)| *drive += change);
+        let polygon = Polygon::shared(&settings.cone);
+        let problem = self.problem(polygon, settings.is_round::<C>(), drives, &Load::from(&load));
+        let at = state.local.twist.to::<D>();
+        // Any virtual motion may prove it: that of the loss as a rule, and where it has none that of the load.
+        let virtually = [loss.virtual_motion().map(Coordinates::to::<D>), Some(load)];
+        let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
+        let radius = radii.max_by(f64::total_cmp)?;
+        Some(NothingNear { translation: radius, rotation: radius / self.length() })
+    }
+}

@@ -1,0 +1,119 @@
+//! How an object leaves: it slides out, tips over, lifts off or turns.
+
+use nalgebra::SVector;
+
+use crate::grasp::{Contact, Motion, Part, Parts, displacement_of};
+use crate::numerics::{Fixed, Vector};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
+/// What moves by less than this part of the fastest stays where it is, and who turns by less does not turn. People round so; nothing is decided by
+/// it.
+const STAYS: f64 = 0.05;
+
+/// The kind of motion with which an object leaves, as people call it.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "way", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum WayOut<const C: usize> {
+    /// All contacts that touch open.
+    LiftsOff {
+        /// Unit direction of the contacts' centroid.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+        direction: SVector<f64, C>,
+    },
+    /// It moves without turning to speak of.
+    SlidesOut {
+        /// Unit direction.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+        direction: SVector<f64, C>,
+    },
+    /// It turns about contacts that stay, and others open.
+    TipsOver {
+        /// The contacts that stay.
+        about: Vec<Part>,
+        /// Those that open.
+        opens: Vec<Part>,
+    },
+    /// It turns about contacts that stay, and others slide.
+    TurnsAbout {
+        /// The contacts that stay: in space a line goes through two of them.
+        about: Vec<Part>,
+    },
+    /// It turns about a point, in space about a line through it.
+    Turns {
+        /// A point that moves along the axis at most, m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+        centre: SVector<f64, C>,
+        /// Unit vector along the axis; zero in the plane.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+        axis: SVector<f64, C>,
+    },
+    /// The motion is not determined by what gives way.
+    NotKnown,
+}
+
+/// How the object leaves with a motion, seen from the contacts that touch.
+pub(super) fn way_out<const C: usize>(
+    contacts: &[Contact<C>],
+    motion: Option<&Motion<C>>,
+    touches: impl Fn(usize) -> bool,
+) -> WayOut<C> {
+    let Some(motion) = motion else { return WayOut::NotKnown };
+    let twist = motion.object.coordinates::<Fixed<6>>();
+    let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &twist);
+    let parts = Parts::of(contacts);
+    let touching = parts.with(touches);
+    let places = parts.mean(|i| contacts[i].point);
+    let moves: Vec<_> = places.iter().map(velocity).collect();
+    let normals = parts.mean(|i| contacts[i].normal.normalize());
+    let count = touching.len().max(1) as f64;
+    let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
+    let along = velocity(&centre);
+    let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
+    let spin = twist.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
+    let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
+    let stays = |part: &Part| moves[part.contact].norm() <= STAYS * fastest;
+    let opens = |part: &Part| {
+        // Away from the finger at more than half a right angle to its surface.
+        let (v, n) = (&moves[part.contact], &normals[part.contact]);
+        !stays(part) && v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm()
+    };
+    if !touching.is_empty() && touching.iter().all(opens) {
+        return WayOut::LiftsOff { direction: along.try_normalize(0.0).unwrap_or_else(SVector::zeros) };
+    }
+    if spin <= STAYS * along.norm() {
+        return along
+            .try_normalize(0.0)
+            .map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction });
+    }
+    let about: Vec<_> = touching.into_iter().filter(stays).collect();
+    if about.is_empty() {
+        return turns(&twist, &centre);
+    }
+    // What was open before moves on.
+    let opens: Vec<_> = parts.with(|_| true).into_iter().filter(opens).collect();
+    if opens.is_empty() { WayOut::TurnsAbout { about } } else { WayOut::TipsOver { about, opens } }
+}
+
+/// A turn about the point of its axis that is nearest to another one.
+fn turns<const C: usize>(twist: &Vector<Fixed<6>>, near: &SVector<f64, C>) -> WayOut<C> {
+    let v = displacement_of::<Fixed<6>, C>(near, twist);
+    // The offset from there is ω × v / |ω|²; in the plane ω is a number.
+    let (offset, axis) = if C == 2 {
+        let omega = twist[2];
+        (SVector::from_fn(|a, _| if a == 0 { -v[1] / omega } else { v[0] / omega }), SVector::zeros())
+    } else {
+        let omega = SVector::<f64, C>::from_fn(|a, _| twist[C + a]);
+        let cross = |a: usize| omega[(a + 1) % C] * v[(a + 2) % C] - omega[(a + 2) % C] * v[(a + 1) % C];
+        (SVector::from_fn(|a, _| cross(a)) / omega.norm_squared(), omega.normalize())
+    };
+    let centre = near + offset;
+    let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());
+    if is_there { WayOut::Turns { centre, axis } } else { WayOut::NotKnown }
+}

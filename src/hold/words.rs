@@ -1,0 +1,204 @@
+//! A verdict in a sentence, as one would say it to a colleague.
+
+use std::fmt;
+
+use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::way_out::WayOut;
+use crate::grasp::{Part, Wrench};
+use crate::words::{along, length, listed, number, numbers};
+
+/// What happens within this part of a load happens at once, for whoever reads it.
+const AT_ONCE: f64 = 1e-9;
+/// A force and a moment this close to a right angle act along one line: a force somewhere.
+const ONE_LINE: f64 = 1e-12;
+
+impl<const C: usize> fmt::Display for Verdict<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.holding {
+            Holding::Sticks => {
+                f.write_str("HOLDS, everything sticks")?;
+                self.margins(f)
+            }
+            Holding::Slides { contacts } => {
+                f.write_str("HOLDS, but ")?;
+                match &self.first_slip {
+                    Some(first) if first.factor == 0.0 => write!(f, "{first} from the start")?,
+                    Some(first) => write!(f, "{first} from {} of it on", number(first.factor))?,
+                    None => write!(f, "{}", does(contacts, "slides", "slide"))?,
+                }
+                match &self.lost {
+                    Some(lost) => write!(f, "; lost at {} times this load", number(lost.factor)),
+                    None if self.held_to > 1.0 => {
+                        write!(f, "; held up to {} times this load", number(self.held_to))
+                    }
+                    None => Ok(()),
+                }
+            }
+            Holding::Loose => {
+                f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
+            }
+            Holding::Lost => match &self.lost {
+                Some(lost) => write!(f, "{} at {}: {lost}", lost.verb(), self.part(lost.factor)),
+                None => f.write_str("LOST"),
+            },
+            Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none}"),
+            Holding::Undecided { doubt } => {
+                write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to))
+            }
+        }?;
+        let at_the_end = self.state.as_ref().or_else(|| self.lost.as_ref()?.state.as_ref());
+        match at_the_end {
+            Some(state) if state.is_beyond_small_motions() => {
+                f.write_str(". The object turns too far for that: all this is good for small motions")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl<const C: usize> Verdict<C> {
+    /// How much more of the load it would take.
+    fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lost = self.lost.as_ref().map(|lost| lost.factor);
+        match (&self.first_slip, lost) {
+            (Some(first), Some(lost)) if lost <= first.factor * (1.0 + AT_ONCE) => {
+                write!(f, ": {} times this load until it is lost, as {first}", number(lost))
+            }
+            (Some(first), lost) => {
+                write!(
+                    f,
+                    ": {} times this load until the first slip ({})",
+                    number(first.factor),
+                    first.who()
+                )?;
+                match lost {
+                    Some(lost) => write!(f, ", {} times until it is lost", number(lost)),
+                    None if self.held_to > first.factor => {
+                        write!(f, ", held up to {} times", number(self.held_to))
+                    }
+                    None => Ok(()),
+                }
+            }
+            (None, Some(lost)) => write!(f, ": {} times this load until it is lost", number(lost)),
+            (None, None) => write!(f, " up to {} times this load", number(self.held_to)),
+        }
+    }
+
+    /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
+    fn part(&self, factor: f64) -> String {
+        let [size, unit] = match measure(&self.load) {
+            Some((size, unit)) => [number(size), unit.to_owned()],
+            None => return format!("{} of it", number(factor)),
+        };
+        let part = measure(&self.load).map_or(0.0, |(size, _)| size * factor);
+        let at_rest = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
+        format!("{} {unit} of {size} {unit}{at_rest}", number(part))
+    }
+}
+
+/// The size of a load that is one force or one moment, and its unit.
+fn measure<const C: usize>(load: &Wrench<C>) -> Option<(f64, &'static str)> {
+    let (force, moment) = load.components().split_at(C);
+    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let (force_size, moment_size) = (norm(force), norm(moment));
+    if force_size == 0.0 {
+        return (moment_size > 0.0).then_some((moment_size, "N m"));
+    }
+    let twisted = if C == 3 { force.iter().zip(moment).map(|(f, m)| f * m).sum::<f64>().abs() } else { 0.0 };
+    (twisted <= ONE_LINE * force_size * moment_size).then_some((force_size, "N"))
+}
+
+impl FirstSlip {
+    /// Who leaves, without what they do.
+    fn who(&self) -> String {
+        let opens = self.open.iter().map(|part| format!("{} opens", part.label));
+        let names = self.slide.iter().map(|part| part.label.clone()).chain(opens);
+        listed(&names.chain(self.give_way.iter().map(|name| format!("{name} gives way"))).collect::<Vec<_>>())
+    }
+}
+
+/// "left and right slide, thumb opens".
+impl fmt::Display for FirstSlip {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let give_way = &self.give_way;
+        let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
+        let all = [
+            (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
+            (!self.open.is_empty()).then(|| does(&self.open, "opens", "open")),
+            (!give_way.is_empty()).then(|| format!("{} {gives}", listed(give_way))),
+        ];
+        f.write_str(&all.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    }
+}
+
+impl<const C: usize> Lost<C> {
+    fn verb(&self) -> &'static str {
+        match self.way_out {
+            WayOut::LiftsOff { .. } => "LIFTS OFF",
+            WayOut::SlidesOut { .. } => "SLIPS OUT",
+            WayOut::TipsOver { .. } => "TIPS OVER",
+            WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => "TURNS OUT",
+            WayOut::NotKnown => "GIVES WAY",
+        }
+    }
+}
+
+/// How the object leaves, and then how far around there nothing holds.
+impl<const C: usize> fmt::Display for Lost<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.way_out)?;
+        if !self.slide.is_empty() {
+            write!(f, ", {}", does(&self.slide, "slides", "slide"))?;
+        }
+        if self.is_gross_slip {
+            f.write_str(" (gross slip)")?;
+        }
+        match &self.nothing_near {
+            Some(near) => write!(f, ". {near}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for NothingNear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.translation.is_infinite() {
+            return f.write_str("Nothing holds all of it, wherever the object goes");
+        }
+        let (length, angle) = (length(self.translation), number(self.rotation.to_degrees()));
+        write!(f, "Nothing holds all of it within {length} and {angle}° of there")
+    }
+}
+
+impl<const C: usize> fmt::Display for WayOut<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LiftsOff { direction } => {
+                write!(f, "the object lifts off along {}", along(direction))
+            }
+            Self::SlidesOut { direction } => {
+                write!(f, "the object moves along {}", along(direction))
+            }
+            Self::TipsOver { about, opens } => {
+                write!(f, "the object tips over about {}, {}", listed(about), does(opens, "opens", "open"))
+            }
+            Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
+                write!(f, "the object spins about the line {}–{}", about[0].label, about[1].label)
+            }
+            Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
+            Self::Turns { centre, axis } => {
+                f.write_str("the object turns about ")?;
+                if C == 3 {
+                    write!(f, "{} through ", along(axis))?;
+                }
+                write!(f, "{} m", numbers(centre.as_slice()))
+            }
+            Self::NotKnown => f.write_str("nothing holds on"),
+        }
+    }
+}
+
+/// Who does what: "left slides", "left and right slide".
+fn does(parts: &[Part], one: &str, many: &str) -> String {
+    format!("{} {}", listed(parts), if parts.len() == 1 { one } else { many })
+}

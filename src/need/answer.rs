@@ -1,0 +1,122 @@
+//! How much is needed.
+
+use crate::error::Error;
+use crate::grasp::Part;
+
+use super::question::Demand;
+
+/// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) says it in a sentence.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Needed {
+    /// What was sought.
+    pub quantity: Quantity,
+    /// What was to be kept.
+    pub demand: Demand,
+    /// How much of it that takes, or allows, on the numbers given.
+    pub amount: Amount,
+    /// The same where friction and squeeze are less than said; `None` if that was not asked, or does not count for this quantity.
+    pub safe: Option<Amount>,
+    /// What friction and squeeze were taken to be less by then.
+    pub lower: [f64; 2],
+}
+
+/// A quantity that people set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum Quantity {
+    /// The squeeze, as a multiple of the one given.
+    Squeeze,
+    /// A coefficient of friction.
+    Friction,
+    /// The loads, as a multiple of those given.
+    Load,
+    /// The arm of a force, m.
+    Arm,
+    /// An angle, rad.
+    Angle,
+}
+
+impl Quantity {
+    /// Whether the least of it is sought, or else the greatest.
+    #[must_use]
+    pub fn is_least(self) -> bool {
+        matches!(self, Self::Squeeze | Self::Friction)
+    }
+}
+
+/// How much of a quantity.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum Amount {
+    /// This much, and no better.
+    #[non_exhaustive]
+    Bound {
+        /// An amount that was tried and does.
+        does: f64,
+        /// One beside it that was tried and does not.
+        does_not: f64,
+        /// What happens with that: a sentence.
+        otherwise: String,
+        /// How often the verdict changed among the amounts that were looked at; once as a rule.
+        changes: usize,
+        /// Of a squeeze: what each contact presses with at rest, N.
+        presses: Vec<Press>,
+    },
+    /// Any amount does, down or up to this one, which was tried.
+    Any {
+        /// The last amount.
+        to: f64,
+    },
+    /// No amount does, up or down to this one, which was tried.
+    #[non_exhaustive]
+    None {
+        /// The last amount.
+        to: f64,
+        /// What happens with it: a sentence.
+        otherwise: String,
+    },
+    /// With this amount it is not known.
+    #[non_exhaustive]
+    Undecided {
+        /// The amount.
+        at: f64,
+        /// Why.
+        doubt: String,
+    },
+}
+
+impl Amount {
+    /// The amount that does, if there is a bound.
+    #[must_use]
+    pub fn bound(&self) -> Option<f64> {
+        if let Self::Bound { does, .. } = self { Some(*does) } else { None }
+    }
+}
+
+/// What a contact presses with.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Press {
+    /// The contact, or the soft fingertip.
+    pub part: Part,
+    /// Its normal force, N.
+    pub force: f64,
+}
+
+/// A part by which friction or squeeze may be less: from 0 to less than 1.
+pub(super) fn check_part(what: &'static str, value: f64) -> Result<(), Error> {
+    if (0.0..1.0).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::Argument { what, value, allowed: "from 0 to less than 1" })
+    }
+}

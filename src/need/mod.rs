@@ -1,0 +1,25 @@
+//! How much does it need? The least squeeze or friction, the greatest load, arm or angle, such that nothing slides or such that it is not lost.
+//!
+//! A [`Need`] says which quantity is sought and for which loads; [`Grasp::need`](crate::ask::Grasp::need) answers in the unit that people set:
+//! newtons at each jaw, a coefficient of friction, metres, degrees.
+//!
+//! | sought | what may be asked for | answer |
+//! |---|---|---|
+//! | [`Need::squeeze`] | least, as N at each contact at rest | all commands in proportion |
+//! | [`Need::friction`] | least, of all contacts or of one | |
+//! | [`Need::load`] | greatest, as so many times the loads | |
+//! | [`Need::arm`] | greatest distance at which a force may act, m | |
+//! | [`Need::angle`] | greatest angle of a load that turns, rad | |
+//!
+//! Every trial is a verdict of its own, from rest ([`Grasp::hold`](crate::ask::Grasp::hold)): one amount does, the other does not, and the answer
+//! names both. Between them it is bisected to the last digits. No theorem says that more is better – a jaw that presses harder may push the object out –
+//! so that the search looks at a scan of amounts first and counts how often the verdict changes.
+
+mod answer;
+mod needed;
+mod question;
+mod trial;
+mod words;
+
+pub use answer::{Amount, Needed, Press, Quantity};
+pub use question::{Demand, Need};

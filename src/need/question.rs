@@ -1,0 +1,117 @@
+//! What is sought, and for which loads.
+
+use crate::grasp::Wrench;
+use crate::load_path::Turn;
+use crate::squeeze::Loads;
+
+/// What is to be kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum Demand {
+    /// Nothing slides, on the way either.
+    #[default]
+    Sticks,
+    /// The object is not lost; contacts may slide.
+    Held,
+}
+
+/// A quantity that is sought, with the loads that it is sought for. Checked when it is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Need<const C: usize> {
+    pub(super) sought: Sought<C>,
+    pub(super) demand: Demand,
+    /// Relative uncertainty of friction and of the squeeze, for the safe amount.
+    pub(super) lower: [f64; 2],
+    pub(super) scan: usize,
+}
+
+/// The quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Sought<const C: usize> {
+    Squeeze { loads: Loads<C> },
+    Friction { loads: Loads<C>, contacts: Option<Vec<usize>> },
+    Load { loads: Loads<C> },
+    Arm { at: Wrench<C>, per_metre: Wrench<C> },
+    Angle { turn: Turn<C> },
+}
+
+impl<const C: usize> Need<C> {
+    fn of(sought: Sought<C>) -> Self {
+        Self { sought, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16 }
+    }
+
+    /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
+    #[doc(alias = "grip force")]
+    #[doc(alias = "clamping force")]
+    #[must_use]
+    pub fn squeeze(loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Squeeze { loads: loads.into() })
+    }
+
+    /// The least coefficient of friction for these loads: one for all contacts that rub.
+    #[must_use]
+    pub fn friction(loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Friction { loads: loads.into(), contacts: None })
+    }
+
+    /// The least coefficient of friction of some contacts, from 0, while the others keep theirs.
+    #[must_use]
+    pub fn friction_of(contacts: impl IntoIterator<Item = usize>, loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Friction { loads: loads.into(), contacts: Some(contacts.into_iter().collect()) })
+    }
+
+    /// How many times these loads may act: the greatest mass, or acceleration.
+    #[doc(alias = "payload")]
+    #[must_use]
+    pub fn load(loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Load { loads: loads.into() })
+    }
+
+    /// The greatest distance, m, that a force may be moved by: its wrench where it is, and how that changes for a metre.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::Wrench;
+    ///
+    /// // How far out along x may 20 N hang?
+    /// let [here, a_metre_on] = [0.0, 1.0].map(|x| Wrench::force_at([0.0, -20.0], [x, 0.0]));
+    /// let arm = Need::arm(here, a_metre_on - here);
+    /// # let _ = arm;
+    /// ```
+    #[doc(alias = "overhang")]
+    #[doc(alias = "lever")]
+    #[must_use]
+    pub fn arm(at: Wrench<C>, per_metre: Wrench<C>) -> Self {
+        Self::of(Sought::Arm { at, per_metre })
+    }
+
+    /// The greatest angle by which a load may turn.
+    #[doc(alias = "tilt")]
+    #[must_use]
+    pub fn angle(turn: Turn<C>) -> Self {
+        Self::of(Sought::Angle { turn })
+    }
+
+    /// This need where contacts may slide, as long as the object is not lost.
+    #[must_use]
+    pub fn to_hold(mut self) -> Self {
+        self.demand = Demand::Held;
+        self
+    }
+
+    /// This need with a safe amount for friction and squeeze that are by these parts less than said (default 0.1 and 0.05; none for zeros).
+    #[must_use]
+    pub fn if_lower_by(mut self, friction: f64, squeeze: f64) -> Self {
+        self.lower = [friction, squeeze];
+        self
+    }
+
+    /// This need with so many amounts looked at beside the search (default 16), to see whether more than one change of verdict lies among them.
+    #[must_use]
+    pub fn with_scan(mut self, amounts: usize) -> Self {
+        self.scan = amounts;
+        self
+    }
+}

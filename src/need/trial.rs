@@ -1,0 +1,192 @@
+//! What becomes of one amount of what is sought.
+
+use std::f64::consts::{PI, TAU};
+
+use super::question::{Demand, Need, Sought};
+use crate::ask::Grasp;
+use crate::equilibrium::Settings;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::hold::Verdict;
+use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
+use crate::squeeze::{Loads, WeakestDirection};
+
+/// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
+const DIRECTIONS_IN_THE_PLANE: usize = 72;
+const DIRECTIONS_IN_SPACE: usize = 200;
+
+/// What becomes of an amount.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Trial {
+    Does,
+    /// A sentence that says what happens.
+    DoesNot(String),
+    /// A sentence that says why it is not known.
+    Unknown(String),
+}
+
+/// Tries an amount, friction and squeeze being less by these parts.
+pub(super) fn try_amount<const C: usize>(
+    grasp: &Grasp<C>,
+    need: &Need<C>,
+    amount: f64,
+    less: [f64; 2],
+) -> Result<Trial, Error> {
+    let [friction, squeeze] = less.map(|part| 1.0 - part);
+    let changed = |squeezed: f64, mu: &dyn Fn(usize, f64) -> f64| {
+        let grasp = if squeezed == 1.0 { grasp.clone() } else { grasp.squeezed(squeezed)? };
+        let grasp = grasp.with_friction(|i, given| friction * mu(i, given))?;
+        Ok::<_, Error>(grasp.with(&grasp.settings().with_most_load(1.0)))
+    };
+    let given = |_: usize, mu: f64| mu;
+    let put_on = match &need.sought {
+        Sought::Squeeze { loads } => Loading { grasp: changed(squeeze * amount, &given)?, loads, times: 1.0 },
+        Sought::Friction { loads, contacts } => {
+            let is_meant = |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
+            let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
+            Loading { grasp: changed(squeeze, &with)?, loads, times: 1.0 }
+        }
+        Sought::Load { loads } => Loading { grasp: changed(squeeze, &given)?, loads, times: amount },
+        Sought::Arm { at, per_metre } => {
+            let loads = &Loads::from(*at + *per_metre * amount);
+            return Loading { grasp: changed(squeeze, &given)?, loads, times: 1.0 }.put_on(need.demand);
+        }
+        Sought::Angle { turn } => {
+            let loads = &Loads::Turn(turn.up_to(amount));
+            return Loading { grasp: changed(squeeze, &given)?, loads, times: 1.0 }.put_on(need.demand);
+        }
+    };
+    put_on.put_on(need.demand)
+}
+
+/// Loads that are put on a grasp, so many times as large.
+struct Loading<'l, const C: usize> {
+    grasp: Grasp<C>,
+    loads: &'l Loads<C>,
+    times: f64,
+}
+
+impl<const C: usize> Loading<'_, C> {
+    fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
+        let times = self.times;
+        match self.loads {
+            Loads::Each(loads) => {
+                let ramps = loads.iter().map(|load| Ramp::from(*load * times));
+                self.all(ramps, demand)
+            }
+            Loads::AnyForce { base, size, point } => {
+                let trial = self.any_force(&(*base * times), *size * times, *point)?;
+                match (demand, trial) {
+                    (Demand::Held, Trial::DoesNot(_) | Trial::Unknown(_)) => {
+                        let forces = directions::<C>().into_iter().map(|d| {
+                            let force = force_at(d.map(|x| x * *size * times), *point);
+                            Ramp::load(*base * times, force)
+                        });
+                        self.all(forces, demand)
+                    }
+                    (_, trial) => Ok(trial),
+                }
+            }
+            Loads::Turn(turn) => {
+                let [constant, cosine, sine] = turn.parts().map(|part| part * times);
+                self.turn(&Turn::new(constant, cosine, sine).up_to(turn.angle()), demand)
+            }
+        }
+    }
+
+    fn all(&self, ramps: impl Iterator<Item = Ramp<C>>, demand: Demand) -> Result<Trial, Error> {
+        let mut unknown = None;
+        for ramp in ramps {
+            match judged(&self.grasp.hold(ramp)?, demand) {
+                Trial::Does => {}
+                trial @ Trial::DoesNot(_) => return Ok(trial),
+                Trial::Unknown(why) => unknown = Some(why),
+            }
+        }
+        Ok(unknown.map_or(Trial::Does, Trial::Unknown))
+    }
+
+    /// Whether everything sticks under a force of any direction.
+    fn any_force(&self, base: &Wrench<C>, size: f64, point: [f64; C]) -> Result<Trial, Error> {
+        Ok(match self.grasp.weakest_direction(base, point)? {
+            WeakestDirection::Never => Trial::Does,
+            WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
+            WeakestDirection::Force { load, .. } => {
+                let first = self.grasp.with(&Settings::default()).hold(Ramp::load(*base, load - *base))?;
+                let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| first.to_string());
+                Trial::DoesNot(format!("{who} under a force of one direction"))
+            }
+            WeakestDirection::GivesWay { .. } => {
+                Trial::DoesNot("nothing resists a force of one direction".to_owned())
+            }
+            WeakestDirection::NotSticking => {
+                let rest = self.grasp.hold(Ramp::load(*base, Wrench::ZERO))?;
+                Trial::DoesNot(rest.to_string())
+            }
+            WeakestDirection::Undecided => {
+                Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
+            }
+        })
+    }
+
+    fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
+        let degrees = |angle: f64| format!("{:.6}°", angle.to_degrees());
+        if demand == Demand::Sticks {
+            return Ok(match self.grasp.onset_of_turn(turn)?.onset {
+                Onset::Never => Trial::Does,
+                Onset::Undecided(undecided) => Trial::Unknown(undecided.to_string()),
+                Onset::At(event) => Trial::DoesNot(format!("something slides at {}", degrees(event.factor))),
+                Onset::GivesWay { factor, .. } => {
+                    Trial::DoesNot(format!("it gives way at {}", degrees(factor)))
+                }
+                Onset::AlreadySliding(_) => Trial::DoesNot("something slides before it turns".to_owned()),
+                Onset::NoBase(none) => Trial::DoesNot(none.to_string()),
+            });
+        }
+        let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
+        path.run();
+        Ok(match path.end() {
+            Some(PathEnd::Completed) => Trial::Does,
+            Some(PathEnd::Lost(loss)) => {
+                Trial::DoesNot(format!("it is lost at {}", degrees(loss.fraction * turn.angle())))
+            }
+            Some(end @ PathEnd::NoStart(_)) => Trial::DoesNot(end.to_string()),
+            Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(end.to_string()),
+            None => Trial::Unknown("the path has no end".to_owned()),
+        })
+    }
+}
+
+fn judged<const C: usize>(verdict: &Verdict<C>, demand: Demand) -> Trial {
+    let does = match demand {
+        Demand::Sticks => verdict.sticks(),
+        Demand::Held => verdict.holds(),
+    };
+    match does {
+        Some(true) => Trial::Does,
+        Some(false) => Trial::DoesNot(match (&verdict.first_slip, verdict.holds()) {
+            (Some(first), Some(true)) => first.to_string(),
+            _ => verdict.to_string(),
+        }),
+        None => Trial::Unknown(verdict.to_string()),
+    }
+}
+
+/// A force at a point, with its moment about the origin.
+fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
+    let wrench = crate::grasp::wrench_of::<crate::numerics::Fixed<6>, C>(&point.into(), &force.into());
+    Wrench::among(&wrench)
+}
+
+/// Unit vectors all around, evenly: on a circle, or on a spiral over the sphere.
+fn directions<const C: usize>() -> Vec<[f64; C]> {
+    let count = if C == 2 { DIRECTIONS_IN_THE_PLANE } else { DIRECTIONS_IN_SPACE };
+    let golden = PI * (3.0 - 5.0_f64.sqrt());
+    let direction = |k: usize| {
+        let z = 1.0 - (2 * k + 1) as f64 / count as f64;
+        let (radius, angle) = if C == 2 { (1.0, TAU / count as f64) } else { ((1.0 - z * z).sqrt(), golden) };
+        let (sin, cos) = (angle * k as f64).sin_cos();
+        std::array::from_fn(|a| [radius * cos, radius * sin, z][a])
+    };
+    (0..count).map(direction).collect()
+}

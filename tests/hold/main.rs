@@ -1,0 +1,6 @@
+//! Does it hold: loads put on from rest, and what is said of them.
+
+mod everyday;
+mod nothing_near;
+mod ways_out;
+mod words;

@@ -1,0 +1,110 @@
+//! The proof that nothing holds near where a load was lost is attacked: at motions within its radius contact forces of any history are sought.
+
+use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
+use nalgebra::{Vector2, Vector3};
+use support::splitmix::Random;
+
+/// Two soft jaws that face each other a little askew, overloaded.
+fn jaws(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let pad = SoftFingertip::pad(between(0.005, 0.03), 2, Pressure::Uniform)?;
+    let friction = between(0.2, 0.8);
+    let press = between(5.0, 40.0);
+    let mut jaw = |x: f64| {
+        Contact::new([x, between(-0.004, 0.004)], [-x, between(-0.004, 0.004)])
+            .series_stiffness(between(500.0, 2e4), between(500.0, 2e4))
+            .friction(friction)
+            .pressed_with(press)
+    };
+    let tips = [jaw(-0.04), jaw(0.04)];
+    let grasp = Grasp::new([pad.contacts(&tips[0])?, pad.contacts(&tips[1])?].concat())?;
+    let over = between(1.05, 3.0) * 2.0 * friction * press;
+    let lean = between(-0.5, 0.5);
+    Ok((grasp, Wrench::new([over * lean.sin(), -over * lean.cos()], between(-0.02, 0.02) * over)))
+}
+
+/// The size of the least `Σ G F + W` over all friction forces that the normal forces at this motion allow.
+fn least_unbalance(grasp: &Grasp, load: &Wrench, q: &Vector3<f64>) -> f64 {
+    let w = load.to_vector();
+    let mut forces = Vec::new();
+    let mut columns = Vec::new();
+    let mut rest = Vector3::new(w[0], w[1], w[2]);
+    for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {
+        let p = contact.point();
+        let wrench = |f: Vector2<f64>| Vector3::new(f[0], f[1], p[0] * f[1] - p[1] * f[0]);
+        let [n, t] = [0, 1].map(|a| wrench(frame.column(a).into_owned()));
+        let normal = contact.series_stiffness_of_axes()[0] * (contact.commanded()[0] - n.dot(q)).max(0.0);
+        rest += n * normal;
+        // Moments count as forces 4 cm away.
+        columns.push(Vector3::new(t[0], t[1], t[2] / 0.04));
+        forces.push((0.0, contact.friction_coefficient() * normal));
+    }
+    let mut rest = Vector3::new(rest[0], rest[1], rest[2] / 0.04);
+    // One force after the other where it does best: the problem is convex and bounds are apart.
+    for _ in 0..400 {
+        for (column, (force, most)) in columns.iter().zip(&mut forces) {
+            let better = (*force - column.dot(&rest) / column.norm_squared()).clamp(-*most, *most);
+            rest += column * (better - *force);
+            *force = better;
+        }
+    }
+    rest.norm()
+}
+
+#[test]
+fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error> {
+    let mut random = Random(11);
+    let (mut lost_ones, mut proofs, mut closest) = (0, 0, f64::INFINITY);
+    for _ in 0..300 {
+        let (grasp, load) = jaws(&mut random)?;
+        let verdict = grasp.hold(load)?;
+        let Some(lost) = &verdict.lost else { continue };
+        if verdict.holds() != Some(false) {
+            continue;
+        }
+        lost_ones += 1;
+        let Some(near) = lost.nothing_near else { continue };
+        proofs += 1;
+        let state = lost.state.as_ref().expect("it was followed to there");
+        let centroid = grasp.contacts().iter().map(Contact::point).sum::<Vector2<f64>>() / grasp.len() as f64;
+        let size = load.to_vector().norm();
+        for trial in 0..40 {
+            // In all directions, to the rim and within; as far out as numbers go where nothing holds anywhere.
+            let part = if trial % 2 == 0 { 1.0 } else { random.uniform() };
+            let [reach, angle] = [near.translation.min(10.0), near.rotation.min(10.0)];
+            let way = std::f64::consts::TAU * random.uniform();
+            let turn = angle * part * (2.0 * random.uniform() - 1.0);
+            let moved = Vector2::new(way.cos(), way.sin()) * (reach * part);
+            let q = state.twist.to_vector();
+            let q = Vector3::new(q[0], q[1], q[2])
+                + Vector3::new(moved[0] + turn * centroid[1], moved[1] - turn * centroid[0], turn);
+            let left = least_unbalance(&grasp, &load, &q) / size;
+            closest = closest.min(left);
+            assert!(left > 1e-9, "{left} of the load is left at {q}");
+        }
+        // Who looks for an equilibrium from scratch finds none there, either.
+        if let Some(found) = grasp.solve(&load)?.equilibrium() {
+            let (q, at) = (found.twist.to_vector(), state.twist.to_vector());
+            let by = q - at;
+            let moved = Vector2::new(by[0] - by[2] * centroid[1], by[1] + by[2] * centroid[0]);
+            assert!(moved.norm() > near.translation || by[2].abs() > near.rotation, "{found:?}");
+        }
+    }
+    assert!(proofs >= 100 && proofs * 10 >= lost_ones * 9, "{proofs} of {lost_ones}");
+    assert!(closest < 0.1, "the attack comes near the rim: {closest}");
+    Ok(())
+}
+
+/// The jaws of the issue: nothing holds 20 N within 12 mm, since all points of one jaw would have to open first.
+#[test]
+fn opposed_jaws_have_a_radius_of_millimetres() -> Result<(), grasp_lcp::Error> {
+    let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2000.0, 1000.0).friction(0.3).pressed_with(25.0)
+    };
+    let grasp = Grasp::new([pad.contacts(&jaw(-0.04))?, pad.contacts(&jaw(0.04))?].concat())?;
+    let near = grasp.hold(Wrench::force([0.0, -20.0]))?.lost.and_then(|lost| lost.nothing_near);
+    let near = near.expect("a proof");
+    assert!(near.translation > 0.012 && near.translation < 0.02, "{near:?}");
+    Ok(())
+}

@@ -1,0 +1,125 @@
+//! The first sentence of a verdict.
+
+use grasp_lcp::planar::{Contact, Grasp, Pressure, Ramp, SoftFingertip, Wrench};
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn jaw(x: f64, name: &str, press: f64, friction: f64) -> Contact {
+    Contact::new([x, 0.0], [-x, 0.0])
+        .name(name)
+        .series_stiffness(2000.0, 1000.0)
+        .friction(friction)
+        .pressed_with(press)
+}
+
+fn down(newtons: f64) -> Wrench {
+    Wrench::force([0.0, -newtons])
+}
+
+#[test]
+fn everything_sticks() -> Tested {
+    let gripper = Grasp::new([jaw(-0.04, "left", 25.0, 0.3), jaw(0.04, "right", 25.0, 0.3)])?;
+    let said = gripper.hold(down(10.0))?.to_string();
+    assert_eq!(
+        said,
+        "HOLDS, everything sticks: 1.5 times this load until it is lost, as left and right slide"
+    );
+    Ok(())
+}
+
+/// Two feet in parallel under a guide: the rough one holds on when the smooth one slides.
+#[test]
+fn one_slides_and_the_other_holds() -> Tested {
+    let foot = |x: f64, name: &str, friction: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0])
+            .name(name)
+            .series_stiffness(10.0, 10.0)
+            .friction(friction)
+            .command([0.1, 0.0])
+    };
+    let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
+    let block = Grasp::new([foot(-1.0, "rough", 0.5), foot(1.0, "smooth", 0.25), guide])?;
+    // The guide gives way by 1/51: each foot presses with 50/51 N. They carry half each up to 0.25 of that, and 0.75 of it in all.
+    let verdict = block.hold(Wrench::force([0.6, 0.0]))?;
+    assert_eq!(
+        verdict.to_string(),
+        "HOLDS, but smooth slides from 0.816993 of it on; lost at 1.22549 times this load"
+    );
+    assert_eq!((verdict.holds(), verdict.sticks()), (Some(true), Some(false)));
+    let verdict = block.hold(Wrench::force([0.4, 0.0]))?;
+    assert_eq!(
+        verdict.to_string(),
+        "HOLDS, everything sticks: 1.22549 times this load until the first slip (smooth), 1.83824 times until it is lost"
+    );
+    Ok(())
+}
+
+/// A soft pad is one contact, by its own name.
+#[test]
+fn a_soft_pad_is_one_contact() -> Tested {
+    let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;
+    let tips = [jaw(-0.04, "left", 25.0, 0.3), jaw(0.04, "right", 25.0, 0.3)];
+    let gripper = Grasp::new([pad.contacts(&tips[0])?, pad.contacts(&tips[1])?].concat())?;
+    let verdict = gripper.hold(down(20.0))?;
+    let said = verdict.to_string();
+    assert!(
+        said.starts_with("SLIPS OUT at 15 N of 20 N: the object moves along −y, left and right slide (gross slip). Nothing holds all of it within "),
+        "{said}"
+    );
+    let lost = verdict.lost.expect("30 N of normal force and a coefficient of 0.3");
+    assert!(lost.slide.iter().all(|part| part.of == 8 && part.is_whole()));
+    Ok(())
+}
+
+#[test]
+fn contacts_without_names_have_numbers() -> Tested {
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5).pressed_with(10.0)
+    };
+    let said = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(down(5.0))?.to_string();
+    assert!(said.ends_with("until it is lost, as contact 0 and contact 1 slide"), "{said}");
+    Ok(())
+}
+
+/// A box that rests on a table: its weight is there before it is pushed.
+#[test]
+fn the_load_at_rest_is_named() -> Tested {
+    let foot = |x: f64, name: &str| {
+        Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e4, 1e4).friction(0.4)
+    };
+    let table = Grasp::new([foot(-0.5, "left foot"), foot(0.5, "right foot")])?;
+    let push = Ramp::load(down(10.0), Wrench::force([8.0, 0.0]));
+    let said = table.hold(&push)?.to_string();
+    assert!(
+        said.starts_with("SLIPS OUT at 4 N of 8 N beside the load at rest: the object moves along +x"),
+        "{said}"
+    );
+    let nothing_at_rest = table.hold(Ramp::load(Wrench::force([0.0, 1.0]), Wrench::force([1.0, 0.0])))?;
+    assert_eq!(nothing_at_rest.holds(), Some(false));
+    assert!(nothing_at_rest.to_string().starts_with("DOES NOT HOLD even at rest"), "{nothing_at_rest}");
+    Ok(())
+}
+
+/// A pinch that a moment turns by more than a small angle says so.
+#[test]
+fn large_motions_are_labelled() -> Tested {
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1.0, 1.0).friction(0.5).pressed_with(10.0)
+    };
+    let said = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(Wrench::new([0.0, 0.0], 5.0))?.to_string();
+    assert!(said.starts_with("HOLDS") && said.contains("small motions"), "{said}");
+    Ok(())
+}
+
+/// A wedge that is squeezed out of its faces may come to lie between them: that is no grasp.
+#[test]
+fn what_lies_loose_is_not_held() -> Tested {
+    let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    let verdict = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(Wrench::ZERO)?;
+    assert_eq!(verdict.holds(), Some(false));
+    assert_eq!(
+        verdict.to_string(),
+        "DOES NOT HOLD: no contact presses, the object lies loose between the fingers"
+    );
+    Ok(())
+}

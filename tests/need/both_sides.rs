@@ -1,0 +1,65 @@
+//! A billionth more does, a billionth less does not, on random grasps.
+
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use support::splitmix::Random;
+
+/// Fingers around a disc that is pulled and turned.
+fn scene(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let count = 2.0 + between(0.0, 3.0).floor();
+    let mut fingers = Vec::new();
+    for i in 0..4 {
+        let angle = std::f64::consts::TAU * (f64::from(i) + between(-0.1, 0.1)) / count;
+        let (sin, cos) = angle.sin_cos();
+        let finger = Contact::new([0.04 * cos, 0.04 * sin], [-cos, -sin])
+            .series_stiffness(between(500.0, 5e3), between(500.0, 5e3))
+            .friction(between(0.3, 0.8))
+            .pressed_with(between(5.0, 20.0));
+        if f64::from(i) < count {
+            fingers.push(finger);
+        }
+    }
+    let way = between(0.0, std::f64::consts::TAU);
+    Ok((Grasp::new(fingers)?, Wrench::new([2.0 * way.cos(), 2.0 * way.sin()], between(-0.05, 0.05))))
+}
+
+type Tried<'t> = &'t dyn Fn(f64) -> Result<[Option<bool>; 2], grasp_lcp::Error>;
+
+/// Whether nothing slides, and whether it is held.
+fn verdicts(grasp: &Grasp, load: Wrench) -> Result<[Option<bool>; 2], grasp_lcp::Error> {
+    let verdict = grasp.hold(load)?;
+    Ok([verdict.sticks(), verdict.holds()])
+}
+
+#[test]
+fn a_billionth_decides() -> Result<(), grasp_lcp::Error> {
+    let mut random = Random(17);
+    let mut bounds = 0;
+    for _ in 0..60 {
+        let (grasp, load) = scene(&mut random)?;
+        for demand in 0..2 {
+            let aimed = |need: Need<2>| {
+                let need = need.if_lower_by(0.0, 0.0).with_scan(0);
+                if demand == 0 { need } else { need.to_hold() }
+            };
+            let squeeze = |amount: f64| verdicts(&grasp.squeezed(amount)?, load);
+            let friction = |amount: f64| verdicts(&grasp.with_friction(|_, _| amount)?, load);
+            let times = |amount: f64| verdicts(&grasp, load * amount);
+            let sought: [(Need<2>, Tried, f64); 3] = [
+                (Need::squeeze(load), &squeeze, 1.0),
+                (Need::friction(load), &friction, 1.0),
+                (Need::load(load), &times, -1.0),
+            ];
+            for (need, tried, more) in sought {
+                let Amount::Bound { does, does_not, .. } = grasp.need(&aimed(need))?.amount else { continue };
+                bounds += 1;
+                assert!((does - does_not).abs() <= 1e-12 * does, "{does} {does_not}");
+                assert_eq!(tried(does * (1.0 + more * 1e-9))?[demand], Some(true), "{does}");
+                assert_eq!(tried(does * (1.0 - more * 1e-9))?[demand], Some(false), "{does}");
+            }
+        }
+    }
+    assert!(bounds > 150, "{bounds}");
+    Ok(())
+}

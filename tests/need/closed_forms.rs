@@ -1,0 +1,127 @@
+//! Amounts that are known by hand.
+
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn is(need: &Need<2>, grasp: &Grasp, amount: f64) -> Tested {
+    let needed = grasp.need(need)?;
+    let found = needed.amount.bound();
+    assert!(found.is_some_and(|found| (found / amount - 1.0).abs() < 1e-11), "{amount}: {needed}");
+    Ok(())
+}
+
+fn pinch() -> Result<Grasp, grasp_lcp::Error> {
+    let jaw = |x: f64, name: &str| {
+        Contact::new([x, 0.0], [-x, 0.0])
+            .name(name)
+            .series_stiffness(1000.0, 800.0)
+            .friction(0.5)
+            .pressed_with(10.0)
+    };
+    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
+}
+
+/// W <= 2 μ N.
+#[test]
+fn a_pinch() -> Tested {
+    let (pinch, weight) = (pinch()?, Wrench::force([0.0, -12.0]));
+    for demanded in [|need| need, Need::to_hold] {
+        is(&demanded(Need::squeeze(weight)), &pinch, 1.2)?;
+        is(&demanded(Need::friction(weight)), &pinch, 0.6)?;
+        is(&demanded(Need::load(weight)), &pinch, 10.0 / 12.0)?;
+    }
+    let needed = pinch.need(&Need::squeeze(weight).if_lower_by(0.1, 0.05))?;
+    let safe = needed.safe.as_ref().and_then(Amount::bound).expect("more squeeze does");
+    assert!((safe - 1.2 / (0.9 * 0.95)).abs() < 1e-11, "{needed}");
+    assert_eq!(
+        needed.to_string(),
+        "NEEDS 12 N at left and right so that nothing slides, 14.0351 N if friction is 10 % less and the squeeze is 5 % less. With less: left and right slide"
+    );
+    Ok(())
+}
+
+/// A wedge between two pressing faces stays if μ >= tan α/2.
+#[test]
+fn a_wedge_locks() -> Tested {
+    for half in [2.0_f64, 7.5, 20.0].map(f64::to_radians) {
+        let face = |side: f64| {
+            Contact::new([0.05 * side, 0.0], [-side * half.cos(), half.sin()])
+                .series_stiffness(3000.0, 1000.0)
+                .friction(0.1)
+                .pressed_with(20.0)
+        };
+        let wedge = Grasp::new([face(-1.0), face(1.0)])?;
+        is(&Need::friction(Wrench::ZERO), &wedge, half.tan())?;
+    }
+    Ok(())
+}
+
+fn box_on_feet(friction: f64) -> Result<Grasp, grasp_lcp::Error> {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 8e3).friction(friction);
+    Grasp::new([foot(-0.05), foot(0.05)])
+}
+
+/// A block on a slope slides at tan θ = μ.
+#[test]
+fn a_block_is_tilted() -> Tested {
+    // A weight above the feet loads them unevenly: the lighter one slides first, and both when it is lost.
+    let turn = |height: f64| Turn::tilting([0.0, -10.0], [0.0, height]).up_to(1.0);
+    is(&Need::angle(turn(0.0)), &box_on_feet(0.4)?, 0.4_f64.atan())?;
+    is(&Need::angle(turn(0.01)).to_hold(), &box_on_feet(0.4)?, 0.4_f64.atan())?;
+    let up = Need::angle(Turn::tilting([0.0, -10.0], [0.0, 0.0]).up_to(0.3));
+    assert!(matches!(box_on_feet(0.9)?.need(&up)?.amount, Amount::Any { to: 0.3 }));
+    Ok(())
+}
+
+/// A box of 10 N with 5 N hung out over its foot tips at 10 · 0.05 = 5 (x - 0.05).
+#[test]
+fn a_box_tips_over_an_arm() -> Tested {
+    let [at_the_middle, a_metre_on] = [0.0, 1.0].map(|x| Wrench::force_at([0.0, -5.0], [x, 0.0]));
+    let arm = Need::arm(Wrench::force([0.0, -10.0]) + at_the_middle, a_metre_on - at_the_middle);
+    is(&arm.clone().to_hold(), &box_on_feet(0.5)?, 0.15)?;
+    is(&arm, &box_on_feet(0.5)?, 0.15)
+}
+
+/// What a force of any direction needs is what the least squeeze is, which is found in closed form.
+#[test]
+fn a_force_of_any_direction() -> Tested {
+    let finger = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        Contact::new([0.04 * cos, 0.04 * sin], [-cos, -sin])
+            .series_stiffness(2000.0, 1500.0)
+            .friction(0.6)
+            .pressed_with(10.0)
+    };
+    let hand = Grasp::new([0.1, 2.2, 4.3].map(finger))?;
+    let loads = Loads::AnyForce { base: Wrench::force([0.0, -3.0]), size: 4.0, point: [0.0, 0.01] };
+    let grasp_lcp::planar::LeastSqueeze::Factor { factor, .. } = hand.least_squeeze(&loads)? else {
+        panic!("some squeeze does")
+    };
+    is(&Need::squeeze(loads), &hand, factor)
+}
+
+#[test]
+fn no_friction_helps_where_moments_are_not_carried() -> Tested {
+    // The right jaw's friction cannot replace the left one's: two points carry equal shares.
+    let needed = pinch()?.need(&Need::friction_of([1], Wrench::force([0.0, -12.0])))?;
+    assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
+    assert!(needed.to_string().starts_with("NO coefficient of friction does"), "{needed}");
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_meant_is_refused() {
+    let weight = Wrench::force([0.0, -1.0]);
+    let refused =
+        |need: Need<2>| pinch().and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err().to_string();
+    let lower = |part: f64| refused(Need::squeeze(weight).if_lower_by(part, 0.0));
+    assert_eq!(lower(1.0), "part by which friction is less is 1, must be from 0 to less than 1");
+    assert_eq!(lower(f64::NAN), "part by which friction is less is NaN, must be from 0 to less than 1");
+    assert_eq!(
+        refused(Need::friction_of([2], weight)),
+        "number of the contact is 2, must be less than the number of contacts"
+    );
+    assert!(refused(Need::load(Loads::Each(Vec::new()))).starts_with("number of loads"));
+}

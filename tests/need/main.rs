@@ -1,0 +1,4 @@
+//! How much it needs: by closed forms, and tried from both sides.
+
+mod both_sides;
+mod closed_forms;
