@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::held::{HoldAnswer, NeedAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
 use crate::equilibrium::Outcome;
@@ -13,6 +14,10 @@ use crate::equilibrium::Outcome;
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Answer<const C: usize> {
+    /// To `hold`.
+    Hold(HoldAnswer<C>),
+    /// To `need`.
+    Need(NeedAnswer),
     /// To `solve`.
     Solve(Outcome<C>),
     /// To `onset`.

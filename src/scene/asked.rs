@@ -68,7 +68,8 @@ impl<const C: usize> Setup<C> {
     /// Whether the lists of a question that have one entry a contact are as long as that.
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         match question {
-            Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
+            Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
+            Question::Need(asked) => self.need(asked).map(drop),
             Question::Onset(asked) => self.ramp(asked).map(drop),
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
         }
@@ -133,6 +134,10 @@ impl<const C: usize> Setup<C> {
         question: &Question<C>,
     ) -> Result<Answer<C>, Error> {
         Ok(match question {
+            Question::Hold { base, load } => {
+                Answer::Hold(labels.verdict(grasp.hold(Ramp::load(*base, *load))?))
+            }
+            Question::Need(asked) => Answer::Need(grasp.need(&self.need(asked)?)?.into()),
             Question::Solve { load } => Answer::Solve(labels.solved(grasp, grasp.solve(load)?)),
             Question::Onset(asked) => {
                 let onset = grasp.onset(&self.ramp(asked)?)?;

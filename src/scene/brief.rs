@@ -8,7 +8,9 @@ use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::load_path::{Departure, DriveChange, Onset, PathEnd};
+use crate::hold::{Holding, Verdict};
+use crate::load_path::{Departure, DriveChange, Onset, PathEnd, Ramp};
+use crate::need::{Amount, Needed, Quantity};
 
 /// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
 ///
@@ -30,7 +32,7 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome there.
     pub outcome: &'static str,
-    /// The load factor of an onset.
+    /// The load factor of an onset, or where a load that is put on is lost; of an amount that is needed the amount.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle of an onset while the load turns, rad.
@@ -65,6 +67,8 @@ impl<const C: usize> Setup<C> {
 
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
         Ok(match question {
+            Question::Hold { base, load } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
+            Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
             Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
@@ -144,6 +148,36 @@ impl SceneNames {
             Some(PathEnd::Undecided { .. }) | None => brief("undecided"),
         }
     }
+}
+
+/// What holds, and when it is lost.
+fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
+    let outcome = match verdict.holding {
+        Holding::Sticks => "sticks",
+        Holding::Slides { .. } => "slides",
+        Holding::Loose => "loose",
+        Holding::Lost => "lost",
+        Holding::NoRest(_) => "no_rest",
+        Holding::Undecided { .. } => "undecided",
+    };
+    let first = verdict.first_slip.as_ref();
+    let who =
+        first.and_then(|first| first.slide.iter().chain(&first.open).next().map(|part| part.label.clone()));
+    let factor = verdict.lost.as_ref().map(|lost| lost.factor);
+    Brief { factor, first: who, ..Brief::new("hold", outcome) }
+}
+
+/// The amount that does.
+fn needed_briefly(needed: &Needed) -> Brief {
+    let outcome = match needed.amount {
+        Amount::Bound { .. } => "bound",
+        Amount::Any { .. } => "any",
+        Amount::None { .. } => "none",
+        Amount::Undecided { .. } => "undecided",
+    };
+    let amount = needed.amount.bound();
+    let (factor, angle) = if needed.quantity == Quantity::Angle { (None, amount) } else { (amount, None) };
+    Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
 fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {

@@ -90,6 +90,8 @@
 //!
 //! | field | with | asks for |
 //! |---|---|---|
+//! | `hold` | `base`, `load` (wrenches) | what becomes of the load as it is put on from rest |
+//! | `need` | `quantity`, loads | the amount that it takes, see [`NeedAsked`] |
 //! | `solve` | `load` (a wrench) | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
@@ -229,6 +231,8 @@
 //!
 //! | question | outcomes | type |
 //! |---|---|---|
+//! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `undecided` | [`HoldAnswer`] |
+//! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`Outcome`](crate::equilibrium::Outcome) |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with the `angle` in rad for the factor, and the edges that are touched | [`TurnAnswer`] |
@@ -260,10 +264,12 @@ mod fault;
 mod finger;
 mod fingertip;
 mod given_answers;
+mod held;
 mod joint;
 mod labels;
 mod matrix;
 mod motion;
+mod need_asked;
 mod object;
 mod onset;
 mod patch;
@@ -282,6 +288,8 @@ pub use brief::Brief;
 pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
+pub use held::{HoldAnswer, NeedAnswer};
+pub use need_asked::NeedAsked;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};

@@ -4,18 +4,29 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
+use super::need_asked::NeedAsked;
 use super::object;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::serial::AsGiven;
 
-/// One question, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const C: usize> {
+    /// Does it hold, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
+    Hold {
+        /// The load at rest; none unless said otherwise.
+        #[serde(default = "no_load::<C>")]
+        base: Wrench<C>,
+        /// What is put on beside it.
+        load: Wrench<C>,
+    },
+    /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
+    Need(NeedAsked<C>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
         /// The load; none unless said otherwise.

@@ -8,8 +8,10 @@ use serde::Serialize;
 use super::question::Question;
 use super::setup::Setup;
 use super::written::{Scene, Space};
+use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::words::number;
 
 /// Something that a scene says and hardly means.
 ///
@@ -29,6 +31,17 @@ use crate::grasp::Wrench;
 pub enum Warning {
     /// A question begins without load, and no command, clearance or drive presses a contact on.
     NothingPresses,
+    /// At rest a contact that is `pressed_with` a force presses with another one: that force moves a spring, and the object gives way.
+    PressesOtherwise {
+        /// The contact of the scene, from 0.
+        contact: usize,
+        /// How messages call it.
+        name: String,
+        /// What it is pressed with, N.
+        told: f64,
+        /// What it presses with, N.
+        force: f64,
+    },
     /// The outline says that a normal points out of the object.
     PointsOut {
         /// The contact of the scene, from 0.
@@ -43,6 +56,12 @@ impl fmt::Display for Warning {
         match self {
             Self::NothingPresses => f.write_str(
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
+            ),
+            Self::PressesOtherwise { name, told, force, .. } => write!(
+                f,
+                "{name} presses with {} N at rest, not with {}: `pressed_with` moves a spring, and the object gives way until forces agree",
+                number(*force),
+                number(*told)
             ),
             Self::PointsOut { name, .. } => write!(
                 f,
@@ -75,6 +94,7 @@ impl<const C: usize> Setup<C> {
         if self.begins_without_load() && !self.grasp()?.presses() {
             warnings.push(Warning::NothingPresses);
         }
+        warnings.extend(self.presses_otherwise()?);
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
             if points_out(&self.outline, &point, &normal) {
@@ -86,9 +106,32 @@ impl<const C: usize> Setup<C> {
 }
 
 impl<const C: usize> Setup<C> {
+    /// Contacts that press at rest with another force than they are pressed with.
+    fn presses_otherwise(&self) -> Result<Vec<Warning>, Error> {
+        if self.entries().all(|entry| entry.contact.press.is_none()) {
+            return Ok(Vec::new());
+        }
+        let Outcome::Equilibrium(state) = self.grasp()?.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
+        let mut warnings = Vec::new();
+        let mut first = 0;
+        for (contact, entry) in self.entries().enumerate() {
+            let points = first..first + entry.count()?;
+            first = points.end;
+            let Some(told) = entry.contact.press else { continue };
+            let force = state.contacts[points].iter().map(ContactAnswer::normal_force).sum::<f64>();
+            if (force - told).abs() > OTHERWISE * told {
+                let name = entry.contact.label_text(contact);
+                warnings.push(Warning::PressesOtherwise { contact, name, told, force });
+            }
+        }
+        Ok(warnings)
+    }
+
     /// Whether a question does, or none is asked yet.
     fn begins_without_load(&self) -> bool {
         let without = |question: &Question<C>| match question {
+            Question::Hold { base, .. } => *base == Wrench::ZERO,
+            Question::Need(_) => true,
             Question::Solve { load } => *load == Wrench::ZERO,
             Question::Onset(asked) => asked.base == Wrench::ZERO,
             Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
@@ -97,6 +140,9 @@ impl<const C: usize> Setup<C> {
         self.questions.is_empty() || self.questions.iter().any(without)
     }
 }
+
+/// Forces that differ by less than this part are what was meant.
+const OTHERWISE: f64 = 0.02;
 
 /// A step from a contact into the object or out of it, in parts of the size of its outline.
 const STEP: f64 = 1e-3;

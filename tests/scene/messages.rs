@@ -149,7 +149,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"solve\"",
             "\"slove\"",
-            "unknown variant `slove`, expected one of `solve`, `onset`, `onset_of_turn`, `follow`",
+            "unknown variant `slove`, expected one of `hold`, `need`, `solve`, `onset`, `onset_of_turn`, `follow`",
         ),
         ("\"load\"", "\"lode\"", "unknown field `lode`, expected `load`"),
         ("\"force\"", "\"forse\"", "unknown field `forse`, expected one of `force`, `moment`, `at`"),
@@ -334,9 +334,9 @@ fn the_papers_grasps_are_those_of_the_paper() {
 }
 
 #[test]
-fn the_scene_in_the_readme_is_that_of_the_paper() {
-    let readme = include_str!("../../README.md");
-    let scene = readme.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+fn the_scene_in_the_tour_is_that_of_the_paper() {
+    let tour = include_str!("../../src/guide/tour.md");
+    let scene = tour.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let answers =
         serde_json::to_value(Scene::from_json(scene.as_bytes()).unwrap().answers().unwrap()).unwrap();
     let factor = answers[0]["onset"]["factor"].as_f64().unwrap();

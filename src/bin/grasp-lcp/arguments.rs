@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-#[cfg(feature = "cli-full")]
-use clap::ValueEnum;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "cli-full")]
 use clap_complete::Shell;
 
@@ -21,6 +19,8 @@ pub(crate) struct Arguments {
 
 const AFTER: &str = "\
 Examples:
+  grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
+  grasp-lcp need mug.json squeeze --mass 0.4  how many newtons each finger has to press with
   grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
   grasp-lcp draw mug.json                     its answers as a page to turn, and as SVG
   grasp-lcp stream < scenes.jsonl             one scene a line in, one answer a line out
@@ -36,6 +36,47 @@ Exit codes:
 pub(crate) enum Command {
     /// Answers every question of a scene.
     Ask(Ask),
+    /// Does it hold? The load is put on from rest, and the answer is a sentence.
+    Hold {
+        #[command(flatten)]
+        load: LoadArguments,
+        /// A force that is there at rest, N, where the load acts.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// How much squeeze, friction, load, arm or angle does it need, or allow?
+    Need {
+        #[command(flatten)]
+        ask: Ask,
+        /// What is sought; without it the scene's own questions are asked.
+        #[arg(value_enum)]
+        quantity: Option<QuantityAsked>,
+        #[command(flatten)]
+        load: LoadArguments,
+        /// A force of this size and any direction beside the load, N.
+        #[arg(long, value_name = "N")]
+        any_force: Option<f64>,
+        /// Of an arm: the direction in which the force is moved out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        along: Option<Numbers>,
+        /// Of an angle in space: the axis about which the grasp is tilted.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
+        axis: Option<Numbers>,
+        /// Of friction: the contact that it is sought of, by name or number.
+        #[arg(long)]
+        contact: Option<String>,
+        /// Contacts may slide, as long as the object is not lost.
+        #[arg(long)]
+        may_slide: bool,
+        /// For the safe amount friction is less by so many percent.
+        #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+        friction_less: f64,
+        /// For the safe amount the squeeze is less by so many percent.
+        #[arg(long, default_value_t = 5.0, value_name = "PERCENT")]
+        squeeze_less: f64,
+    },
     /// Where does the object go, and what do the contacts carry, under a load?
     Solve {
         #[command(flatten)]
@@ -157,6 +198,21 @@ pub(crate) struct Ask {
     pub(crate) json: bool,
 }
 
+/// What is sought.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum QuantityAsked {
+    /// What each contact has to press with.
+    Squeeze,
+    /// The least coefficient of friction.
+    Friction,
+    /// How many times the load.
+    Load,
+    /// How far out the load may hang.
+    Arm,
+    /// How far the load may be tilted.
+    Angle,
+}
+
 /// A load in place of those that the scene asks for.
 #[derive(Debug, Args)]
 pub(crate) struct LoadArguments {
@@ -166,9 +222,18 @@ pub(crate) struct LoadArguments {
     /// The moment, N m: one number in the plane, three in space.
     #[arg(long, allow_hyphen_values = true, value_name = "M")]
     pub(crate) moment: Option<Numbers>,
-    /// Where the force acts, m; the origin if left out.
+    /// Where force and weight act, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
+    /// A mass, kg, whose weight is put on.
+    #[arg(long, value_name = "KG")]
+    pub(crate) mass: Option<f64>,
+    /// Gravity, m/s²; down along the last axis with 9.81 if left out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
+    pub(crate) gravity: Option<Numbers>,
+    /// The acceleration of the hand, m/s²: the mass pulls the other way.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
+    pub(crate) accelerated: Option<Numbers>,
 }
 
 /// Where pictures go.

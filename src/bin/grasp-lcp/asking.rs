@@ -5,22 +5,44 @@ use std::process::ExitCode;
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
+use grasp_lcp::hold::Holding;
+use grasp_lcp::load_path::Turn;
+use grasp_lcp::need::{Amount, Demand, Quantity};
 use grasp_lcp::scene::{
-    Answer, Answers, Goal, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
+    Answer, Answers, Goal, LegAsked, NeedAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
 use grasp_lcp::{planar, spatial};
 
-use crate::arguments::{Ask, LoadArguments, Numbers};
+use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked};
 use crate::failure::{Failure, UNDECIDED};
 use crate::{files, report};
+
+/// Weight of a kilogram where nothing else is said, m/s².
+const GRAVITY: f64 = 9.81;
 
 /// What is asked.
 pub(crate) enum Asked {
     Everything,
+    Hold { load: LoadArguments, base: Option<Numbers> },
+    Need(Option<Wanted>),
     Solve(LoadArguments),
     Onset(LoadArguments),
     Turn { weight: Option<Numbers>, at: Option<Numbers>, axis: Option<Numbers> },
     Follow { to: Vec<Numbers>, at: Option<Numbers> },
+}
+
+/// An amount that is sought.
+pub(crate) struct Wanted {
+    pub(crate) quantity: QuantityAsked,
+    pub(crate) load: LoadArguments,
+    pub(crate) any_force: Option<f64>,
+    pub(crate) along: Option<Numbers>,
+    pub(crate) axis: Option<Numbers>,
+    /// By name or number.
+    pub(crate) contact: Option<String>,
+    pub(crate) may_slide: bool,
+    /// Parts by which friction and squeeze are less.
+    pub(crate) less: [f64; 2],
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -59,8 +81,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
 }
 
 /// A weight, where it acts and the axis, as a question about a load that turns.
-type TurnOf<const C: usize> =
-    fn(&Numbers, Option<&Numbers>, Option<&Numbers>) -> Result<Question<C>, Failure>;
+type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
 
 /// What the numbers of the command line mean in the plane, or in space.
 struct Words<const C: usize> {
@@ -73,11 +94,14 @@ struct Words<const C: usize> {
 /// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) -> Result<(), Failure> {
     let question = match asked {
-        Asked::Everything | Asked::Turn { weight: None, at: None, axis: None } => None,
+        Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
+        Asked::Need(Some(wanted)) => Some(Question::Need(words.need(wanted, setup)?)),
+        Asked::Everything | Asked::Need(None) | Asked::Turn { weight: None, at: None, axis: None } => None,
         Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
         Asked::Onset(load) => words.wrench(load)?.map(|load| Question::Onset(RampAsked::along(load))),
         Asked::Turn { weight: Some(weight), at, axis } => {
-            Some((words.turn)(weight, at.as_ref(), axis.as_ref())?)
+            let weight = weight.array("weight").map_err(Failure::Usage)?;
+            Some(Question::OnsetOfTurn((words.turn)(weight, at.as_ref(), axis.as_ref())?))
         }
         Asked::Turn { weight: None, .. } => return Err(Failure::Usage("--weight is missing".to_owned())),
         Asked::Follow { to, at } => words.follow(to, at.as_ref())?,
@@ -89,9 +113,14 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) ->
     if setup.questions.is_empty() {
         let message = match asked {
             Asked::Everything => {
-                "the scene asks nothing: use `onset`, `solve`, `turn` or `follow` with a load"
+                "the scene asks nothing: use `hold`, `need`, `onset`, `solve`, `turn` or `follow` with a load"
             }
-            Asked::Solve(_) | Asked::Onset(_) => "the scene has no such question: say --force or --moment",
+            Asked::Hold { .. } | Asked::Solve(_) | Asked::Onset(_) => {
+                "the scene has no such question: say --mass, --force or --moment"
+            }
+            Asked::Need(_) => {
+                "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
+            }
             Asked::Turn { .. } => "the scene has no such question: say --weight",
             Asked::Follow { .. } => "the scene has no such question: say --to",
         };
@@ -103,6 +132,8 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) ->
 fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
     match asked {
         Asked::Everything => true,
+        Asked::Hold { .. } => matches!(question, Question::Hold { .. }),
+        Asked::Need(_) => matches!(question, Question::Need(_)),
         Asked::Solve(_) => matches!(question, Question::Solve { .. }),
         Asked::Onset(_) => matches!(question, Question::Onset(_)),
         Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
@@ -113,13 +144,16 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
 impl<const C: usize> Words<C> {
     /// The load of the command line, if there is one.
     fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
-        let LoadArguments { force, moment, at } = load;
-        if force.is_none() && at.is_some() {
-            return Err(Failure::Usage("--at without --force: a moment acts anywhere".to_owned()));
+        let LoadArguments { force, moment, at, mass, .. } = load;
+        if force.is_none() && mass.is_none() && at.is_some() {
+            return Err(Failure::Usage("--at without --force or --mass: a moment acts anywhere".to_owned()));
         }
         let mut all = Wrench::ZERO;
         if let Some(force) = force {
             all = self.push(force, "force", at.as_ref())?;
+        }
+        if mass.is_some() {
+            all = all + (self.force_at)(pull_of_mass(load)?, point(at.as_ref())?);
         }
         if let Some(moment) = moment {
             let (given, expected) = (moment.0.len(), C * (C - 1) / 2);
@@ -128,14 +162,68 @@ impl<const C: usize> Words<C> {
             }
             all = all + (self.moment)(&moment.0);
         }
-        Ok((force.is_some() || moment.is_some()).then_some(all))
+        Ok((force.is_some() || moment.is_some() || mass.is_some()).then_some(all))
+    }
+
+    /// Does it hold?
+    fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
+        let base = base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", load.at.as_ref()))?;
+        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load }))
+    }
+
+    /// How much does it need?
+    fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<NeedAsked<C>, Failure> {
+        let quantity = match wanted.quantity {
+            QuantityAsked::Squeeze => Quantity::Squeeze,
+            QuantityAsked::Friction => Quantity::Friction,
+            QuantityAsked::Load => Quantity::Load,
+            QuantityAsked::Arm => Quantity::Arm,
+            QuantityAsked::Angle => Quantity::Angle,
+        };
+        let mut asked = NeedAsked::of(quantity);
+        let at = point(wanted.load.at.as_ref())?;
+        [asked.friction_less, asked.squeeze_less] = wanted.less;
+        if wanted.may_slide {
+            asked.demand = Demand::Held;
+        }
+        let load = self.wrench(&wanted.load)?;
+        let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
+        match wanted.quantity {
+            QuantityAsked::Arm => {
+                let along = wanted.along.as_ref();
+                let along = along.ok_or_else(|| Failure::Usage("--along is missing: where to".to_owned()))?;
+                let along: [f64; C] = along.array("along").map_err(Failure::Usage)?;
+                let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let there = std::array::from_fn(|a| at[a] + along[a] / length);
+                let force = total_force(&wanted.load)?;
+                asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
+                asked.load = Some(load.ok_or_else(missing)?);
+            }
+            QuantityAsked::Angle => {
+                let weight = total_force(&wanted.load)?;
+                asked.turn = Some((self.turn)(weight, wanted.load.at.as_ref(), wanted.axis.as_ref())?);
+            }
+            _ => {
+                (asked.load, asked.any_force) = (load, wanted.any_force);
+                asked.at = wanted.any_force.map(|_| at.into());
+                if load.is_none() && wanted.any_force.is_none() {
+                    return Err(missing());
+                }
+            }
+        }
+        if let Some(contact) = &wanted.contact {
+            let by_name = setup.entries().position(|entry| &entry.contact.label_text(usize::MAX) == contact);
+            let number = by_name.or_else(|| contact.parse().ok());
+            let unknown = || Failure::Usage(format!("--contact: there is no contact {contact}"));
+            asked.contact = Some(number.ok_or_else(unknown)?);
+        }
+        Ok(asked)
     }
 
     /// A force at a point.
     fn push(&self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
         let force = force.array(option).map_err(Failure::Usage)?;
-        let at = at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)?;
-        Ok((self.force_at)(force, at))
+        Ok((self.force_at)(force, point(at)?))
     }
 
     fn follow(&self, to: &[Numbers], at: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
@@ -148,34 +236,55 @@ impl<const C: usize> Words<C> {
     }
 }
 
-fn planar_turn(
-    weight: &Numbers,
-    at: Option<&Numbers>,
-    axis: Option<&Numbers>,
-) -> Result<Question<2>, Failure> {
+/// Where a force acts: the origin unless said otherwise.
+fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
+    at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
+}
+
+/// With what a mass pulls: its weight, less what accelerates it.
+fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
+    let mass = load.mass.unwrap_or(0.0);
+    if !(mass > 0.0 && mass.is_finite()) {
+        return Err(Failure::Usage(format!("--mass: {mass} given, must be more than 0 kg")));
+    }
+    let down = std::array::from_fn(|a| if a + 1 == C { -GRAVITY } else { 0.0 });
+    let given = |numbers: Option<&Numbers>, option: &str, default: [f64; C]| {
+        numbers.map_or(Ok(default), |numbers| numbers.array(option)).map_err(Failure::Usage)
+    };
+    let gravity = given(load.gravity.as_ref(), "gravity", down)?;
+    let accelerated = given(load.accelerated.as_ref(), "accelerated", [0.0; C])?;
+    Ok(std::array::from_fn(|a| mass * (gravity[a] - accelerated[a])))
+}
+
+/// The force of a load, a weight included.
+fn total_force<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
+    let pull = if load.mass.is_some() { pull_of_mass(load)? } else { [0.0; C] };
+    let force = load.force.as_ref().map_or(Ok([0.0; C]), |force| force.array("force"));
+    let force = force.map_err(Failure::Usage)?;
+    if load.mass.is_none() && load.force.is_none() {
+        return Err(Failure::Usage("say for which load: --mass or --force".to_owned()));
+    }
+    Ok(std::array::from_fn(|a| pull[a] + force[a]))
+}
+
+fn planar_turn(weight: [f64; 2], at: Option<&Numbers>, axis: Option<&Numbers>) -> Result<Turn<2>, Failure> {
     if axis.is_some() {
         return Err(Failure::Usage("--axis: there is none in the plane".to_owned()));
     }
-    let weight = weight.array("weight").map_err(Failure::Usage)?;
-    let at = at.map_or(Ok([0.0; 2]), |at| at.array("at")).map_err(Failure::Usage)?;
-    Ok(Question::OnsetOfTurn(planar::Turn::tilting(weight, at)))
+    Ok(planar::Turn::tilting(weight, point(at)?))
 }
 
-fn spatial_turn(
-    weight: &Numbers,
-    at: Option<&Numbers>,
-    axis: Option<&Numbers>,
-) -> Result<Question<3>, Failure> {
+fn spatial_turn(weight: [f64; 3], at: Option<&Numbers>, axis: Option<&Numbers>) -> Result<Turn<3>, Failure> {
     let axis =
         axis.ok_or_else(|| Failure::Usage("--axis is missing: about which the grasp is tilted".to_owned()))?;
-    let weight = weight.array("weight").map_err(Failure::Usage)?;
-    let at = at.map_or(Ok([0.0; 3]), |at| at.array("at")).map_err(Failure::Usage)?;
-    let turn = spatial::Turn::tilting(weight, at, axis.array::<3>("axis").map_err(Failure::Usage)?)?;
-    Ok(Question::OnsetOfTurn(turn))
+    let axis: [f64; 3] = axis.array("axis").map_err(Failure::Usage)?;
+    Ok(spatial::Turn::tilting(weight, point(at)?, axis)?)
 }
 
 fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
     match answer {
+        Answer::Hold(answer) => matches!(answer.verdict.holding, Holding::Undecided { .. }),
+        Answer::Need(answer) => matches!(answer.needed.amount, Amount::Undecided { .. }),
         Answer::Solve(answer) => matches!(answer, Outcome::Undecided(_)),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),

@@ -3,7 +3,7 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;
-use grasp_lcp::load_path::{Onset, OnsetEvent};
+use grasp_lcp::load_path::{Onset, OnsetEvent, Ramp};
 use grasp_lcp::picture::{Chart, SpatialPage, View, chart_of_turn, draw_grasp};
 use grasp_lcp::scene::{Question, Scene, Setup, Space};
 
@@ -77,6 +77,12 @@ fn first_equilibrium(
             _ => None,
         };
         let found = match question {
+            Question::Hold { base, load } => {
+                let verdict = grasp.hold(Ramp::load(*base, *load))?;
+                let lost = verdict.lost.and_then(|lost| lost.state).map(|state| ("where it is lost", state));
+                let state = verdict.state.map(|state| ("under the load", state)).or(lost);
+                state.map(|(where_it_is, state)| (where_it_is.to_owned(), *state))
+            }
             Question::Solve { load } => {
                 let outcome = grasp.solve(load)?;
                 outcome.equilibrium().cloned().map(|state| ("under the load".to_owned(), state))
@@ -112,6 +118,15 @@ fn shown(
     question: &Question<3>,
 ) -> Result<SpatialPage, Failure> {
     Ok(match question {
+        Question::Hold { base, load } => {
+            let verdict = grasp.hold(Ramp::load(*base, *load))?;
+            let lost = verdict.lost.and_then(|lost| lost.state);
+            match (verdict.state, lost) {
+                (Some(state), _) => page.frame(format!("{number}. under the load"), &state),
+                (None, Some(state)) => page.frame(format!("{number}. where it is lost"), &state),
+                (None, None) => page,
+            }
+        }
         Question::Solve { load } => page.outcome(format!("{number}. under the load"), &grasp.solve(load)?),
         Question::Onset(ramp) => match grasp.onset(&setup.ramp(ramp)?)? {
             Onset::At(event) => {

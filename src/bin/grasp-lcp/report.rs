@@ -6,7 +6,7 @@ use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, 
 use grasp_lcp::load_path::{Beyond, Change, Departure, EdgeOf, Leaving, PartChange};
 use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
 
-use crate::words::{doing, gives_way, left, proof, wrench};
+use crate::words::{NO_WORDS, doing, gives_way, left, proof, wrench};
 
 /// Prints the answers to the questions of a scene.
 pub(crate) fn print<const C: usize>(
@@ -14,13 +14,29 @@ pub(crate) fn print<const C: usize>(
     setup: &Setup<C>,
     answers: &[Answer<C>],
 ) -> io::Result<()> {
-    let points = setup.points().unwrap_or_default();
-    writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
+    let is_a_sentence = |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_));
+    if !answers.iter().all(is_a_sentence) {
+        let points = setup.points().unwrap_or_default();
+        writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
+    }
     for (question, answer) in setup.questions.iter().zip(answers) {
         match (question, answer) {
+            (_, Answer::Hold(answer)) => {
+                writeln!(out, "{}", answer.says)?;
+                if let Some(state) = &answer.verdict.state {
+                    table(out, setup, state)?;
+                }
+            }
+            (_, Answer::Need(answer)) => writeln!(out, "{}", answer.says)?,
             (Question::Solve { load }, Answer::Solve(outcome)) => {
                 writeln!(out, "\nUnder the load {}", wrench(load))?;
                 solved(out, setup, outcome)?;
+                // Nothing was found by a search; what happens from rest is known all the same.
+                if let (Outcome::Undecided(_), Ok(Ok(verdict))) =
+                    (outcome, setup.grasp().map(|grasp| grasp.hold(*load)))
+                {
+                    writeln!(out, "  put on from rest: {verdict}")?;
+                }
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {
                 write!(
@@ -45,7 +61,7 @@ pub(crate) fn print<const C: usize>(
                 writeln!(out, "\nLoad program of {} legs from {}", legs.len(), wrench(start))?;
                 followed(out, setup, path)?;
             }
-            (_, other) => writeln!(out, "{other:?}")?,
+            _ => writeln!(out, "{NO_WORDS}")?,
         }
     }
     Ok(())
@@ -56,7 +72,7 @@ fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &Outco
         Outcome::Equilibrium(state) => table(out, setup, state)?,
         Outcome::NoEquilibrium(none) => writeln!(out, "  no equilibrium exists: {}", proof(&none.proof))?,
         Outcome::Undecided(why) => writeln!(out, "  undecided: {}", why.doubt)?,
-        other => writeln!(out, "  {other:?}")?,
+        _ => writeln!(out, "  {NO_WORDS}")?,
     }
     Ok(())
 }
@@ -77,11 +93,12 @@ fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAn
         OnsetAnswer::NoBase(none) => {
             writeln!(out, "  no equilibrium exists at factor 0: {}", proof(&none.proof))?;
         }
+        OnsetAnswer::Undecided(why) => writeln!(out, "  undecided at factor 0: {}", why.doubt)?,
         OnsetAnswer::GivesWay { at, reason } => {
             let (factor, why) = (at.factor, proof(&reason.proof));
             writeln!(out, "  nothing slides, but from factor {factor:.12} on nothing resists: {why}")?;
         }
-        other => writeln!(out, "  {other:?}")?,
+        _ => writeln!(out, "  {NO_WORDS}")?,
     }
     Ok(())
 }
@@ -107,17 +124,18 @@ fn slides_turned<const C: usize>(
         OnsetAnswer::NoBase(none) => {
             writeln!(out, "  no equilibrium exists at angle 0: {}", proof(&none.proof))?;
         }
+        OnsetAnswer::Undecided(why) => writeln!(out, "  undecided at angle 0: {}", why.doubt)?,
         OnsetAnswer::GivesWay { at, reason } => {
             let (angle, why) = (at.angle, proof(&reason.proof));
             writeln!(out, "  nothing slides, but from {angle:.12} rad on nothing resists: {why}")?;
         }
-        other => writeln!(out, "  {other:?}")?,
+        _ => writeln!(out, "  {NO_WORDS}")?,
     }
     for touch in &answer.touches {
         let who = match &touch.of {
             EdgeOf::Contact(contact) => contact.text(),
             EdgeOf::Drive(part) => part.text(),
-            other => format!("{other:?}"),
+            _ => NO_WORDS.to_owned(),
         };
         writeln!(out, "  {who} touches its edge at {:.9} degrees", touch.angle.to_degrees())?;
     }
@@ -195,11 +213,14 @@ fn followed<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, path: &PathAn
             writeln!(out, "  this equilibrium ends at {at}, {}: {how}", wrench(&loss.load))?;
             beyond(out, next)?;
         }
+        PathOutcome::Undecided { leg, fraction, doubt } => {
+            writeln!(out, "  held to {fraction:.9} of leg {leg}, beyond not known: {doubt}")?;
+        }
         PathOutcome::NoStart { start } => {
             writeln!(out, "  there is nothing to start from:")?;
             solved(out, setup, start)?;
         }
-        other => writeln!(out, "  {other:?}")?,
+        _ => writeln!(out, "  {NO_WORDS}")?,
     }
     Ok(())
 }
@@ -237,7 +258,8 @@ fn beyond<const C: usize>(out: &mut dyn Write, beyond: &Beyond<C>) -> io::Result
         Beyond::Ends { reason } => {
             writeln!(out, "  beyond: this equilibrium ends: {}", proof(&reason.proof))?;
         }
-        other => writeln!(out, "  beyond: {other:?}")?,
+        Beyond::Undecided { doubt } => writeln!(out, "  beyond: not known: {doubt}")?,
+        _ => writeln!(out, "  beyond: {NO_WORDS}")?,
     }
     Ok(())
 }

@@ -4,6 +4,9 @@ use grasp_lcp::equilibrium::{ContactAnswer, ContactState, DriveState, Proof, row
 use grasp_lcp::grasp::Motion;
 use grasp_lcp::grasp::Wrench;
 
+/// Of what the library may come to say some day.
+pub(crate) const NO_WORDS: &str = "an answer for which this program has no words yet; --json prints it";
+
 /// What is left of a limit, if there is one.
 pub(crate) fn left(margin: f64) -> String {
     if margin.is_finite() { format!(", {margin:.6} left of its limit") } else { String::new() }
@@ -56,7 +59,7 @@ pub(crate) fn proof<const C: usize>(proof: &Proof<C>) -> String {
         Proof::EveryCaseContradicted { cases, .. } => {
             format!("all {cases} cases of contact states and directions of friction contradict themselves")
         }
-        other => format!("{other:?}"),
+        _ => NO_WORDS.to_owned(),
     }
 }
 

@@ -112,7 +112,7 @@ impl SpatialPage {
                 Err(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
             }
             Outcome::Undecided(undecided) => Err(format!(
-                "Undecided: no equilibrium was found and none was ruled out ({:?}).",
+                "Undecided: no equilibrium was found and none was ruled out ({}).",
                 undecided.doubt
             )),
         };

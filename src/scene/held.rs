@@ -1,0 +1,48 @@
+//! Answers to "does it hold?" and "how much does it need?"
+
+use serde::{Deserialize, Serialize};
+
+use super::labels::SceneNames;
+use crate::hold::Verdict;
+use crate::need::Needed;
+
+/// What becomes of a load that is put on from rest; see [`Verdict`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct HoldAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub verdict: Verdict<C>,
+}
+
+/// How much of a quantity it takes; see [`Needed`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct NeedAnswer {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub needed: Needed,
+}
+
+impl SceneNames {
+    pub(super) fn verdict<const C: usize>(&self, mut verdict: Verdict<C>) -> HoldAnswer<C> {
+        let says = verdict.to_string();
+        let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
+        for state in verdict.state.as_mut().into_iter().chain(at_the_loss) {
+            **state = self.equilibrium(state.as_ref().clone());
+        }
+        HoldAnswer { says, verdict }
+    }
+}
+
+impl From<Needed> for NeedAnswer {
+    fn from(needed: Needed) -> Self {
+        Self { says: needed.to_string(), needed }
+    }
+}

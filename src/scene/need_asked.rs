@@ -1,0 +1,159 @@
+//! The question for an amount, as a scene asks it.
+
+use nalgebra::SVector;
+
+use super::setup::Setup;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Turn;
+use crate::need::{Demand, Need, Quantity};
+use crate::serial::AsGiven;
+use crate::squeeze::Loads;
+
+/// How much of a quantity it needs, for loads that are given in one of four ways.
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 },
+///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 }
+///         ],
+///         "questions": [{ "need": { "quantity": "squeeze", "load": { "force": [0, -12] }, "friction_less": 0 } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["need"]["says"], "NEEDS 12 N at left and right so that nothing slides, 12.6316 N if the squeeze is 5 % less. With less: left and right slide");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct NeedAsked<const C: usize> {
+    /// What is sought.
+    pub quantity: Quantity,
+    /// What is to be kept: nothing slides unless said otherwise.
+    #[serde(default)]
+    pub demand: Demand,
+    /// A load; of an arm the force where it hangs now.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<Wrench<C>>,
+    /// Loads, one at a time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<Wrench<C>>,
+    /// A force of any direction and this size, N, beside the load; it acts at `at`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub any_force: Option<f64>,
+    /// Where a force of any direction acts, m; the origin if left out.
+    #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub at: Option<SVector<f64, C>>,
+    /// A load that turns.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turn: Option<Turn<C>>,
+    /// Of an arm: what a metre more adds to the load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub per_metre: Option<Wrench<C>>,
+    /// Of friction: the contact that it is sought of, from 0; all if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<usize>,
+    /// For the safe amount: friction may be less by this part.
+    #[serde(default = "a_tenth")]
+    pub friction_less: f64,
+    /// The squeeze may be less by this part.
+    #[serde(default = "a_twentieth")]
+    pub squeeze_less: f64,
+}
+
+const fn a_tenth() -> f64 {
+    0.1
+}
+
+const fn a_twentieth() -> f64 {
+    0.05
+}
+
+impl<const C: usize> NeedAsked<C> {
+    /// A question for a quantity, for no loads yet.
+    #[must_use]
+    pub fn of(quantity: Quantity) -> Self {
+        Self {
+            quantity,
+            demand: Demand::Sticks,
+            load: None,
+            loads: Vec::new(),
+            any_force: None,
+            at: None,
+            turn: None,
+            per_metre: None,
+            contact: None,
+            friction_less: a_tenth(),
+            squeeze_less: a_twentieth(),
+        }
+    }
+
+    /// The loads, if they are given in one way.
+    fn loads(&self) -> Result<Loads<C>, Error> {
+        let base = self.load.unwrap_or(Wrench::ZERO);
+        let point = self.at.map_or([0.0; C], Into::into);
+        match (self.load, &self.loads[..], self.any_force, self.turn) {
+            (Some(load), [], None, None) => Ok(load.into()),
+            (None, [_, ..], None, None) => Ok(Loads::Each(self.loads.clone())),
+            (_, [], Some(size), None) => Ok(Loads::AnyForce { base, size, point }),
+            (None, [], None, Some(turn)) => Ok(Loads::Turn(turn)),
+            (load, loads, force, turn) => {
+                let given = [load.is_some(), !loads.is_empty(), force.is_some(), turn.is_some()];
+                let value = given.into_iter().filter(|given| *given).count() as f64;
+                let what = "number of kinds of loads of a need (load, loads, any_force, turn)";
+                Err(Error::Argument { what, value, allowed: "one" })
+            }
+        }
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    /// The question for an amount as the grasp has it. Friction sought of a soft fingertip is that of all its points.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless loads are given in one way, an arm with what a metre adds, an angle with a turn, and a contact is one of the scene.
+    pub fn need(&self, asked: &NeedAsked<C>) -> Result<Need<C>, Error> {
+        let missing = |what| Error::Argument { what, value: 0.0, allowed: "one" };
+        let need = match asked.quantity {
+            Quantity::Squeeze => Need::squeeze(asked.loads()?),
+            Quantity::Load => Need::load(asked.loads()?),
+            Quantity::Friction => match asked.contact {
+                None => Need::friction(asked.loads()?),
+                Some(contact) => Need::friction_of(self.points_of(contact)?, asked.loads()?),
+            },
+            Quantity::Arm => {
+                let load = asked.load.ok_or_else(|| missing("number of loads of an arm (load)"))?;
+                let per_metre = asked.per_metre;
+                let per_metre =
+                    per_metre.ok_or_else(|| missing("number of wrenches of an arm (per_metre)"))?;
+                Need::arm(load, per_metre)
+            }
+            Quantity::Angle => {
+                Need::angle(asked.turn.ok_or_else(|| missing("number of turns of an angle (turn)"))?)
+            }
+        };
+        let need = need.if_lower_by(asked.friction_less, asked.squeeze_less);
+        Ok(if asked.demand == Demand::Held { need.to_hold() } else { need })
+    }
+
+    /// The points of a contact of the scene, as the grasp counts them.
+    fn points_of(&self, contact: usize) -> Result<Vec<usize>, Error> {
+        let mut first = 0;
+        for (index, entry) in self.entries().enumerate() {
+            let count = entry.count()?;
+            if index == contact {
+                return Ok((first..first + count).collect());
+            }
+            first += count;
+        }
+        let (what, allowed) = ("number of the contact", "less than the number of contacts");
+        Err(Error::Argument { what, value: contact as f64, allowed })
+    }
+}
