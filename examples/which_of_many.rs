@@ -1,6 +1,6 @@
 //! Which of many grasps holds most? Onsets of a hundred thousand pairs of fingers round an ellipse.
 //!
-//! `cargo run --release --example which_of_many`
+//! `cargo run --release -p grasp-lcp --example which_of_many`
 
 use std::f64::consts::TAU;
 

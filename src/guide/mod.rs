@@ -2,6 +2,7 @@
 //!
 //! | question | page |
 //! |---|---|
+//! | What is there, from the program to the solvers? | [`tour`] |
 //! | Of all the numbers, which may be trusted, and when? | [`which_answer`] |
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
@@ -16,4 +17,5 @@ pub mod hands;
 pub mod reading_a_ray;
 pub mod several_equilibria;
 pub mod suction_cups;
+pub mod tour;
 pub mod which_answer;
