@@ -93,6 +93,8 @@ where
     let scene = Scene::from(setup.clone().ask(question).in_space());
     let answers = Setup::<C>::own(scene.answers().map_err(refused)?);
     match answers.into_iter().next() {
+        Some(Answer::Hold(answer)) => json(&answer),
+        Some(Answer::Need(answer)) => json(&answer),
         Some(Answer::Solve(answer)) => json(&answer),
         Some(Answer::Onset(answer)) => json(&answer),
         Some(Answer::OnsetOfTurn(answer)) => json(&answer),

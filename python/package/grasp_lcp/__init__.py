@@ -13,7 +13,7 @@ that names the argument.
 """
 
 from . import friction, lcp
-from .answers import Answer, Beyond, Event, Leaving, Onset, Path, Proof, Solution, TurnOnset
+from .answers import Answer, Beyond, Event, Leaving, Needed, Onset, Path, Proof, Solution, TurnOnset, Verdict
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium
 from .grasp import Grasp, Leg, Settings, answers, wrench
@@ -34,6 +34,7 @@ __all__ = [
     "Leaving",
     "Leg",
     "LoadLimit",
+    "Needed",
     "Onset",
     "OnsetStatus",
     "Onsets",
@@ -44,6 +45,7 @@ __all__ = [
     "Solution",
     "SolveStatus",
     "TurnOnset",
+    "Verdict",
     "WeakestDirection",
     "WrenchBall",
     "answers",

@@ -168,6 +168,81 @@ class Answer(View):
         return self.outcome.replace("_", " ").capitalize()
 
 
+class Verdict(Answer):
+    """The answer to "does it hold?", in print a sentence: ``"sticks"``, ``"slides"``, ``"loose"``, ``"lost"``, ``"no_rest"``, ``"undecided"``."""
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in the words of the scene format."""
+        return str(self._tree["holding"])
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    @property
+    def holds(self) -> bool | None:
+        """Whether all of the load is held; None where that is not known."""
+        return None if self.outcome == "undecided" else self.outcome in ("sticks", "slides")
+
+    @property
+    def first_slip(self) -> float | None:
+        """How many times the load is on when the first contact stops sticking; None if none does as far as it was followed."""
+        found = self._tree.get("first_slip")
+        return None if found is None else number(found["factor"])
+
+    @property
+    def lost(self) -> float | None:
+        """How many times the load is on when it is lost; None if it is not as far as it was followed."""
+        found = self._tree.get("lost")
+        return None if found is None else number(found["factor"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Verdict: {self.says}>"
+
+
+class Needed(Answer):
+    """How much of a quantity it takes: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``; printed, it is a sentence."""
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in the words of the scene format."""
+        return str(next(iter(self._tree["amount"])))
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    @property
+    def amount(self) -> float | None:
+        """The amount that does: a multiple of the squeeze or load given, a coefficient, m or rad; None unless there is a bound."""
+        found = self._tree["amount"].get("bound")
+        return None if found is None else number(found["does"])
+
+    @property
+    def safe(self) -> float | None:
+        """The same where friction and squeeze are less than said."""
+        found = (self._tree.get("safe") or {}).get("bound")
+        return None if found is None else number(found["does"])
+
+    @property
+    def presses(self) -> tuple[float, ...]:
+        """Of a squeeze: what each contact presses with at rest, N."""
+        found = self._tree["amount"].get("bound") or {}
+        return tuple(number(press["force"]) for press in found.get("presses", ()))
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Needed: {self.says}>"
+
+
 class Solution(Answer):
     """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
 

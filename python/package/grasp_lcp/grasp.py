@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
 from ._columns import columns, dumped, finite, floats, listed, plain, wrench_json
-from .answers import Answer, Onset, Path, Solution, TurnOnset
+from .answers import Answer, Needed, Onset, Path, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -25,6 +25,7 @@ class Settings(TypedDict, total=False):
     most_states: int
     step_error: float
     most_steps: int
+    most_load: float
 
 
 class Leg(TypedDict, total=False):
@@ -220,6 +221,57 @@ class Grasp:
     def __reduce__(self) -> tuple[Any, ...]:
         return (Grasp.from_json, (self.to_json(),))
 
+    def hold(self, load: ArrayLike | Mapping[str, Any], base: ArrayLike | Mapping[str, Any] | None = None) -> Verdict:
+        """Does it hold? The load is put on from rest; the answer is a sentence, with first slip and gross slip as multiples of the load.
+
+        :param load: what is put on, N and N m, shape (c,) or (d,).
+        :param base: the load at rest; none unless said otherwise.
+        """
+        asked = {"load": wrench_json("load", load, self.axes)}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return Verdict(self._held.ask(dumped({"hold": asked})))
+
+    def need(
+        self,
+        quantity: str,
+        load: ArrayLike | Mapping[str, Any] | None = None,
+        *,
+        loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        any_force: float | None = None,
+        at: ArrayLike | None = None,
+        per_metre: ArrayLike | Mapping[str, Any] | None = None,
+        contact: int | None = None,
+        may_slide: bool = False,
+        friction_less: float = 0.1,
+        squeeze_less: float = 0.05,
+    ) -> Needed:
+        """How much does it need? The least ``"squeeze"`` or ``"friction"``, the greatest ``"load"`` or ``"arm"``.
+
+        :param quantity: what is sought.
+        :param load: the load; beside ``any_force`` what acts besides.
+        :param loads: loads, one at a time, in place of it.
+        :param any_force: a force of this size and any direction, N, that acts at ``at``.
+        :param per_metre: of an arm, what a metre more adds to the load.
+        :param contact: of friction, the contact that it is sought of, from 0.
+        :param may_slide: contacts may slide, as long as the object is not lost.
+        :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
+        """
+        asked: dict[str, Any] = {"quantity": quantity, "friction_less": friction_less, "squeeze_less": squeeze_less}
+        for name, wrench_given in (("load", load), ("per_metre", per_metre)):
+            if wrench_given is not None:
+                asked[name] = wrench_json(name, wrench_given, self.axes)
+        if loads is not None:
+            asked["loads"] = [
+                wrench_json(f"loads[{k}]", each, self.axes) for k, each in enumerate(listed("loads", loads, "a list of loads"))
+            ]
+        for name, given in (("any_force", any_force), ("at", at), ("contact", contact)):
+            if given is not None:
+                asked[name] = plain(name, given)
+        if may_slide:
+            asked["demand"] = "held"
+        return Needed(self._held.ask(dumped({"need": asked})))
+
     def solve(self, load: ArrayLike) -> Solution:
         """The equilibrium under a load, or the proof that there is none."""
         return Solution(self._held.solve(load))
@@ -386,7 +438,14 @@ class Grasp:
         return self._resting()._repr_html_()
 
 
-_KINDS: dict[str, type[Answer]] = {"solve": Solution, "onset": Onset, "onset_of_turn": TurnOnset, "follow": Path}
+_KINDS: dict[str, type[Answer]] = {
+    "hold": Verdict,
+    "need": Needed,
+    "solve": Solution,
+    "onset": Onset,
+    "onset_of_turn": TurnOnset,
+    "follow": Path,
+}
 
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
