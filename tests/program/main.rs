@@ -2,6 +2,7 @@
 
 mod answers;
 mod mistakes;
+mod readme;
 mod schema;
 mod stream;
 

@@ -64,12 +64,14 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
         writeln!(out)?;
     } else {
-        if let Some(comment) = &scene.comment {
-            writeln!(out, "{comment}")?;
-        }
+        let comment = scene.comment.as_deref();
         match (&scene.space, &answers) {
-            (Space::Planar(setup), Answers::Planar(answers)) => report::print(&mut out, setup, answers)?,
-            (Space::Spatial(setup), Answers::Spatial(answers)) => report::print(&mut out, setup, answers)?,
+            (Space::Planar(setup), Answers::Planar(answers)) => {
+                report::print(&mut out, comment, setup, answers)?;
+            }
+            (Space::Spatial(setup), Answers::Spatial(answers)) => {
+                report::print(&mut out, comment, setup, answers)?;
+            }
             _ => {}
         }
     }

@@ -11,11 +11,16 @@ use crate::words::{NO_WORDS, doing, gives_way, left, proof, wrench};
 /// Prints the answers to the questions of a scene.
 pub(crate) fn print<const C: usize>(
     out: &mut dyn Write,
+    comment: Option<&str>,
     setup: &Setup<C>,
     answers: &[Answer<C>],
 ) -> io::Result<()> {
     let is_a_sentence = |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_));
+    // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
+        if let Some(comment) = comment {
+            writeln!(out, "{comment}")?;
+        }
         let points = setup.points().unwrap_or_default();
         writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
     }

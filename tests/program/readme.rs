@@ -1,0 +1,63 @@
+//! What the README says that the program prints.
+
+use super::{ROOT, folder, run, scene};
+
+fn readme() -> String {
+    std::fs::read_to_string(format!("{ROOT}/README.md")).expect("is there")
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+#[test]
+fn the_dialogue_is_what_is_printed() {
+    let readme = readme();
+    let block =
+        readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a dialogue");
+    let mut dialogues = 0;
+    for part in block.split("$ grasp-lcp ").skip(1) {
+        let (command, told) = part.split_once('\n').expect("a command and what it says");
+        let arguments: Vec<_> = command
+            .split_whitespace()
+            .map(|word| word.strip_prefix("examples/scenes/").map_or_else(|| word.to_owned(), scene))
+            .collect();
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        assert_eq!(printed(&arguments), told, "{command}");
+        dialogues += 1;
+    }
+    assert_eq!(dialogues, 3);
+}
+
+#[test]
+fn every_command_of_the_table_answers() {
+    let (readme, output) = (readme(), folder("readme"));
+    let mut commands = 0;
+    for line in readme.lines().filter(|line| line.starts_with("| ")) {
+        let command = line.rsplit_once("`grasp-lcp ").and_then(|(_, rest)| rest.strip_suffix("` |"));
+        // The stream reads what it is given.
+        let Some(command) = command.filter(|command| !command.contains('<')) else { continue };
+        let is_a_scene =
+            |word: &&str| std::path::Path::new(word).extension().is_some_and(|end| end == "json");
+        let mut arguments: Vec<_> = command
+            .split_whitespace()
+            .map(|word| if is_a_scene(&word) { scene(word) } else { word.to_owned() })
+            .collect();
+        if command.starts_with("map") {
+            arguments.extend(["--output".to_owned(), output.display().to_string()]);
+        }
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        assert!(!printed(&arguments).is_empty(), "{command}");
+        commands += 1;
+    }
+    assert_eq!(commands, 12);
+}
+
+/// Short enough to be read.
+#[test]
+fn it_has_less_than_a_thousand_words() {
+    let words = readme().split_whitespace().count();
+    assert!(words <= 1000, "{words}");
+}
